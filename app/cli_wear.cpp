@@ -248,7 +248,7 @@ int map_garment(const WearMapVerbOptions& options)
     const WearRecording recording = as_invalid([&] { return WearRecording(options.recording); });
     const WearLayout& layout = recording.record().layout;
     int nearest = recording.frames() - 1;
-    if (const double end = recording.time_of(nearest); options.time > end * (1 + 1e-9))
+    if (const double end = recording.time_of(nearest); options.time > end * (1 + 1e-5))
         throw Stop(exit_usage, fmt::format("--time {:g}: The run {} at {:g} s; take a time from 0 to {:g}.", options.time,
                                            recording.finished() ? "ends" : "was stopped", end, end));
     for (int k = 0; options.time >= 0 && k < recording.frames(); ++k)

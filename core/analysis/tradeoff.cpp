@@ -27,7 +27,8 @@ KnobSettings refined(const Knobs& reference, double factor)
     KnobSettings settings;
     for (const KnobInfo& knob : knob_table()) {
         const double value = reference.*knob.value;
-        if (value == 0) continue;
+        if (!knob.words.empty()) settings[knob.name] = value;
+        if (!knob.words.empty() || value == 0) continue;
         const double fine = knob.cheaper < knob.finer ? value * factor : value / factor;
         settings[knob.name] = std::clamp(knob.whole ? std::round(fine) : fine, knob.least, knob.most);
     }

@@ -19,8 +19,8 @@ struct TradeoffVariant {
     bool timed = true; ///< convergence runs are made once and not timed
 };
 
-/// live, draft, standard, reference; then standard with one knob a step cheaper and a step finer, of the named knobs or, without names, of all.
-/// Throws Error when a name is not one of a knob.
+/// live, draft, standard, reference; then standard with one knob a step cheaper and a step finer, of the named knobs or, without names, of
+/// all. Throws Error when a name is not one of a knob.
 std::vector<TradeoffVariant> tradeoff_variants(const std::vector<std::string>& knobs);
 /// The ladder alone.
 std::vector<TradeoffVariant> tradeoff_ladder();

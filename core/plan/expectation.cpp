@@ -131,6 +131,7 @@ double distance(const ModelPlan& a, const ModelPlan& b)
     double far = std::abs(a.counts.suction - b.counts.suction);
     if (a.counts.type != b.counts.type) far += 100;
     if (a.on("liquid") != b.on("liquid")) far += 10;
+    if (a.on("cap") != b.on("cap")) far += 10;
     if (moves_otherwise(a, b)) far += 2;
     if (a.on("wicking") != b.on("wicking")) far += 1;
     return far + 0.1 * std::abs(std::log(std::max(1.0, a.counts.drops) / std::max(1.0, b.counts.drops)));
@@ -145,6 +146,7 @@ struct Nearest {
 /// large they might have been does not count.
 bool set_alike(const ModelPlan& measured, const ModelPlan& plan)
 {
+    if (measured.on("cap") != plan.on("cap")) return false;
     Knobs knobs = measured.knobs;
     if (measured.crossings_per_cell == 1 && plan.crossings_per_cell == 1) {
         knobs.crossings_per_cell = plan.knobs.crossings_per_cell;

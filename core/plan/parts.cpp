@@ -49,6 +49,15 @@ std::string left_out_below(double share)
                      : "nothing that has an effect is left out at this fidelity";
 }
 
+/// Radius of a drop's base at rest, m, at most: of a ball's cap, or of a puddle with its rim. A drop that goes on spreading below 30
+/// degrees is absorbed before.
+double base_at_rest(double volume, const Bounds& b)
+{
+    const double angle = std::max(radian_from_degree(b.advancing_deg), radian_from_degree(30));
+    const double length = std::sqrt(b.liquid.surface_tension / (b.liquid.density * gravity_acceleration)); // capillary
+    return std::max(cap_base(volume, angle), std::sqrt(volume / (pi * 2.0 * length * std::sin(0.5 * angle))) + 0.5 * length);
+}
+
 /// Why drops cannot stand as caps, in a sentence; empty: they can.
 std::string why_no_cap(const Experiment& experiment, const Bounds& b)
 {
@@ -59,13 +68,20 @@ std::string why_no_cap(const Experiment& experiment, const Bounds& b)
     if (drops.size() > most_drops) return fmt::format("More than {} drops fall.", most_drops);
     const auto [width, height] = sample_extent_mm(experiment);
     for (const Droplet& drop : drops) {
-        if (drop.volume_ul > most_volume_ul) return fmt::format("A drop of more than {:g} µl is no cap.", most_volume_ul);
         const double volume = cubic_metre_from_ul(drop.volume_ul), ball = std::cbrt(3.0 * volume / (4.0 * pi));
         const double speed = std::sqrt(drop.speed_m_s * drop.speed_m_s + 2.0 * gravity_acceleration * metre_from_mm(drop.height_mm));
         if (splashes(b.liquid.surface_tension, b.liquid.viscosity, b.liquid.density, ball, speed))
             return fmt::format("A drop lands with {:.3g} m/s and may splash.", speed);
-        const double rests = cap_base(volume, std::max(radian_from_degree(b.advancing_deg), radian_from_degree(30)));
-        const double base = std::max(rests, impact_base(b.liquid.surface_tension, b.liquid.density, ball, speed));
+        const double thrown = impact_base(b.liquid.surface_tension, b.liquid.density, ball, speed);
+        double joined = 0, base = 0; // m3 of all drops that may become one with this
+        for (const Droplet& other : drops) {
+            const double apart = metre_from_mm(std::hypot(drop.at_mm[0] - other.at_mm[0], drop.at_mm[1] - other.at_mm[1]));
+            if (apart > 2.0 * base_at_rest(cubic_metre_from_ul(std::max(drop.volume_ul, other.volume_ul)), b)) continue;
+            joined += cubic_metre_from_ul(other.volume_ul);
+        }
+        if (joined > cubic_metre_from_ul(most_volume_ul))
+            return fmt::format("Drops of more than {:g} µl together are no cap.", most_volume_ul);
+        base = std::max(base_at_rest(joined, b), thrown);
         const double room =
             std::min(metre_from_mm(0.5 * width - std::abs(drop.at_mm[0])), metre_from_mm(0.5 * height - std::abs(drop.at_mm[1])));
         if (base > room) return "A drop may reach over the sample's edge.";
@@ -99,7 +115,7 @@ public:
         std::string reason =
             !may ? why_not + " A drop is particles."
             : model == DropModel::particles
-                ? std::string("At this fidelity a drop is particles; fidelity.free_liquid=cap lets it stand as a cap.")
+                ? std::string("fidelity.free_liquid is particles; with cap or auto a drop would stand as a cap.")
                 : fmt::format(
                       "A drop stands as a cap with a contact line: it lands without splashing and has room on the sample. It spreads "
                       "while it shows more than {:.3g} degrees.",

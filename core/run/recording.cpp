@@ -213,7 +213,12 @@ Frame Recording::File::values_of(const StoredFrame& stored, std::span<const Fram
         frame.velocities.push_back({v[i], v[i + 1], v[i + 2]});
     }
     if (h5::exists(g, "cap_place")) {
-        const std::vector<float> place = h5::read_triples(g, "cap_place", most), size = h5::read_triples(g, "cap_size", most);
+        constexpr hsize_t most_caps = 1000;
+        constexpr float largest = 10; // m, m3
+        const std::vector<float> place = h5::read_triples(g, "cap_place", most_caps), size = h5::read_triples(g, "cap_size", most_caps);
+        for (const std::vector<float>* numbers : {&place, &size})
+            for (float number : *numbers)
+                if (!(std::abs(number) < largest)) throw FileError(fmt::format("a cap of it is {:g} m large, or away.", number));
         if (place.size() != size.size())
             throw FileError(fmt::format("it has {} caps, and sizes of {}.", place.size() / 3, size.size() / 3));
         for (std::size_t i = 0; i < place.size(); i += 3)

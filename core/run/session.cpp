@@ -31,12 +31,12 @@ double Session::advance(double until)
 
 void Session::poke(const PutDrop& put)
 {
-    if (scene_.rules.particles_per_droplet <= 0)
+    if (scene_.rules.particles_per_droplet <= 0 && !scene_.caps.on)
         throw Error("This scene is planned without drops. Plan it with one, or with \"liquid\" on.");
-    if (single_) throw Error("Drops meet single yarns. Simulate this scene with crossings_per_cell=1.");
+    if (single_ && !scene_.caps.on) throw Error("Drops meet single yarns. Simulate this scene with crossings_per_cell=1.");
     if (!(put.volume > 0)) throw Error("A drop needs a volume over 0.");
     while (time_ < until_) advance(until_);
-    if (scene_.liquid.particle_volume <= 0) // of the drops so far; from now on it stays
+    if (scene_.liquid.particle_volume <= 0 && !scene_.caps.on) // of the drops so far; from now on it stays
         scene_.liquid.particle_volume =
             scene_.supply.droplets.empty() ? put.volume / scene_.rules.particles_per_droplet : liquid_start(scene_).volume;
     const double radius = std::cbrt(3.0 * put.volume / (4.0 * pi));

@@ -18,6 +18,7 @@ void Caps::load(const Scene& scene)
     next_ = 0;
     came_ = 0;
     caps_.clear();
+    on_face_.clear();
 }
 
 double Caps::next_event(double time) const
@@ -59,15 +60,17 @@ double Caps::base_at(const Cap& cap, double angle) const { return CapShapes::tab
 bool Caps::spread(double time, double dt)
 {
     constexpr double first_touch = 0.2; // of the ball's radius, where a falling drop begins to stand
+    for (Cap& cap : caps_)
+        if (cap.stands()) spread(cap, dt);
+    join();
     bool landed = false;
     for (Cap& cap : caps_) {
-        if (cap.stands()) spread(cap, dt);
         if (cap.base > 0 || cap.lands > time) continue;
         cap.base = first_touch * cap.ball;
         landed = true;
     }
-    join();
-    return landed;
+    const auto is_released_now = [time](const SceneDroplet& drop) { return drop.time == time; };
+    return landed || std::any_of(scene_->supply.droplets.begin(), scene_->supply.droplets.end(), is_released_now);
 }
 
 /// In small steps, none past the place where the line would rest.
@@ -89,7 +92,7 @@ void Caps::spread(Cap& cap, double dt) const
     cap.base = std::min(cap.base, std::max(dry, rest));
 }
 
-/// Two at a time, until none touch.
+/// Two at a time. One that has moved meets those before it in the next step.
 void Caps::join()
 {
     for (std::size_t i = 0; i < caps_.size(); ++i)
@@ -128,16 +131,17 @@ std::int64_t Caps::evaporate(const ClimateParameters& climate, double dt)
 
 void Caps::take(const std::vector<CapSums>& sums)
 {
-    std::size_t at = 0;
-    for (Cap& cap : caps_)
-        if (cap.stands()) cap.water -= sums[at++].drawn;
+    for (std::size_t k = 0; k < on_face_.size(); ++k) caps_[on_face_[k]].water -= sums[k].drawn;
 }
 
-std::vector<CapOnFace> Caps::on_face() const
+std::vector<CapOnFace> Caps::on_face(double time)
 {
     std::vector<CapOnFace> standing;
-    for (const Cap& cap : caps_) {
-        if (!cap.stands()) continue;
+    on_face_.clear();
+    for (std::size_t k = 0; k < caps_.size(); ++k) {
+        const Cap& cap = caps_[k];
+        if (!cap.stands() || cap.lands >= time) continue;
+        on_face_.push_back(k);
         const CapShape shape = CapShapes::table().shape(volume(cap), cap.base, weight_);
         const double pressure = scene_->climate.surface_tension * (2.0 * shape.curvature + weight_ * shape.height);
         standing.push_back({cap.x, cap.y, cap.base, pressure, cap.water});

@@ -35,8 +35,9 @@ struct CapSums {
     std::int64_t wanted = 0, drawn = 0;
 };
 
-/// Lines of contact go by viscosity or inertia, whichever is slower, until a drop shows its advancing angle; they stay until it shows its
-/// receding one, at which they go back at once. Caps that touch become one of their volume about their common middle.
+/// Lines of contact go by viscosity or inertia, whichever is slower, until a drop shows its advancing angle, by inertia alone where an
+/// impact throws them farther; they stay until it shows its receding one, at which they go back at once. Caps that touch become one of
+/// their volume about their common middle.
 class Caps {
 public:
     void load(const Scene& scene);
@@ -45,15 +46,14 @@ public:
     double next_event(double time) const;
     /// Those that were due before a time fall; returns their water, quanta.
     std::int64_t release(double time);
-    /// Lands those that are due and lets lines of contact go on for dt, s. Returns whether any landed.
+    /// Lands those that are due and lets lines of contact go on for dt, s. Returns whether any landed, or is released now.
     bool spread(double time, double dt);
     /// Quanta that go to the air in dt, s.
     std::int64_t evaporate(const ClimateParameters& climate, double dt);
-    /// What yarns have drawn of each in on_face().
+    /// Those that stood before the step that ends at a time, in order; what lands at its end gives nothing in it.
+    std::vector<CapOnFace> on_face(double time);
+    /// What yarns have drawn of each of those.
     void take(const std::vector<CapSums>& sums);
-
-    /// Those that stand, in order.
-    std::vector<CapOnFace> on_face() const;
     std::vector<FrameCap> shown(double time) const;
     /// Whether any falls, or holds more than clings to the cloth.
     bool feed() const;
@@ -81,6 +81,7 @@ private:
     std::size_t next_ = 0;  ///< of the scene's drops
     std::int64_t came_ = 0; ///< quanta
     std::vector<Cap> caps_;
+    std::vector<std::size_t> on_face_; ///< places of those in on_face()
 };
 
 } // namespace hygroloom

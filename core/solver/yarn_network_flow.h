@@ -82,7 +82,7 @@ template <typename Executor> void YarnNetwork<Executor>::take_drops(double time,
     pools_.pumped.add(caps_.release(time));
     if (scene_->rules.vapour) evaporated_from_caps_.add(caps_.evaporate(climate_, dt));
     cap_landed_ = caps_.spread(time, dt);
-    caps_on_face_ = caps_.on_face();
+    caps_on_face_ = caps_.on_face(time);
     const double cell = std::max(scene_->cloth.warp_pitch, scene_->cloth.weft_pitch);
     constexpr double least = 0.75; // of a cell's side: the least circle that covers one of the places looked at
     for (CapOnFace& cap : caps_on_face_) {

@@ -39,7 +39,7 @@ double base_after(Caps& caps, const Scene& scene, double time)
     caps.release(1e-9);
     caps.spread(1e-9, 1e-9);
     for (int k = 0; k < steps; ++k) caps.spread((k + 1) * time / steps, time / steps);
-    return caps.on_face().at(0).base;
+    return caps.on_face(1e9).at(0).base;
 }
 
 std::vector<VerifyResult> cap_shape(const VerifyValues& v, Backend&)
@@ -107,7 +107,7 @@ std::vector<VerifyResult> cap_pinning(const VerifyValues& v, Backend&)
         caps.take({{0, caps.water() - wanted(k)}});
         caps.spread(30 + k, 1);
     }
-    const double base = caps.on_face().at(0).base, shown = CapShapes::table().shape(left, base, weight).angle;
+    const double base = caps.on_face(1e9).at(0).base, shown = CapShapes::table().shape(left, base, weight).angle;
     const double pinned = drop_of_volume(volume, angle, weight).base_radius,
                  drawn_back = drop_of_volume(left, receding, weight).base_radius;
     double low = 1e-3, high = pi - 1e-3; // of what is left on the base that stays

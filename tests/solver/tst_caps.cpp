@@ -12,7 +12,7 @@
 
 #include <QTest>
 
-#include <numeric>
+#include <algorithm>
 
 using namespace hygroloom;
 
@@ -122,7 +122,8 @@ private Q_SLOTS:
         const Scene centred = scene_of(fabric, drops_on_sample({drop_at(0, 0, 5)}, 1)),
                     aside = scene_of(fabric, drops_on_sample({drop_at(moved, -moved, 5)}, 1));
         const std::unique_ptr<Backend> backend = make_cpu_backend();
-        const Frame a = frames_at(*backend, centred, {0.3}).back(), b = frames_at(*backend, aside, {0.3}).back();
+        const Frame a = frames_at(*backend, centred, {0.025}).back(), b = frames_at(*backend, aside, {0.025}).back();
+        QVERIFY(a.ledger.water_free > 0.05 * a.ledger.water_delivered && in_cloth(a) > 0); // under way
         QVERIFY(std::abs(in_cloth(b) / in_cloth(a) - 1) < 1e-9);
         const int end = centred.cloth.ends / 2, pick = centred.cloth.picks / 2, picks = centred.cloth.picks;
         for (int k = -2; k <= 2; ++k) {
@@ -138,11 +139,18 @@ private Q_SLOTS:
                     bundles = scene_of(library_fabric("Textile F"), experiment, {{"crossings_per_cell", 2}});
         QVERIFY(bundles.cloth.threads_per_cell == 2);
         const std::unique_ptr<Backend> backend = make_cpu_backend();
-        for (double time : {0.05, 0.15}) {
-            const Frame a = frames_at(*backend, single, {time}).back(), b = frames_at(*backend, bundles, {time}).back();
-            qInfo("%.2f s: %.4f mg in single yarns, %.4f mg in bundles", time, 1e6 * in_cloth(a), 1e6 * in_cloth(b));
-            QVERIFY(std::abs(b.ledger.water_free - a.ledger.water_free) < 0.03 * a.ledger.water_delivered);
-        }
+        const auto wet = [](const Frame& frame) { // share of the segments that hold liquid
+            const auto holds = [](float liquid) { return liquid > 0; };
+            return double(std::count_if(frame.liquid.begin(), frame.liquid.end(), holds)) / double(frame.liquid.size());
+        };
+        const std::vector<double> times{0.03, 1};
+        const std::vector<Frame> a = frames_at(*backend, single, times), b = frames_at(*backend, bundles, times);
+        qInfo("0.03 s: %.4f mg in single yarns, %.4f mg in bundles; 1 s: %.4f and %.4f of the cloth wet", 1e6 * in_cloth(a[0]),
+              1e6 * in_cloth(b[0]), wet(a[1]), wet(b[1]));
+        // A bundle's room is reached at once, so a standing drop is drawn from faster: limits.md has the size.
+        QVERIFY(std::abs(b[0].ledger.water_free - a[0].ledger.water_free) < 0.15 * a[0].ledger.water_delivered);
+        QVERIFY(std::abs(in_cloth(b[1]) / in_cloth(a[1]) - 1) < 0.01);
+        QVERIFY(std::abs(wet(b[1]) / wet(a[1]) - 1) < 0.2);
     }
     void shapesAreYoungAndLaplaces()
     {

@@ -45,9 +45,7 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
 {
     experiment_->setMinimumContentsLength(16);
     experiment_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    for (const Fidelity each : all_fidelities) {
-        fidelity_->addItem(fidelityName(each), static_cast<int>(each));
-    }
+    for (const Fidelity each : all_fidelities) { fidelity_->addItem(fidelityName(each), static_cast<int>(each)); }
     for (const int count : {1, 4, 8, 16}) { replicates_->addItem(QString::number(count), count); }
     replicates_->setToolTip(
         "<p>" +

@@ -21,7 +21,6 @@ namespace hygroloom {
 
 namespace {
 
-
 } // namespace
 
 RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
@@ -78,7 +77,8 @@ RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
 void RunForm::addFidelities()
 {
     auto* row = new QHBoxLayout;
-    const QString tips[] = {tr("Cells about 12 mm wide."), tr("Cells about 6 mm wide."), tr("Cells about 3 mm wide."), tr("Cells about 1.5 mm wide.")};
+    const QString tips[] = {tr("Cells about 12 mm wide."), tr("Cells about 6 mm wide."), tr("Cells about 3 mm wide."),
+                            tr("Cells about 1.5 mm wide.")};
     for (std::size_t i = 0; i < all_fidelities.size(); ++i) {
         auto* button = new QRadioButton(fidelityName(all_fidelities[i]));
         button->setAccessibleName(tr("Fidelity: %1").arg(button->text()));

@@ -46,9 +46,7 @@ CalibrateDialog::CalibrateDialog(Document& document, Fidelity fidelity, const st
       report_(new QPushButton(tr("&Save Report…")))
 {
     setWindowTitle(tr("Calibrate"));
-    for (const Fidelity one : all_fidelities) {
-        fidelity_->addItem(fidelityName(one), static_cast<int>(one));
-    }
+    for (const Fidelity one : all_fidelities) { fidelity_->addItem(fidelityName(one), static_cast<int>(one)); }
     fidelity_->setCurrentIndex(fidelity_->findData(static_cast<int>(fidelity)));
     auto* form = new QFormLayout;
     buildForm(form);

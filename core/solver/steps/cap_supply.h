@@ -49,7 +49,9 @@ struct WeighCaps {
         const FedFace circle = find.under(cap);
         const double places = circle.places * circle.places;
         const double share = taker.is_room() ? circle.places_inside(find.s, crossing) / places : circle.share(find.s, number);
-        return share > 0 ? static_cast<std::int64_t>(share * taker.draws_from_cap(dt, find.caps[cap].pressure) / water_quantum) : 0;
+        constexpr double most = 1e-6; // kg, over what a taker holds: their sum can be counted
+        const double draws = share > 0 ? share * taker.draws_from_cap(dt, find.caps[cap].pressure) : 0.0;
+        return static_cast<std::int64_t>((draws < most ? draws : most) / water_quantum);
     }
     HL_FN void operator()(int index) const
     {
