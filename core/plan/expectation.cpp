@@ -1,68 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/plan/expectation.h"
 
-#include "core/base/error.h"
 #include "core/base/student.h"
 #include "core/base/text.h"
 #include "core/physics/liquid.h"
 #include "core/physics/particle_steps.h"
 #include "core/plan/bundles.h"
-#include "core/plan/plan_json.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 namespace hygroloom {
-
-extern const char measured_scenes_json[];
-
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-std::map<std::string, double> metric_errors(const Json& errors)
-{
-    std::map<std::string, double> all;
-    for (const auto& [metric, value] : errors.at("metrics").items())
-        if (!value.at("value").is_null() && !value.at("reference").is_null()) all[metric] = value.at("error");
-    return all;
-}
-
-MeasuredScene scene_from(const Json& json)
-{
-    MeasuredScene scene;
-    scene.fabric = json.at("scene").at("fabric");
-    scene.experiment = json.at("scene").at("experiment");
-    scene.backend = json.at("provenance").at("backend");
-    scene.device = json.at("provenance").at("device");
-    scene.date = json.at("provenance").at("date").get<std::string>().substr(0, 10);
-    const Json& load = json.at("provenance").at("load_at_start");
-    if (!load.is_null()) scene.load = load;
-    for (const Json& step : json.at("convergence"))
-        for (const auto& [metric, error] : metric_errors(step.at("errors"))) scene.reference_errors[metric] += error;
-    for (const Json& p : json.at("points")) {
-        const bool timed = !p.at("wall_s").is_null() && !p.at("peak_bytes").is_null();
-        if (!timed && p.at("errors").is_null()) continue;
-        MeasuredRun run;
-        run.plan = plan_from_value(p.at("plan"));
-        for (const auto& [name, value] : p.at("set").items()) run.settings[name] = value;
-        if (timed) run.seconds = p.at("wall_s");
-        if (timed) run.bytes = p.at("peak_bytes");
-        const SceneCounts& counts = run.plan.counts;
-        if (run.plan.on("liquid") && !(counts.capillarity > 0 && counts.drop_base > 0))
-            throw Error("It is older than the program: the liquid's capillarity or the drop's base is missing.");
-        if (!p.at("errors").is_null()) {
-            run.error = p.at("errors").at("largest").get<double>();
-            run.errors = metric_errors(p.at("errors"));
-        }
-        scene.runs.push_back(std::move(run));
-    }
-    return scene;
-}
 
 /// Segments that are simulated: bundles', where yarns go in bundles.
 double cells_of(const ModelPlan& plan)
@@ -180,11 +132,9 @@ bool is_cut(const ModelPlan& plan)
     return std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.forced && !p.on; });
 }
 
-bool same_scene(const MeasuredScene& a, const MeasuredScene& b) { return a.fabric == b.fabric && a.experiment == b.experiment; }
-
 /// Of each metric the error that 90 % of the runs so set keep, by Student's law from the mean square of those of all measured scenes of the
 /// kind, with the mean square of those of the references that are known; wider, the less alike the nearest of them is. Scenes that were not
-/// measured on the plan's backend count as they were on another, for both compute the same.
+/// measured on the plan's backend at its fidelity count as they were on another, for both compute the same.
 std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::vector<MeasuredScene>& measured,
                                              const std::vector<MeasuredScene>& elsewhere)
 {
@@ -211,8 +161,12 @@ std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::v
         }
     };
     for (const MeasuredScene& scene : measured) take(scene);
+    const auto has_this = [&](const MeasuredScene& own) {
+        return std::any_of(own.runs.begin(), own.runs.end(), [&](const MeasuredRun& run) { return run.plan.fidelity == plan.fidelity; });
+    };
     for (const MeasuredScene& scene : elsewhere)
-        if (std::none_of(measured.begin(), measured.end(), [&](const MeasuredScene& own) { return same_scene(own, scene); })) take(scene);
+        if (std::none_of(measured.begin(), measured.end(), [&](const MeasuredScene& own) { return own.is_of(scene) && has_this(own); }))
+            take(scene);
     std::map<std::string, double> errors;
     for (const auto& [metric, of] : squares)
         errors[metric] = (1 + nearest) * student_factor(of_intervals, of.count) *
@@ -220,45 +174,7 @@ std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::v
     return errors;
 }
 
-/// Both backends compute the same: where a scene's reference was refined on one of them only, its own error holds on the other as well.
-void share_errors_of_references(std::vector<MeasuredScene>& scenes)
-{
-    for (MeasuredScene& scene : scenes)
-        for (const MeasuredScene& other : scenes)
-            if (scene.reference_errors.empty() && same_scene(scene, other)) scene.reference_errors = other.reference_errors;
-}
-
 } // namespace
-
-MeasuredScene measured_scene(const std::string& json, const std::string& file)
-try {
-    return scene_from(Json::parse(json));
-} catch (const std::exception& e) {
-    throw Error(fmt::format("{}: The measured trade-off cannot be read: {}", file, e.what()));
-}
-
-const std::vector<MeasuredScene>& shipped_measurements()
-{
-    static const std::vector<MeasuredScene> scenes = [] {
-        std::vector<MeasuredScene> list;
-        for (const Json& scene : Json::parse(measured_scenes_json)) list.push_back(scene_from(scene));
-        share_errors_of_references(list);
-        return list;
-    }();
-    return scenes;
-}
-
-const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend)
-{
-    static const std::map<std::string, std::vector<MeasuredScene>> scenes = [] {
-        std::map<std::string, std::vector<MeasuredScene>> lists;
-        for (const MeasuredScene& scene : shipped_measurements()) lists[scene.backend].push_back(scene);
-        return lists;
-    }();
-    static const std::vector<MeasuredScene> none;
-    const auto found = scenes.find(backend);
-    return found == scenes.end() ? none : found->second;
-}
 
 namespace {
 
@@ -352,6 +268,23 @@ double rough_bytes(const ModelPlan& plan)
            wider * particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
 }
 
+namespace {
+
+/// Where nothing of the kind was measured on the plan's backend at its fidelity: the errors that were found on another.
+void take_errors_from(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const std::vector<MeasuredScene>& elsewhere)
+{
+    const Nearest nearest = nearest_run(plan, elsewhere);
+    if (!nearest.run || distance(plan, nearest.run->plan) >= 1 || !set_alike(nearest.run->plan, plan) || is_cut(plan) ||
+        moves_otherwise(plan, nearest.run->plan))
+        return;
+    plan.expected_error = nearest.run->error;
+    plan.expected_errors = errors_of_kind(plan, measured, elsewhere);
+    plan.expectation_source += fmt::format(" The numerical error was measured on a run of {}, {} on {}.", nearest.scene->fabric,
+                                           nearest.scene->experiment, nearest.scene->device);
+}
+
+} // namespace
+
 void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const std::vector<MeasuredScene>& elsewhere)
 {
     const Nearest nearest = nearest_run(plan, measured);
@@ -363,6 +296,7 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const s
         plan.expected_bytes = 40e6 + rough_bytes(plan);
         plan.expectation_source = fmt::format("A rough guess from unit costs of {}: no scene of this kind was measured at this fidelity.",
                                               backend == "cuda" ? "an NVIDIA H100" : "2 cores of an AMD EPYC");
+        take_errors_from(plan, measured, elsewhere);
         return;
     }
     const MeasuredRun& run = *nearest.run;

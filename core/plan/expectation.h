@@ -26,6 +26,9 @@ struct MeasuredScene {
     std::vector<MeasuredRun> runs; ///< those with a time or errors
     /// Of each metric: of the reference against one twice as fine, and of that against one four times as fine, summed.
     std::map<std::string, double> reference_errors;
+
+    /// Whether both are the same experiment on the same fabric.
+    bool is_of(const MeasuredScene& other) const { return fabric == other.fabric && experiment == other.experiment; }
 };
 
 /// What a file of tradeoff holds of it. Throws Error with the name of the file.

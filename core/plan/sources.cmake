@@ -19,6 +19,7 @@ target_sources(hygroloom_core PRIVATE
   plan/fidelity_choice.cpp
   plan/frame_times.cpp
   plan/idle_keys.cpp
+  plan/measured_scenes.cpp
   plan/model_plan.cpp
   plan/parts.cpp
   plan/plan_json.cpp
