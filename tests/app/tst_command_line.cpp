@@ -277,7 +277,7 @@ private Q_SLOTS:
         };
         QCOMPARE(plan("--time", "9h")["fidelity"].toString(), QString("reference"));
         const QJsonObject hurried = plan("--time", "0.001s");
-        QCOMPARE(hurried["fidelity"].toString(), QString("draft"));
+        QCOMPARE(hurried["fidelity"].toString(), QString("live"));
         QVERIFY(hurried["fidelity_reason"].toString().startsWith("No fidelity is expected to take at most 0.001 s"));
         QVERIFY(!plan("--error", "5%")["fidelity_reason"].toString().isEmpty());
     }

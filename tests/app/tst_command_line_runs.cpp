@@ -169,7 +169,7 @@ private Q_SLOTS:
         QCOMPARE(json["format"].toString(), QString("hygroloom-tradeoff"));
         QVERIFY(json["provenance"].toObject()["complete"].toBool());
         const QJsonArray points = json["points"].toArray();
-        QCOMPARE(points.size(), 3 + 4 + 2);
+        QCOMPARE(points.size(), 4 + 4 + 2);
         for (const QJsonValue& value : points) {
             const QJsonObject point = value.toObject();
             const bool timed = !point["name"].toString().contains(" x ");
@@ -178,9 +178,9 @@ private Q_SLOTS:
             QVERIFY(point["errors"].toObject().contains("largest"));
             QVERIFY(!point["stages_percent"].toObject().isEmpty());
         }
-        QCOMPARE(points[2].toObject()["errors"].toObject()["largest"].toDouble(), 0.0);
+        QCOMPARE(points[3].toObject()["errors"].toObject()["largest"].toDouble(), 0.0);
         QVERIFY(points[0].toObject()["errors"].toObject()["largest"].toDouble() > 0);
-        QCOMPARE(contents(folder_.filePath("tradeoff/tradeoff.csv")).count('\n'), 11 + 1 + 9);
+        QCOMPARE(contents(folder_.filePath("tradeoff/tradeoff.csv")).count('\n'), 11 + 1 + 10);
         QVERIFY(contents(folder_.filePath("tradeoff/tradeoff.svg")).endsWith("</svg>\n"));
     }
     void anInterruptedTradeoffKeepsWhatWasMeasured()
@@ -191,7 +191,7 @@ private Q_SLOTS:
         QVERIFY(process.waitForStarted());
         QByteArray said;
         const auto has_said = [&](const char* words) { return (said += process.readAllStandardError()).contains(words); };
-        QTRY_VERIFY_WITH_TIMEOUT(has_said("draft (1 of 3): "), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(has_said("live (1 of 4): "), 60000);
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
         QVERIFY(process.waitForFinished(10000));
         QCOMPARE(process.exitCode(), 130);
@@ -272,7 +272,7 @@ private Q_SLOTS:
                                                    "heat=off,vapour=off", "--fidelity", "auto", "--time", "0.001s"} +
                                            scene,
                                        300);
-        QVERIFY2(hurried.out.contains("fidelity draft: No fidelity is expected to take at most 0.001 s"), hurried.out);
+        QVERIFY2(hurried.out.contains("fidelity live: No fidelity is expected to take at most 0.001 s"), hurried.out);
         QVERIFY2(hurried.out.contains("of 3 runs"), hurried.out);
         const QString first = candidates[0].toObject()["fabric"].toString();
         QVERIFY(run_cli(compare + scene + QStringList{"--fabrics", first}).err.contains("two or more fabrics"));
