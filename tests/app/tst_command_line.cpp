@@ -209,7 +209,8 @@ private Q_SLOTS:
         QCOMPARE(knobs["fibre_shells"].toInt(), 12);
         QCOMPARE(knobs["particles_per_droplet"].toInt(), 8000);
         QCOMPARE(knobs["steps_between_absorption"].toInt(), 8);
-        QCOMPARE(knobs.size(), 14);
+        QCOMPARE(knobs["free_liquid"].toString(), QString("particles"));
+        QCOMPARE(knobs.size(), 15);
         QVERIFY(run_cli({"simulate", "--help"}).out.contains("fibre_shells"));
     }
     void planBeginsWithWhatItIsOfAndWhatToExpect()
