@@ -49,8 +49,8 @@ std::string left_out_below(double share)
                      : "nothing that has an effect is left out at this fidelity";
 }
 
-/// Radius of a drop's base at rest, m, at most: of a ball's cap, or of a puddle with its rim. A drop that goes on spreading below 30
-/// degrees is absorbed before.
+/// Radius of a drop's base at rest, m, at most: of a ball's cap, or of a puddle with its rim. That a drop which
+/// spreads on below 30 degrees is absorbed before it gets much farther is an assumption.
 double base_at_rest(double volume, const Bounds& b)
 {
     const double angle = std::max(radian_from_degree(b.advancing_deg), radian_from_degree(30));
@@ -73,7 +73,7 @@ std::string why_no_cap(const Experiment& experiment, const Bounds& b)
         if (splashes(b.liquid.surface_tension, b.liquid.viscosity, b.liquid.density, ball, speed))
             return fmt::format("A drop lands with {:.3g} m/s and may splash.", speed);
         const double thrown = impact_base(b.liquid.surface_tension, b.liquid.density, ball, speed);
-        double joined = 0, base = 0; // m3 of all drops that may become one with this
+        double joined = 0; // m3 of all drops that may become one with this
         for (const Droplet& other : drops) {
             const double apart = metre_from_mm(std::hypot(drop.at_mm[0] - other.at_mm[0], drop.at_mm[1] - other.at_mm[1]));
             if (apart > 2.0 * base_at_rest(cubic_metre_from_ul(std::max(drop.volume_ul, other.volume_ul)), b)) continue;
@@ -81,7 +81,7 @@ std::string why_no_cap(const Experiment& experiment, const Bounds& b)
         }
         if (joined > cubic_metre_from_ul(most_volume_ul))
             return fmt::format("Drops of more than {:g} µl together are no cap.", most_volume_ul);
-        base = std::max(base_at_rest(joined, b), thrown);
+        const double base = std::max(base_at_rest(joined, b), thrown);
         const double room =
             std::min(metre_from_mm(0.5 * width - std::abs(drop.at_mm[0])), metre_from_mm(0.5 * height - std::abs(drop.at_mm[1])));
         if (base > room) return "A drop may reach over the sample's edge.";

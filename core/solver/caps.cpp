@@ -59,7 +59,7 @@ double Caps::base_at(const Cap& cap, double angle) const { return CapShapes::tab
 
 bool Caps::spread(double time, double dt)
 {
-    constexpr double first_touch = 0.2; // of the ball's radius, where a falling drop begins to stand
+    constexpr double first_touch = 0.2; // of the ball's radius, where a falling drop begins to stand: an assumption
     for (Cap& cap : caps_)
         if (cap.stands()) spread(cap, dt);
     join();

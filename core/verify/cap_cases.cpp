@@ -31,7 +31,7 @@ Scene plate(double volume, double advancing, double receding)
 
 double weight_of(const Scene& scene) { return scene.climate.density * gravity_acceleration / scene.climate.surface_tension; }
 
-/// m, after a time in steps of the yarns' usual length.
+/// m, after a time in 400 equal steps.
 double base_after(Caps& caps, const Scene& scene, double time)
 {
     constexpr int steps = 400;

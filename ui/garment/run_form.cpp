@@ -19,10 +19,6 @@
 
 namespace hygroloom {
 
-namespace {
-
-} // namespace
-
 RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
     : QWidget(parent), choice_(choice), run_(run), fidelities_(new QButtonGroup(this)), expected_(new QLabel), device_(new QComboBox),
       start_(new QPushButton(themedIcon("run"), tr("Run"))), pause_(new QPushButton(themedIcon("pause"), tr("Pause"))),
