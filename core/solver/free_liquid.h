@@ -6,6 +6,7 @@
 #include "core/solver/host_cloth.h"
 #include "core/solver/liquid_start.h"
 #include "core/solver/state_archive.h"
+#include "core/solver/steps/drop_supply.h"
 #include "core/solver/steps/liquid_flow.h"
 #include "core/solver/stock.h"
 #include "core/solver/yarn_network.h"
@@ -32,8 +33,7 @@ public:
     int count() const { return flow_.count; }
     std::int64_t steps() const { return flow_.steps; }
     std::int64_t pressure_rounds() const { return flow_.rounds; }
-    /// How often neighbours have been listed.
-    std::int64_t listings() const { return flow_.listings; }
+    std::int64_t listings() const { return flow_.listings; } ///< of neighbours
     /// Whether there is none or it sleeps.
     bool rests() const { return flow_.count == 0 || flow_.asleep; }
     /// Whether it may soon come to the yarns: not while it sleeps on cloth that does not absorb it.
@@ -51,6 +51,10 @@ public:
     /// Takes the liquid from a time (s), which it brings up to date, towards the time when it meets the yarns, for about the given wall
     /// time; whether it is there.
     bool flow(double& time, double sync_time, double wall_seconds, const WaterAbsorbed& absorbed);
+
+    /// Offers yarns the particles that they touch now, where they draw as their liquid flows; whether it does.
+    bool offer(double time, const WaterAbsorbed& absorbed);
+    void take_payment(const Segments& segments); ///< of what they drew in their step
 
     /// Of what swollen yarns give back, by how many particles at most and from what surplus (kg) on.
     double least_given_back() const
@@ -93,6 +97,8 @@ private:
     LiquidControl flow_;            ///< as it was when last looked at
     Buffer<LiquidControl> control_; ///< where stages change it
     bool absorbed_ = false;         ///< whether any yarn absorbs liquid from drops
+    bool offers_ = false;           ///< whether they draw it as their liquid flows: see particles_offer()
+    bool offered_ = false;          ///< before the yarns' step
     std::size_t next_droplet_ = 0;
     double wall_per_step_ = 0; ///< s
     double stress_since_ = 0;  ///< s, when the stresses began to be summed
@@ -139,6 +145,7 @@ template <typename Executor> void FreeLiquid<Executor>::load(const Scene& scene)
     flow_.longest_dt = rules_.longest_step();
     absorbed_ =
         std::any_of(scene.cloth.yarns.begin(), scene.cloth.yarns.end(), [](const YarnParameters& yarn) { return yarn.intake_flux > 0; });
+    offers_ = absorbed_ && particles_offer(scene);
     load_cloth();
     make_room();
     if (!scene.liquid.places.empty()) load_standing();
@@ -301,6 +308,27 @@ bool FreeLiquid<Executor>::flow(double& time, double sync_time, double wall_seco
     return time >= sync_time || flow_.count == 0 || flow_.drains.on;
 }
 
+template <typename Executor> bool FreeLiquid<Executor>::offer(double time, const WaterAbsorbed& absorbed)
+{
+    const Segments& takers = absorbed.segments;
+    offered_ = offers_ && flow_.count > 0 && time >= flow_.flight_end;
+    if (offered_) exec_.for_each("offer", flow_.count, OfferFromDrops{particle_views(), shape(takers), takers, {absorbed.reach}});
+    return offered_;
+}
+
+template <typename Executor> void FreeLiquid<Executor>::take_payment(const Segments& segments)
+{
+    if (!offered_) return;
+    flow_.left = 0;
+    control_.write(0, flow_);
+    LiquidControl* control = control_.data();
+    const OfferFromDrops offered{particle_views(), shape(segments), segments, {}};
+    exec_.for_each("pay", flow_.count, PayForDrawn{offered, &control->absorbed});
+    exec_.for_each("close", flow_.count, CloseAccounts{offered, &control->absorbed, &control->left});
+    flow_ = control_.read(0);
+    if (flow_.left == 0) flow_.count = 0;
+}
+
 template <typename Executor> LiquidFlow FreeLiquid<Executor>::liquid_flow(const WaterAbsorbed& absorbed)
 {
     LiquidFlow flow;
@@ -320,7 +348,7 @@ template <typename Executor> LiquidFlow FreeLiquid<Executor>::liquid_flow(const 
     flow.wall_reach = scene_->liquid.vessel ? start_.reach : 2 * start_.spacing;
     flow.room = about_sample_;
     flow.density_tolerance = scene_->rules.density_tolerance;
-    flow.absorbs = absorbed_;
+    flow.absorbs = absorbed_ && !offers_;
     flow.reach = absorbed.reach;
     flow.order = order_.data();
     flow.key = key_.data();

@@ -233,7 +233,8 @@ enum class SegmentCount {
     fed_segments,      ///< all, where any hangs in liquid, else none
     watched_segments,  ///< all, where errors of steps are watched, else none
     takers,            ///< all that free liquid passes into: segments, and behind them each crossing's room where liquid flows by suction
-    offered_takers,    ///< the same, where a pool or caps stand on cloth in which liquid flows by suction, else none
+    offered_takers,    ///< the same, where a pool, caps or particles feed cloth in which liquid flows by suction, else none
+    promised_takers,   ///< the same, where particles feed it, else none
     cap_crossings,     ///< all crossings, where caps stand, else none
     uneven_segments,   ///< all, where yarns are uneven along their length, else none
     touching_segments, ///< all, where liquid flows by suction and neighbours touch, else none
@@ -264,7 +265,8 @@ template <template <typename> typename Array> struct SegmentFields {
     Array<double> between_suction{}, between_settled{};
     Array<const double> sweat{};                ///< m/s, see SkinSupply
     Array<std::int64_t> on_skin{};              ///< quanta that the skin under a crossing holds
-    Array<std::int64_t> offered{};              ///< quanta of a pool that each taker may draw in this step
+    Array<std::int64_t> offered{};              ///< quanta of a pool, cap or drop that each taker may still draw in this step
+    Array<std::int64_t> promised{}, paid{};     ///< by particles: quanta offered in this step, and what they have paid of those drawn
     Array<int> cap_over{};                      ///< place among those that stand of the cap over a crossing; -1: none
     Array<std::int64_t> absorbed{};             ///< quanta taken from particles and pools since the last network step
     Array<int> contact{};                       ///< note of the particle that touches, or none: see note_of()
@@ -308,6 +310,8 @@ template <template <typename> typename Array> struct SegmentFields {
         visit(Row{"sweat", "m/s", Count::skin_crossings}, of.sweat...);
         visit(Row{"on_skin", "2^-64 kg", Count::skin_crossings, saved}, of.on_skin...);
         visit(Row{"offered", "2^-64 kg", Count::offered_takers}, of.offered...);
+        visit(Row{"promised", "2^-64 kg", Count::promised_takers}, of.promised...);
+        visit(Row{"paid", "2^-64 kg", Count::promised_takers}, of.paid...);
         visit(Row{"cap_over", "1", Count::cap_crossings}, of.cap_over...);
         visit(Row{"absorbed", "2^-64 kg", Count::takers, saved}, of.absorbed...);
         visit(Row{"contact", "1", Count::takers}, of.contact...);

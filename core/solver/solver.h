@@ -7,6 +7,7 @@
 #include "core/solver/free_liquid.h"
 #include "core/solver/yarn_network_flow.h"
 #include "core/solver/yarn_network_stock.h"
+#include "core/solver/yarn_network_supply.h"
 
 #include <array>
 #include <chrono>
@@ -61,6 +62,7 @@ public:
             while (!liquid_.flow(time_, sync_time_, wall_seconds, yarns_.absorbed()))
                 if (elapsed(start) > wall_seconds) return time_;
             time_ = sync_time_;
+            yarns_.draw_from_particles(liquid_.offer(time_, yarns_.absorbed()));
             sync_time_ = -1;
             step_yarns(time_ - network_time_, time_ >= until);
             network_time_ = time_;
@@ -134,6 +136,7 @@ private:
     void step_yarns(double dt, bool frame_due)
     {
         const NetworkStep step = yarns_.begin_step(time_, dt, frame_due, liquid_.is_about());
+        liquid_.take_payment(yarns_.segments());
         bool wakes = false;
         if (yarns_.swells(step)) {
             const WaterGivenBack given = yarns_.swell(liquid_.least_given_back(), liquid_.room_for_given_back());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The cloth's yarns: their arrays, the liquid that comes to them without drops, and one step of the network that they form. How liquid
-// flows in it by suctions stands in yarn_network_flow.h.
+// The cloth's yarns: their arrays, and one step of the network that they form. How liquid comes to it stands in yarn_network_supply.h, how
+// it flows by suctions in yarn_network_flow.h.
 #pragma once
 
 #include "core/solver/caps.h"
@@ -43,6 +43,7 @@ public:
 
     /// From now on, until the next step, free liquid may come to the yarns.
     void expect_liquid() { may_have_absorbed_ = true; }
+    void draw_from_particles(bool offered) { particles_offer_ = offered; } ///< what they offer, in the next step
     WaterAbsorbed absorbed() { return {segments(), reach_.data()}; }
 
     // A step, in this order; between the first two swell() may give water back.
@@ -125,6 +126,7 @@ private:
     bool warp_first_ = true;         ///< in the next step by suction
     double unsolved_lines_ = 0;      ///< since the start
     bool may_have_absorbed_ = false; ///< some segment, from particles or a pool, since the last step
+    bool particles_offer_ = false;   ///< in the next step, or in this one
 
     SegmentFields<Buffer> fields_;
     Buffer<std::uint8_t> type_;
@@ -242,63 +244,6 @@ template <typename Executor> void YarnNetwork<Executor>::include_absorbed()
     if (!may_have_absorbed_ || !region_.unvisited().any()) return;
     region_.include_reached(reach_.download());
     reach_.fill(-1);
-}
-
-/// Liquid that came without drops in the last dt.
-template <typename Executor> void YarnNetwork<Executor>::supply(double time, double dt)
-{
-    if (!scene_->supply.fed.empty()) each_segment("keep fed", KeepFed{segments(), climate_.density});
-    feed_from_pools(time, dt);
-    if (scene_->caps.on) take_drops(time, dt);
-    if (scene_->supply.sweat > 0) sweat(dt);
-    if (!scene_->supply.skin.rate.empty()) sweat_from_skin(time, dt);
-    may_have_absorbed_ = may_have_absorbed_ || !pools_.standing.empty() || scene_->supply.sweat > 0 || !scene_->supply.skin.rate.empty();
-}
-
-/// Pools fill, and the yarns under them absorb.
-template <typename Executor> void YarnNetwork<Executor>::feed_from_pools(double time, double dt)
-{
-    pools_.fill(*scene_, time, dt, climate_.density);
-    if (by_suction() && scene_->rules.wicking) { // yarns draw while liquid moves
-        if (pools_.feeds()) face_under(0);       // visited before any stage of this step
-        return;
-    }
-    for (std::size_t k = 0; k < pools_.standing.size(); ++k) {
-        if (pools_.standing[k] <= 0) continue;
-        const FedFace face = face_under(k);
-        totals_.write(0, {});
-        const AskPool ask{segments(), face, climate_.density, dt, -1.0, &totals_.data()->asked};
-        each_segment("ask pool", ask);
-        each_segment("take from pool", TakeFromPool{ask, pools_.standing[k], &totals_.data()->given});
-        pools_.standing[k] -= totals_.read(0).given;
-    }
-}
-
-/// Each segment of the face gets its share; what finds no room runs off.
-template <typename Executor> void YarnNetwork<Executor>::sweat(double dt)
-{
-    const double each = scene_->supply.sweat * scene_->cloth.cell_area * climate_.density * dt;
-    const std::int64_t offered = static_cast<std::int64_t>(each / water_quantum) * scene_->cloth.crossings();
-    totals_.write(0, {});
-    const AskPool ask{segments(), {scene_->supply.sweat_on_top, -1.0, 0, 0}, climate_.density, dt, each, &totals_.data()->asked};
-    each_segment("sweat", TakeFromPool{ask, offered, &totals_.data()->given});
-    pools_.pumped.add(offered);
-    pools_.ran_off.add(offered - totals_.read(0).given);
-}
-
-/// Each crossing's skin gives what the cloth over it takes.
-template <typename Executor> void YarnNetwork<Executor>::sweat_from_skin(double time, double dt)
-{
-    const SkinSupply& skin = scene_->supply.skin;
-    totals_.write(0, {});
-    const double begins = 0.5 * (time + time - dt); // the factor changes at steps' ends only, and zones change evenly between them
-    if (skin.has_zones()) fields_.sweat.upload(skin.rates_at(begins));
-    if (!skin.airs.empty()) panels_.airs.upload(skin.airs_at(scene_->cloth.panels.airs, begins));
-    each_crossing("sweat", SweatFromSkin{segments(), climate_.density, skin.factor_at(begins) * dt, dt, skin.holds, &totals_.data()->asked,
-                                         &totals_.data()->shed});
-    const YarnTotals found = totals_.read(0);
-    pools_.pumped.add(found.asked);
-    pools_.ran_off.add(found.shed);
 }
 
 template <typename Executor> NetworkStep YarnNetwork<Executor>::begin_step(double time, double dt, bool frame_due, bool drops_about)

@@ -76,42 +76,4 @@ template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double 
     pools_.ran_off.add(found.shed);
 }
 
-/// Drops fall, land and spread in the last dt, as caps, and give to the air.
-template <typename Executor> void YarnNetwork<Executor>::take_drops(double time, double dt)
-{
-    pools_.pumped.add(caps_.release(time));
-    if (scene_->rules.vapour) evaporated_from_caps_.add(caps_.evaporate(climate_, dt));
-    cap_landed_ = caps_.spread(time, dt);
-    caps_on_face_ = caps_.on_face(time);
-    const double cell = std::max(scene_->cloth.warp_pitch, scene_->cloth.weft_pitch);
-    constexpr double least = 0.75; // of a cell's side: the least circle that covers one of the places looked at
-    for (CapOnFace& cap : caps_on_face_) {
-        cap.base = std::max(cap.base, least * cell);
-        region_.include_disc(cap.x, cap.y, cap.base + cell);
-    }
-}
-
-/// To what lies under them, as much of each as it would draw.
-template <typename Executor> void YarnNetwork<Executor>::offer_caps(double dt)
-{
-    cap_views_.upload(caps_on_face_);
-    cap_sums_.upload(std::vector<CapSums>(caps_on_face_.size()));
-    const Cloth& cloth = scene_->cloth;
-    const FindCap find{segments(),
-                       cap_views_.data(),
-                       static_cast<int>(caps_on_face_.size()),
-                       {true, 0, cloth.warp_pitch, cloth.weft_pitch, std::max(2, cloth.threads_per_cell)}};
-    const WeighCaps weigh{find, climate_.density, dt, cap_sums_.data()};
-    each_crossing("find cap", find);
-    each_segment("weigh cap", weigh);
-    each_segment("offer cap", OfferCaps{weigh});
-}
-
-/// What stands on a face in this step, as flow sees it.
-template <typename Executor> StandingPool YarnNetwork<Executor>::standing_pool()
-{
-    if (caps_on_face_.empty()) return pools_.standing_pool(*scene_, climate_);
-    return {true, 0, cap_views_.data(), cap_sums_.data()};
-}
-
 } // namespace hygroloom::inline HL_PRECISION

@@ -95,6 +95,11 @@ void add_suctions(YarnStart& start, const Scene& scene, const Segments& s)
 
 } // namespace
 
+bool particles_offer(const Scene& scene)
+{
+    return scene.cloth.by_suction && scene.rules.wicking && !scene.supply.droplets.empty() && scene.supply.pools.empty() && !scene.caps.on;
+}
+
 std::size_t count_of(SegmentCount count, const Scene& scene)
 {
     const auto segments = static_cast<std::size_t>(scene.cloth.segments());
@@ -106,7 +111,9 @@ std::size_t count_of(SegmentCount count, const Scene& scene)
     case SegmentCount::fed_segments: return scene.supply.fed.size();
     case SegmentCount::watched_segments: return scene.rules.step_error > 0 ? segments : 0;
     case SegmentCount::takers: return sucks ? 3 * segments / 2 : segments;
-    case SegmentCount::offered_takers: return sucks && (!scene.supply.pools.empty() || scene.caps.on) ? 3 * segments / 2 : 0;
+    case SegmentCount::offered_takers:
+        return (sucks && (!scene.supply.pools.empty() || scene.caps.on)) || particles_offer(scene) ? 3 * segments / 2 : 0;
+    case SegmentCount::promised_takers: return particles_offer(scene) ? 3 * segments / 2 : 0;
     case SegmentCount::cap_crossings: return scene.caps.on ? segments / 2 : 0;
     case SegmentCount::uneven_segments: return scene.cloth.pores.size();
     case SegmentCount::touching_segments: return sucks ? scene.cloth.touching.size() : 0;

@@ -11,6 +11,10 @@ namespace hygroloom::inline HL_PRECISION {
 /// How many elements an array of a scene's segments has.
 std::size_t count_of(SegmentCount count, const Scene& scene);
 
+/// Whether yarns draw from a drop's particles in the step in which their liquid flows. Elsewhere segments absorb from particles as the
+/// liquid goes on: where no liquid flows by suctions, or a pool makes the offers.
+bool particles_offer(const Scene& scene);
+
 /// One value per segment; regain per shell.
 struct YarnStart {
     std::vector<double> pores;  ///< m3

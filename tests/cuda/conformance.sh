@@ -71,6 +71,8 @@ if command -v compute-sanitizer > /dev/null; then
             --set experiment=moisture_management --set duration_s=0.1 --backend cuda
         try "$tool, a cap" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
             --set closure=pores --set fidelity=live --set duration_s=0.05 --backend cuda
+        try "$tool, a drop on cloth" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
+            --set closure=pores --set fidelity=draft --set duration_s=0.02 --backend cuda
         try "$tool, yarns that touch" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
             --set experiment=moisture_management --set "fabric=Textile C" --set duration_s=0.02 --backend cuda
     done

@@ -138,14 +138,17 @@ struct GiveBack {
 };
 
 struct ForgetContact {
-    /// Only the particle that is noted writes. Others may read meanwhile: before or after, it is not them.
-    HL_FN static void forget(int& note, int i)
+    /// Returns whether it was noted. Only the particle that is writes. Others may read meanwhile: before or after, it is not them.
+    HL_FN static bool forget(int& note, int i)
     {
 #ifdef __CUDA_ARCH__
-        if (notes(note, i)) note = no_particle;
+        const bool noted = notes(note, i);
+        if (noted) note = no_particle;
 #else
-        if (notes(__atomic_load_n(&note, __ATOMIC_RELAXED), i)) __atomic_store_n(&note, no_particle, __ATOMIC_RELAXED);
+        const bool noted = notes(__atomic_load_n(&note, __ATOMIC_RELAXED), i);
+        if (noted) __atomic_store_n(&note, no_particle, __ATOMIC_RELAXED);
 #endif
+        return noted;
     }
     Particles p;
     TextileShape textile;

@@ -9,12 +9,13 @@
 
 namespace hygroloom::inline HL_PRECISION {
 
-/// A pool on a face, or caps.
+/// A pool on a face, or drops: caps, or particles.
 struct StandingPool {
     bool stands = false;
     double pressure = 0;             ///< Pa, of a pool, by its weight and its curved surface
-    const CapOnFace* caps = nullptr; ///< null: it is a pool
+    const CapOnFace* caps = nullptr; ///< null: there are none
     CapSums* sums = nullptr;         ///< of the caps
+    bool drops = false;              ///< which hairs hold off dry yarns
 };
 
 /// Classes of pores at a place of a line.
@@ -279,7 +280,7 @@ struct PoreLines {
             const End to = end_of(line, p, which, i);
             const double conductance =
                 which == room_pores ? find().permeability_of_room(p.crossing, room(p)) * room(p).face : yarn_of(p, which).face_conductance;
-            const double gate = pool.caps != nullptr && which != room_pores ? to.gate * pores(p, which).between_hairs : to.gate;
+            const double gate = pool.drops && which != room_pores ? to.gate * pores(p, which).between_hairs : to.gate;
             line(feed + which, i) = climate.density * conductance * 0.5 * dt * (to.is_connected() ? 1.0 : gate);
             any = any || line(feed + which, i) > 0;
         }
