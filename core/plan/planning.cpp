@@ -47,6 +47,8 @@ void find_idle_knobs(ModelPlan& plan, const Textile& textile, const Experiment& 
         idle(!particles, knob, liquid ? "drops are caps" : b.drops > 0 ? "the free liquid is left out" : "no drop falls");
     idle(!liquid, "free_liquid", b.drops > 0 ? "the free liquid is left out" : "no drop falls");
     idle(particles && !b.wicks, "steps_between_absorption", "no yarn draws liquid");
+    idle(particles && b.wicks && experiment.closure == Closure::pores && plan.on("wicking"), "steps_between_absorption",
+         "yarns draw from drops as their liquid flows");
     idle(!liquid && info_of(experiment.type).source != WaterSource::pool, "saturation_change", "there is neither a drop nor a pool");
     const auto may_be_on = [&](const char* part) { return plan.on(part) || plan.watches(part); };
     idle(!may_be_on("sorption"), "fibre_shells", "sorption is left out");

@@ -120,8 +120,9 @@ struct FlowAlongLines : PoreRounds {
             return false;
         }
         const Place p = place(line, i);
+        std::int64_t drew[3] = {};
         if (pool.stands) {
-            take_from_pool(line, p, i);
+            take_from_pool(line, p, i, drew);
             shed_through_hole(line, p, i);
         }
         const double ax = from_room(line, i), ab = from_crossed(line, i), bx = from_crossed_to_room(line, i);
@@ -131,6 +132,7 @@ struct FlowAlongLines : PoreRounds {
         double over = 0;
         for (int which = 0; which < 3; ++which) over += put(mass[which], 0, capacity(p, which));
         for (int which = 0; which < 3 && over != 0; ++which) over = put(mass[which], over, capacity(p, which));
+        if (over > 0) over -= hand_back(p, drew, over);
         mass[own_pores] += over;
         warm(p, liquid(p, crossed_pores) - mass[crossed_pores]);
         for (int which = 0; which < 3; ++which) liquid(p, which) = mass[which];
@@ -143,25 +145,43 @@ struct FlowAlongLines : PoreRounds {
         mass = wanted < 0 ? 0.0 : wanted > capacity ? capacity : wanted;
         return wanted - mass;
     }
-    template <typename Team> HL_FN void take_from_pool(const Line<Team>& line, const Place& p, int i) const
+    template <typename Team> HL_FN void take_from_pool(const Line<Team>& line, const Place& p, int i, std::int64_t (&drew)[3]) const
     {
         for (int which = 0; which < 3; ++which) {
-            const auto quanta = static_cast<std::int64_t>(from_pool(line, which, i) / water_quantum);
-            if (quanta == 0) continue;
-            const double mass = static_cast<double>(quanta) * water_quantum;
-            const int segment = which == crossed_pores ? p.crossed : p.own;
-            if (s.warmth[segment] != 0) {
-                const double heat =
-                    heat_capacity(yarn_of(p, which == crossed_pores ? crossed_pores : own_pores), s.length[segment], s.warm_water(segment));
-                if (quanta > 0)
-                    s.warmth[segment] *= heat * plain_inverse(heat + water_specific_heat * mass);
-                else
-                    s.lost[segment] -= water_specific_heat * mass * s.warmth[segment];
-            }
-            liquid(p, which) += mass;
-            s.offered[taker(p, which)] -= quanta;
-            atomic_add(pool.caps == nullptr ? drawn : &pool.sums[s.cap_over[p.crossing]].drawn, quanta);
+            drew[which] = static_cast<std::int64_t>(from_pool(line, which, i) / water_quantum);
+            if (drew[which] == 0) continue;
+            settle_with_pool(p, which, drew[which]);
+            liquid(p, which) += static_cast<double>(drew[which]) * water_quantum;
         }
+    }
+    /// Charges the pool for quanta that it gives to a class, and the class's segment for the heat that they bring.
+    HL_FN void settle_with_pool(const Place& p, int which, std::int64_t quanta) const
+    {
+        const double mass = static_cast<double>(quanta) * water_quantum;
+        const int segment = which == crossed_pores ? p.crossed : p.own;
+        if (s.warmth[segment] != 0) {
+            const double heat =
+                heat_capacity(yarn_of(p, which == crossed_pores ? crossed_pores : own_pores), s.length[segment], s.warm_water(segment));
+            if (quanta > 0)
+                s.warmth[segment] *= heat * plain_inverse(heat + water_specific_heat * mass);
+            else
+                s.lost[segment] -= water_specific_heat * mass * s.warmth[segment];
+        }
+        s.offered[taker(p, which)] -= quanta;
+        atomic_add(pool.caps == nullptr ? drawn : &pool.sums[s.cap_over[p.crossing]].drawn, quanta);
+    }
+    /// What no class of a full crossing can hold, where rounds have left it open, goes back to the pool as far as it came from there; kg.
+    HL_FN double hand_back(const Place& p, const std::int64_t (&drew)[3], double over) const
+    {
+        double back = 0;
+        for (int which = 0; which < 3 && back < over; ++which) {
+            if (drew[which] <= 0) continue;
+            const auto wanted = static_cast<std::int64_t>((over - back) / water_quantum) + 1;
+            const std::int64_t quanta = wanted < drew[which] ? wanted : drew[which];
+            settle_with_pool(p, which, -quanta);
+            back += static_cast<double>(quanta) * water_quantum;
+        }
+        return back;
     }
     template <typename Team> HL_FN void shed_through_hole(const Line<Team>& line, const Place& p, int i) const
     {
