@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The Garment workspace in its window: how it is reached, which commands it has, that everything fits, and the garment in 3D.
+#include "core/project/project_file.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/compare/run_list.h"
 #include "ui/document/run_folder.h"
@@ -11,6 +12,7 @@
 #include "ui/garment/run_form.h"
 #include "ui/garment/shape_view.h"
 #include "ui/garment/wear_form.h"
+#include "ui/results/run_history.h"
 #include "ui/window/docks.h"
 #include "window_test.h"
 
@@ -210,6 +212,43 @@ private Q_SLOTS:
         button("Forget…")->click();
         QVERIFY(!QDir(runFolderOf(project)).exists());
         QCOMPARE(list->topLevelItemCount(), 0);
+    }
+
+    /// In memory, in the file, and in the steps that are undone and done again.
+    void filesOfAGarmentAreFoundAfterSaveAs()
+    {
+        const QDir folder(folder_.path());
+        QVERIFY(folder.mkpath("one/files") && folder.mkpath("two/deeper"));
+        QVERIFY(QFile::copy(QString(HYGROLOOM_SOURCE_DIR) + "/tests/data/garments/tee.json", folder.filePath("one/files/tee.json")));
+        for (const char* name : {"one/zones.csv", "one/rates.csv"}) { QVERIFY(QFile(folder.filePath(name)).open(QIODevice::WriteOnly)); }
+        Document& document = window_->document();
+        QVERIFY(document.saveAs(folder.filePath("one/worn.hygro")));
+        addGarmentFile(document, folder.filePath("one/files/tee.json"));
+        QCOMPARE(document.design()->garments[0].source, std::string("files/tee.json"));
+        editGarment(document, "zones", 0, {}, [](Garment& garment) { garment.wearer.zones = "zones.csv"; });
+        editWear(document, "rates", 0, {}, [](WearExperiment& wear) { wear.activity_file = "rates.csv"; });
+        const Design before = *document.design();
+        const QString project = folder.filePath("two/deeper/worn.hygro");
+        chooseFile(project);
+        trigger("Save As…");
+        const auto expectMoved = [](const Design& design) {
+            QCOMPARE(design.garments[0].source, std::string("../../one/files/tee.json"));
+            QCOMPARE(design.garments[0].wearer.zones, std::string("../../one/zones.csv"));
+            QCOMPARE(design.wears[0].activity_file, std::string("../../one/rates.csv"));
+        };
+        expectMoved(*document.design());
+        expectMoved(read_project(project.toStdString()));
+        QVERIFY(garmentHoldsFor(before, before.garments[0].name, before.wears[0].name, *document.design()));
+        QVERIFY(!document.modified());
+        QTRY_VERIFY(window_->garment().choice().drawing());
+        document.history()->undo();
+        document.history()->undo();
+        QCOMPARE(document.design()->garments[0].source, std::string("../../one/files/tee.json"));
+        QCOMPARE(document.design()->garments[0].wearer.zones, Wearer{}.zones);
+        document.history()->redo();
+        document.history()->redo();
+        expectMoved(*document.design());
+        QVERIFY(!document.modified());
     }
 
     void aRunIsSavedToAnotherFile()

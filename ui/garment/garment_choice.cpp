@@ -3,8 +3,6 @@
 
 #include "core/base/error.h"
 
-#include <QFileInfo>
-
 #include <algorithm>
 
 namespace hygroloom {
@@ -52,11 +50,7 @@ void GarmentChoice::setWearIndex(int index)
     Q_EMIT changed();
 }
 
-std::filesystem::path GarmentChoice::base() const
-{
-    return document_.path().isEmpty() ? std::filesystem::path{}
-                                      : std::filesystem::path(QFileInfo(document_.path()).absolutePath().toStdString());
-}
+std::filesystem::path GarmentChoice::base() const { return document_.folder().toStdString(); }
 
 void GarmentChoice::refresh()
 {

@@ -4,6 +4,7 @@
 #include "ui/basics/icon_button.h"
 #include "ui/basics/name_dialog.h"
 #include "ui/basics/typed_value.h"
+#include "ui/document/sources.h"
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/panel_table.h"
@@ -187,13 +188,13 @@ void GarmentPanel::chooseSweat(int index)
     } else if (index + 1 < sweat_->count()) {
         return; // the file that is in use
     } else {
-        const QString folder = QString::fromStdString(choice_.base().string());
+        const QString folder = choice_.document().folder();
         const QString file = QFileDialog::getOpenFileName(this, tr("Sweat Rates"), folder, tr("Tables of zones (*.csv)"));
         if (file.isEmpty()) {
             refresh();
             return;
         }
-        zones = (folder.isEmpty() ? file : QDir(folder).relativeFilePath(file)).toStdString();
+        zones = sourceFrom(folder, file).toStdString();
     }
     editGarment(choice_.document(), tr("choose sweat rates"), choice_.garmentIndex(), {},
                 [&](Garment& garment) { garment.wearer.zones = zones; });
