@@ -269,6 +269,48 @@ private Q_SLOTS:
         QCOMPARE(saved.frame(saved.frames() - 1).ledger.water_liquid, last->ledger.water_liquid);
     }
 
+    void aRunKeptAsAIsSavedWhileTheNextOneRuns()
+    {
+        showTee();
+        run();
+        auto& garment = window_->garment();
+        garment.playback().keepAsA();
+        const auto a = garment.playback().kept();
+        editWear(window_->document(), "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 36000; });
+        QTRY_VERIFY(garment.runForm().canRun());
+        garment.runForm().start();
+        QTRY_VERIFY_WITH_TIMEOUT(garment.playback().run() != a, 60000);
+        const QString file = folder_.filePath("a.hygrorec");
+        chooseFile(file);
+        trigger("Save A As…");
+        QTRY_VERIFY_WITH_TIMEOUT(runs().find(a->file) && runs().find(a->file)->copy == file, 20000);
+        const WearRecording saved(file.toStdString());
+        QVERIFY(saved.finished());
+        QCOMPARE(saved.frames(), static_cast<int>(a->frames.size()));
+        // The next run goes on where Return answers the question on closing, and Save is the answer to the one about its runs.
+        window_->document().history()->setClean();
+        const auto defaultOf = [this] {
+            auto words = std::make_shared<QString>();
+            meet<QMessageBox>([words](QMessageBox* box) {
+                for (QAbstractButton* button : box->buttons()) {
+                    auto* push = qobject_cast<QPushButton*>(button);
+                    if (push && push->isDefault()) { *words = push->text().remove('&'); }
+                }
+                QTest::keyClick(box, Qt::Key_Escape);
+            });
+            return words;
+        };
+        auto words = defaultOf();
+        QVERIFY(!window_->close());
+        QCOMPARE(*words, QString("Cancel"));
+        QVERIFY(garment.run().running());
+        garment.stopRun();
+        words = defaultOf();
+        QVERIFY(!window_->close());
+        QCOMPARE(*words, QString("Save"));
+        QVERIFY(QFileInfo::exists(a->file));
+    }
+
     void aRunOfAChangedDesignIsOutOfDate()
     {
         showTee();

@@ -174,11 +174,24 @@ void GarmentWorkspace::chooseRunFile()
     if (!path.isEmpty()) { saveRun(withEnding(path, ".hygrorec")); }
 }
 
+void GarmentWorkspace::chooseFileOfA()
+{
+    const QString path = QFileDialog::getSaveFileName(&window_, tr("Save A"), folderOf(document_), tr("Recordings (*.hygrorec)"));
+    if (!path.isEmpty()) { saveA(withEnding(path, ".hygrorec")); }
+}
+
 void GarmentWorkspace::saveRun(const QString& path)
 {
-    const std::shared_ptr<WornRun> run = playback_.run();
-    if (!run || run_.running() || QFileInfo(path) == QFileInfo(run->file)) { return; }
-    recorder_.run([this, run, frames = run->frames, wall = run->wall, path](const NewestJob::Turn& turn) {
+    if (!run_.running()) { write(playback_.run(), path, recorder_); }
+}
+
+/// Also while the next run is computed.
+void GarmentWorkspace::saveA(const QString& path) { write(playback_.kept(), path, recorder_of_a_); }
+
+void GarmentWorkspace::write(const std::shared_ptr<WornRun>& run, const QString& path, NewestJob& recorder)
+{
+    if (!run || QFileInfo(path) == QFileInfo(run->file)) { return; }
+    recorder.run([this, run, frames = run->frames, wall = run->wall, path](const NewestJob::Turn& turn) {
         QString why;
         try {
             WearWriter writer(path.toStdString(), *run->record);
