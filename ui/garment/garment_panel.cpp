@@ -73,6 +73,7 @@ GarmentPanel::GarmentPanel(GarmentChoice& choice, QWidget* parent)
         if (choice_.garment()) { cutAllFrom(choice_.document(), choice_.garmentIndex(), item->text().toStdString()); }
     });
     connect(&choice_, &GarmentChoice::changed, this, &GarmentPanel::refresh);
+    connect(&choice_.document(), &Document::replaced, &reader_, &NewestJob::drop);
     refresh();
 }
 
@@ -205,7 +206,24 @@ void GarmentPanel::addFile()
     const QString file =
         QFileDialog::getOpenFileName(this, tr("Add a Garment"), QString::fromStdString(choice_.base().string()),
                                      tr("Patterns and meshes (*.json *.obj *.glb *.gltf *.fbx *.ply *.dae);;All files (*)"));
-    if (!file.isEmpty()) { choice_.setGarmentIndex(addGarmentFile(choice_.document(), file)); }
+    if (file.isEmpty()) { return; }
+    reader_.run([this, file](const NewestJob::Turn& turn) {
+        QString problem;
+        try {
+            Garment garment;
+            garment.source = file.toStdString();
+            read_pattern(garment, {});
+        } catch (const std::exception& error) {
+            problem = QString::fromUtf8(error.what());
+        }
+        turn.deliver([this, file, problem] {
+            if (problem.isEmpty()) {
+                choice_.setGarmentIndex(addGarmentFile(choice_.document(), file));
+            } else {
+                Q_EMIT problemFound(problem);
+            }
+        });
+    });
 }
 
 void GarmentPanel::removeChosen()

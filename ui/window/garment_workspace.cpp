@@ -45,6 +45,7 @@ GarmentWorkspace::GarmentWorkspace(Document& document, RunHistory& history, Proj
         garment_->panels().choosePanel(panel);
     });
     connect(&garment_->panels(), &PanelTable::panelChosen, view_, &GarmentView::setChosenPanel);
+    connect(garment_, &GarmentPanel::problemFound, this, &GarmentWorkspace::problemFound);
     connect(&document_, &Document::replaced, this, &GarmentWorkspace::clearResults);
     connectRun();
 }
