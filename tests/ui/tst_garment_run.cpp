@@ -107,6 +107,25 @@ private Q_SLOTS:
         QVERIFY2(seen > 0.8 * static_cast<double>(run.layout().cells.size() / 97), qPrintable(QString::number(seen)));
     }
 
+    void theGarmentOrRunChosenLastIsShown()
+    {
+        run();
+        GarmentView& view = workspace_->view();
+        const QString file = workspace_->playback().run()->file;
+        workspace_->choice().setGarmentIndex(addBuiltInGarment(*document_, "leggings"));
+        QTRY_VERIFY(workspace_->choice().drawing() && !workspace_->choice().reading());
+        QCOMPARE(view.newest().drawing(), workspace_->choice().drawing());
+        QVERIFY(view.newest().drawing() != workspace_->playback().run()->drawing);
+        workspace_->choice().setGarmentIndex(0); // its run, as before
+        QCOMPARE(view.newest().drawing(), workspace_->playback().run()->drawing);
+        workspace_->choice().setGarmentIndex(1);
+        QTRY_COMPARE(view.newest().drawing(), workspace_->choice().drawing());
+        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
+        workspace_->openRecording(file);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60000);
+        QCOMPARE(view.newest().drawing(), workspace_->playback().run()->drawing);
+    }
+
     void theLegendNamesEightStepsUpToTheEnd()
     {
         run();

@@ -38,9 +38,11 @@ std::vector<int> GarmentChoice::wearsOfGarment() const
 
 void GarmentChoice::setGarmentIndex(int index)
 {
-    if (index == garment_) { return; }
-    garment_ = index;
-    refresh();
+    if (index != garment_) {
+        garment_ = index;
+        refresh();
+    }
+    Q_EMIT garmentChosen();
 }
 
 void GarmentChoice::setWearIndex(int index)

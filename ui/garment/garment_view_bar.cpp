@@ -75,6 +75,7 @@ QWidget* GarmentView::makeBar()
 void GarmentView::setColors(Colors colors)
 {
     colors_ = colors;
+    left_.reset();
     if (colors != Colors::fabrics) { playback_.setValue(colors == Colors::water ? WearValue::water : WearValue::share); }
     refresh();
 }
