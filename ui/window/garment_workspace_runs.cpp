@@ -11,6 +11,7 @@
 #include "ui/results/run_history.h"
 #include "ui/window/confirm.h"
 #include "ui/window/file_names.h"
+#include "ui/window/folder_dialog.h"
 #include "ui/window/garment_workspace.h"
 
 #include <QAction>
@@ -140,7 +141,7 @@ void GarmentWorkspace::saveMap()
 {
     const auto frame = playback_.frame();
     if (!frame) { return; }
-    const QString above = QFileDialog::getExistingDirectory(&window_, tr("Save Map in a Folder"), folderOf(document_));
+    const QString above = askForFolder(&window_, tr("Save Map in a Folder"), folderOf(document_));
     if (above.isEmpty()) { return; }
     const QString folder =
         mapFolder(above, tr("%1 at %2 s").arg(QString::fromStdString(playback_.run()->layout().garment)).arg(frame->time));
