@@ -137,8 +137,22 @@ private Q_SLOTS:
         workspace_->playback().setMost(0.5 * workspace_->playback().run()->most_water);
         QVERIFY2(legend.texts().front().endsWith("and more"), qPrintable(legend.texts().front()));
         workspace_->view().setColors(GarmentView::Colors::share);
-        QCOMPARE(workspace_->playback().most(), 1.0);
+        workspace_->playback().setMost(1.0);
         QCOMPARE(legend.texts().back(), QString("0 to 12.5"));
+    }
+
+    void theScaleOfSharesEndsJustAboveWhatTheRunsHold()
+    {
+        run();
+        workspace_->view().setColors(GarmentView::Colors::share);
+        const WornRun& run = *workspace_->playback().run();
+        double held = 0;
+        for (const auto& frame : run.frames) {
+            for (const double share : cellValues(run.layout(), *frame, WearValue::share)) { held = std::max(held, share); }
+        }
+        QVERIFY2(held > 0 && held < 0.8, qPrintable(QString::number(held))); // else 100 % would be right
+        QCOMPARE(workspace_->playback().most(), roundedUp(held));
+        QVERIFY(workspace_->playback().most() < 1);
     }
 
     void theEndsOfTheStepsAreTyped()
@@ -183,7 +197,8 @@ private Q_SLOTS:
         QVERIFY2(seen > 0.8 * asked, qPrintable(QString::number(seen)));
         workspace_->view().setColors(GarmentView::Colors::share); // has steps of its own
         QVERIFY(!playback.ownSteps());
-        QCOMPARE(dialog.end(7).value(), std::optional(1.0));
+        QVERIFY(playback.most() < most);
+        QCOMPARE(dialog.end(7).value(), std::optional(playback.most()));
         workspace_->view().setColors(GarmentView::Colors::water);
         QCOMPARE(dialog.end(7).value(), std::optional(3 * most));
         dialog.reset();
