@@ -2,6 +2,7 @@
 // A garment that is worn in the Garment workspace: frames as they come, colours, numbers, the pin, a kept run, recordings.
 #include "core/wear/wear_map.h"
 #include "ui/basics/color_map.h"
+#include "ui/basics/elided_label.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
@@ -124,6 +125,24 @@ private Q_SLOTS:
         workspace_->openRecording(file);
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60000);
         QCOMPARE(view.newest().drawing(), workspace_->playback().run()->drawing);
+    }
+
+    void titlesOfAAndBKeepTheirEnds()
+    {
+        run();
+        workspace_->playback().keepAsA();
+        workspace_->view().setCompared(GarmentView::Compared::difference);
+        window_->resize(700, 700);
+        QTest::qWait(50);
+        for (GarmentPane* pane : {&workspace_->view().kept(), &workspace_->view().newest()}) {
+            const QString full = pane->caption().text(), shown = pane->caption().shownText();
+            QVERIFY(pane->caption().isVisible());
+            QCOMPARE(pane->caption().toolTip(), full);
+            QVERIFY2(shown.size() < full.size() && shown.contains(QChar(0x2026)), qPrintable(shown));
+            QVERIFY2(shown.startsWith(full.left(3)) && shown.endsWith(full.right(3)), qPrintable(shown));
+            pane->caption().resize(pane->caption().fontMetrics().horizontalAdvance(full) + 20, pane->caption().height());
+            QCOMPARE(pane->caption().shownText(), full);
+        }
     }
 
     void theLegendNamesEightStepsUpToTheEnd()
