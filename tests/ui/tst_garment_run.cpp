@@ -2,6 +2,7 @@
 // A garment that is worn in the Garment workspace: frames as they come, colours, numbers, the pin, a kept run, recordings.
 #include "core/wear/wear_map.h"
 #include "ui/basics/color_map.h"
+#include "ui/basics/elided_label.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
@@ -107,6 +108,43 @@ private Q_SLOTS:
         QVERIFY2(seen > 0.8 * static_cast<double>(run.layout().cells.size() / 97), qPrintable(QString::number(seen)));
     }
 
+    void theGarmentOrRunChosenLastIsShown()
+    {
+        run();
+        GarmentView& view = workspace_->view();
+        const QString file = workspace_->playback().run()->file;
+        workspace_->choice().setGarmentIndex(addBuiltInGarment(*document_, "leggings"));
+        QTRY_VERIFY(workspace_->choice().drawing() && !workspace_->choice().reading());
+        QCOMPARE(view.newest().drawing(), workspace_->choice().drawing());
+        QVERIFY(view.newest().drawing() != workspace_->playback().run()->drawing);
+        workspace_->choice().setGarmentIndex(0); // its run, as before
+        QCOMPARE(view.newest().drawing(), workspace_->playback().run()->drawing);
+        workspace_->choice().setGarmentIndex(1);
+        QTRY_COMPARE(view.newest().drawing(), workspace_->choice().drawing());
+        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
+        workspace_->openRecording(file);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60000);
+        QCOMPARE(view.newest().drawing(), workspace_->playback().run()->drawing);
+    }
+
+    void titlesOfAAndBKeepTheirEnds()
+    {
+        run();
+        workspace_->playback().keepAsA();
+        workspace_->view().setCompared(GarmentView::Compared::difference);
+        window_->resize(700, 700);
+        QTest::qWait(50);
+        for (GarmentPane* pane : {&workspace_->view().kept(), &workspace_->view().newest()}) {
+            const QString full = pane->caption().text(), shown = pane->caption().shownText();
+            QVERIFY(pane->caption().isVisible());
+            QCOMPARE(pane->caption().toolTip(), full);
+            QVERIFY2(shown.size() < full.size() && shown.contains(QChar(0x2026)), qPrintable(shown));
+            QVERIFY2(shown.startsWith(full.left(3)) && shown.endsWith(full.right(3)), qPrintable(shown));
+            pane->caption().resize(pane->caption().fontMetrics().horizontalAdvance(full) + 20, pane->caption().height());
+            QCOMPARE(pane->caption().shownText(), full);
+        }
+    }
+
     void theLegendNamesEightStepsUpToTheEnd()
     {
         run();
@@ -118,8 +156,22 @@ private Q_SLOTS:
         workspace_->playback().setMost(0.5 * workspace_->playback().run()->most_water);
         QVERIFY2(legend.texts().front().endsWith("and more"), qPrintable(legend.texts().front()));
         workspace_->view().setColors(GarmentView::Colors::share);
-        QCOMPARE(workspace_->playback().most(), 1.0);
+        workspace_->playback().setMost(1.0);
         QCOMPARE(legend.texts().back(), QString("0 to 12.5"));
+    }
+
+    void theScaleOfSharesEndsJustAboveWhatTheRunsHold()
+    {
+        run();
+        workspace_->view().setColors(GarmentView::Colors::share);
+        const WornRun& run = *workspace_->playback().run();
+        double held = 0;
+        for (const auto& frame : run.frames) {
+            for (const double share : cellValues(run.layout(), *frame, WearValue::share)) { held = std::max(held, share); }
+        }
+        QVERIFY2(held > 0 && held < 0.8, qPrintable(QString::number(held))); // else 100 % would be right
+        QCOMPARE(workspace_->playback().most(), roundedUp(held));
+        QVERIFY(workspace_->playback().most() < 1);
     }
 
     void theEndsOfTheStepsAreTyped()
@@ -164,7 +216,8 @@ private Q_SLOTS:
         QVERIFY2(seen > 0.8 * asked, qPrintable(QString::number(seen)));
         workspace_->view().setColors(GarmentView::Colors::share); // has steps of its own
         QVERIFY(!playback.ownSteps());
-        QCOMPARE(dialog.end(7).value(), std::optional(1.0));
+        QVERIFY(playback.most() < most);
+        QCOMPARE(dialog.end(7).value(), std::optional(playback.most()));
         workspace_->view().setColors(GarmentView::Colors::water);
         QCOMPARE(dialog.end(7).value(), std::optional(3 * most));
         dialog.reset();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The Garment workspace in its window: how it is reached, which commands it has, that everything fits, and the garment in 3D.
+#include "core/project/project_file.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/compare/run_list.h"
 #include "ui/document/run_folder.h"
@@ -11,6 +12,7 @@
 #include "ui/garment/run_form.h"
 #include "ui/garment/shape_view.h"
 #include "ui/garment/wear_form.h"
+#include "ui/results/run_history.h"
 #include "ui/window/docks.h"
 #include "window_test.h"
 
@@ -98,13 +100,15 @@ private Q_SLOTS:
     {
         showTee();
         run();
-        const QString folder = folder_.filePath("map");
-        QVERIFY(QDir().mkpath(folder));
+        const QString folder = folder_.filePath("maps/of a tee"); // not there yet
         chooseFile(folder);
         trigger("Save Map…");
         for (const char* file : {"front.png", "front_texture.png", "cells.csv", "garment.obj", "garment.glb"}) {
             QTRY_VERIFY2_WITH_TIMEOUT(QFileInfo(folder + "/tee at 20 s/" + file).size() > 0, file, 20000);
         }
+        chooseFile(folder);
+        trigger("Save Map…");
+        QTRY_VERIFY_WITH_TIMEOUT(QDir(folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size() == 2, 20000);
         const QString picture = folder_.filePath("worn.png");
         chooseFile(picture);
         trigger("Save Picture…");
@@ -212,6 +216,43 @@ private Q_SLOTS:
         QCOMPARE(list->topLevelItemCount(), 0);
     }
 
+    /// In memory, in the file, and in the steps that are undone and done again.
+    void filesOfAGarmentAreFoundAfterSaveAs()
+    {
+        const QDir folder(folder_.path());
+        QVERIFY(folder.mkpath("one/files") && folder.mkpath("two/deeper"));
+        QVERIFY(QFile::copy(QString(HYGROLOOM_SOURCE_DIR) + "/tests/data/garments/tee.json", folder.filePath("one/files/tee.json")));
+        for (const char* name : {"one/zones.csv", "one/rates.csv"}) { QVERIFY(QFile(folder.filePath(name)).open(QIODevice::WriteOnly)); }
+        Document& document = window_->document();
+        QVERIFY(document.saveAs(folder.filePath("one/worn.hygro")));
+        addGarmentFile(document, folder.filePath("one/files/tee.json"));
+        QCOMPARE(document.design()->garments[0].source, std::string("files/tee.json"));
+        editGarment(document, "zones", 0, {}, [](Garment& garment) { garment.wearer.zones = "zones.csv"; });
+        editWear(document, "rates", 0, {}, [](WearExperiment& wear) { wear.activity_file = "rates.csv"; });
+        const Design before = *document.design();
+        const QString project = folder.filePath("two/deeper/worn.hygro");
+        chooseFile(project);
+        trigger("Save As…");
+        const auto expectMoved = [](const Design& design) {
+            QCOMPARE(design.garments[0].source, std::string("../../one/files/tee.json"));
+            QCOMPARE(design.garments[0].wearer.zones, std::string("../../one/zones.csv"));
+            QCOMPARE(design.wears[0].activity_file, std::string("../../one/rates.csv"));
+        };
+        expectMoved(*document.design());
+        expectMoved(read_project(project.toStdString()));
+        QVERIFY(garmentHoldsFor(before, before.garments[0].name, before.wears[0].name, *document.design()));
+        QVERIFY(!document.modified());
+        QTRY_VERIFY(window_->garment().choice().drawing());
+        document.history()->undo();
+        document.history()->undo();
+        QCOMPARE(document.design()->garments[0].source, std::string("../../one/files/tee.json"));
+        QCOMPARE(document.design()->garments[0].wearer.zones, Wearer{}.zones);
+        document.history()->redo();
+        document.history()->redo();
+        expectMoved(*document.design());
+        QVERIFY(!document.modified());
+    }
+
     void aRunIsSavedToAnotherFile()
     {
         showTee();
@@ -228,6 +269,48 @@ private Q_SLOTS:
         const auto last = garment.playback().run()->frames.back();
         QCOMPARE(saved.frame(saved.frames() - 1).inside.size(), last->inside.size());
         QCOMPARE(saved.frame(saved.frames() - 1).ledger.water_liquid, last->ledger.water_liquid);
+    }
+
+    void aRunKeptAsAIsSavedWhileTheNextOneRuns()
+    {
+        showTee();
+        run();
+        auto& garment = window_->garment();
+        garment.playback().keepAsA();
+        const auto a = garment.playback().kept();
+        editWear(window_->document(), "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 36000; });
+        QTRY_VERIFY(garment.runForm().canRun());
+        garment.runForm().start();
+        QTRY_VERIFY_WITH_TIMEOUT(garment.playback().run() != a, 60000);
+        const QString file = folder_.filePath("a.hygrorec");
+        chooseFile(file);
+        trigger("Save A As…");
+        QTRY_VERIFY_WITH_TIMEOUT(runs().find(a->file) && runs().find(a->file)->copy == file, 20000);
+        const WearRecording saved(file.toStdString());
+        QVERIFY(saved.finished());
+        QCOMPARE(saved.frames(), static_cast<int>(a->frames.size()));
+        // The next run goes on where Return answers the question on closing, and Save is the answer to the one about its runs.
+        window_->document().history()->setClean();
+        const auto defaultOf = [this] {
+            auto words = std::make_shared<QString>();
+            meet<QMessageBox>([words](QMessageBox* box) {
+                for (QAbstractButton* button : box->buttons()) {
+                    auto* push = qobject_cast<QPushButton*>(button);
+                    if (push && push->isDefault()) { *words = push->text().remove('&'); }
+                }
+                QTest::keyClick(box, Qt::Key_Escape);
+            });
+            return words;
+        };
+        auto words = defaultOf();
+        QVERIFY(!window_->close());
+        QCOMPARE(*words, QString("Cancel"));
+        QVERIFY(garment.run().running());
+        garment.stopRun();
+        words = defaultOf();
+        QVERIFY(!window_->close());
+        QCOMPARE(*words, QString("Save"));
+        QVERIFY(QFileInfo::exists(a->file));
     }
 
     void aRunOfAChangedDesignIsOutOfDate()

@@ -20,11 +20,13 @@
 #include <QComboBox>
 #include <QDir>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -159,6 +161,33 @@ private Q_SLOTS:
             shown = shown || (label->isVisible() && label->text() == workspace_->choice().problem());
         }
         QVERIFY(shown);
+    }
+
+    void aFileThatIsNoGarmentChangesNothing_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("words") << QByteArray("Dear all");
+        QTest::newRow("another dialect") << QByteArray("{}");
+    }
+    void aFileThatIsNoGarmentChangesNothing()
+    {
+        QFETCH(QByteArray, text);
+        for (const QString& name : {QString("letter.json"), QString("letter.obj"), QString("letter.txt")}) {
+            QFile file(folder_.filePath(name));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) > 0);
+            file.close();
+            QSignalSpy said(workspace_.get(), &GarmentWorkspace::problemFound);
+            chooseFile(file.fileName());
+            workspace_->panel().addFile();
+            QTRY_COMPARE(said.count(), 1);
+            QVERIFY2(said[0][0].toString().contains(name), qPrintable(said[0][0].toString()));
+            QVERIFY(document_->design()->garments.empty());
+            QVERIFY(!document_->history()->canUndo());
+        }
+        chooseFile(QString(HYGROLOOM_SOURCE_DIR) + "/tests/data/garments/tee.json");
+        workspace_->panel().addFile();
+        QTRY_COMPARE(document_->design()->garments.size(), std::size_t{1});
+        QTRY_VERIFY(workspace_->choice().drawing());
     }
 
     void theSizeOfATeeChangesItsPanels()
@@ -316,6 +345,20 @@ private Q_SLOTS:
     }
 
 private:
+    /// Gives the next file dialog this path.
+    void chooseFile(const QString& path)
+    {
+        auto* timer = new QTimer(this);
+        connect(timer, &QTimer::timeout, this, [timer, path] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            if (!dialog) { return; }
+            timer->stop();
+            timer->deleteLater();
+            dialog->findChild<QLineEdit*>()->setText(path);
+            QMetaObject::invokeMethod(dialog, "accept");
+        });
+        timer->start(50);
+    }
     const Garment& garment() const { return document_->design()->garments.front(); }
     void addTee()
     {

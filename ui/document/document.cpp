@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/project/project_file.h"
+#include "ui/document/sources.h"
 
 #include <QFileInfo>
 
@@ -96,6 +97,10 @@ EditDesign* Document::step(const QString& text, DesignState after, const std::st
 void Document::apply(DesignState state)
 {
     state_ = std::move(state);
+    if (state_.folder != folder()) { // a step from before the project was saved elsewhere
+        state_.design = std::make_shared<const Design>(movedSources(*state_.design, state_.folder, folder()));
+        state_.folder = folder();
+    }
     const int fabrics = static_cast<int>(state_.design->fabrics.size());
     const int experiments = static_cast<int>(state_.design->experiments.size());
     state_.fabric = std::clamp(state_.fabric, 0, std::max(0, fabrics - 1));
@@ -105,6 +110,8 @@ void Document::apply(DesignState state)
     fitted_ = fabric() ? validation.fabrics[static_cast<std::size_t>(state_.fabric)] : nullptr;
     Q_EMIT designChanged();
 }
+
+QString Document::folder() const { return path_.isEmpty() ? QString() : QFileInfo(path_).absolutePath(); }
 
 QString Document::title() const { return path_.isEmpty() ? title_ : QFileInfo(path_).fileName(); }
 
@@ -122,7 +129,9 @@ bool Document::open(const QString& path)
 bool Document::openExample(const QString& path)
 {
     try {
-        replace(read_project(path.toStdString()), {}, tr("Example: %1").arg(QFileInfo(path).completeBaseName().replace('-', ' ')));
+        const QString folder = QFileInfo(path).absolutePath();
+        replace(movedSources(read_project(path.toStdString()), folder, {}), {},
+                tr("Example: %1").arg(QFileInfo(path).completeBaseName().replace('-', ' ')));
         return true;
     } catch (const Error& error) {
         Q_EMIT failed(QString::fromStdString(error.what()));
@@ -130,10 +139,12 @@ bool Document::openExample(const QString& path)
     }
 }
 
-bool Document::openUnsaved(const QString& file, const QString& path, const QString& title)
+bool Document::openUnsaved(const QString& file, const QString& path, const QString& title, const QString& origin)
 {
     try {
-        replace(read_project(file.toStdString()), path, title);
+        Design design = read_project(file.toStdString());
+        if (path.isEmpty() && !origin.isEmpty()) { design = movedSources(std::move(design), QFileInfo(origin).absolutePath(), {}); }
+        replace(std::move(design), path, title);
         history_.resetClean();
         return true;
     } catch (const Error& error) {
@@ -146,16 +157,18 @@ bool Document::save() { return saveAs(path_); }
 
 bool Document::saveAs(const QString& path)
 {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
     try {
-        write_project(*state_.design, path.toStdString());
+        write_project(movedSources(*state_.design, folder(), QFileInfo(absolute).absolutePath()), absolute.toStdString());
     } catch (const Error& error) {
         Q_EMIT failed(QString::fromStdString(error.what()));
         return false;
     }
     history_.setClean();
     endStroke();
-    if (path != path_) {
-        path_ = QFileInfo(path).absoluteFilePath();
+    if (absolute != path_) {
+        path_ = absolute;
+        if (state_.folder != folder()) { apply(state_); }
         Q_EMIT pathChanged();
     }
     return true;
@@ -169,7 +182,7 @@ void Document::replace(Design design, const QString& path, const QString& title)
     endStroke();
     path_ = path;
     title_ = title;
-    apply({std::make_shared<const Design>(std::move(design)), 0, 0});
+    apply({std::make_shared<const Design>(std::move(design)), 0, 0, folder()});
     Q_EMIT replaced();
     Q_EMIT pathChanged();
     Q_EMIT modifiedChanged(false);

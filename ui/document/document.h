@@ -49,6 +49,8 @@ public:
 
     /// Empty until the project has a file of its own.
     const QString& path() const { return path_; }
+    /// Of the project's file, from which the design names files; empty until it has one.
+    QString folder() const;
     /// For the window's title: the file's name, or the example's.
     QString title() const;
 
@@ -56,9 +58,10 @@ public:
     bool open(const QString& path);
     /// Opens a copy: saving opens a file dialog.
     bool openExample(const QString& path);
-    /// Opens recovered work. Saving writes to path, or opens a file dialog when path is empty.
-    bool openUnsaved(const QString& file, const QString& path, const QString& title);
+    /// Opens recovered work of a project at origin. Saving writes to path, or opens a file dialog when path is empty.
+    bool openUnsaved(const QString& file, const QString& path, const QString& title, const QString& origin = {});
     bool save();
+    /// The files that the design names from the project's folder are named from the new one, in every step of the history.
     bool saveAs(const QString& path);
     /// Takes over a design that comes from somewhere else, such as a recording.
     void take(const Design& design, const QString& title);

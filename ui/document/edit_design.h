@@ -16,6 +16,7 @@ struct DesignState {
     std::shared_ptr<const Design> design;
     int fabric = 0;
     int experiment = 0;
+    QString folder{}; ///< from which the design names files; empty: none
 };
 
 /// Consecutive edits with the same non-empty field and stroke become one, so that a drag is undone at once.

@@ -138,7 +138,7 @@ std::vector<LeftOver> Recovery::leftOver() const
 
 bool Recovery::open(const LeftOver& left)
 {
-    if (!document_.openUnsaved(left.file, left.outdated ? QString() : left.path, left.title)) { return false; }
+    if (!document_.openUnsaved(left.file, left.outdated ? QString() : left.path, left.title, left.path)) { return false; }
     opened_.push_back(left);
     keep();
     return true;

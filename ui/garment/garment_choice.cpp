@@ -3,8 +3,6 @@
 
 #include "core/base/error.h"
 
-#include <QFileInfo>
-
 #include <algorithm>
 
 namespace hygroloom {
@@ -40,9 +38,11 @@ std::vector<int> GarmentChoice::wearsOfGarment() const
 
 void GarmentChoice::setGarmentIndex(int index)
 {
-    if (index == garment_) { return; }
-    garment_ = index;
-    refresh();
+    if (index != garment_) {
+        garment_ = index;
+        refresh();
+    }
+    Q_EMIT garmentChosen();
 }
 
 void GarmentChoice::setWearIndex(int index)
@@ -52,11 +52,7 @@ void GarmentChoice::setWearIndex(int index)
     Q_EMIT changed();
 }
 
-std::filesystem::path GarmentChoice::base() const
-{
-    return document_.path().isEmpty() ? std::filesystem::path{}
-                                      : std::filesystem::path(QFileInfo(document_.path()).absolutePath().toStdString());
-}
+std::filesystem::path GarmentChoice::base() const { return document_.folder().toStdString(); }
 
 void GarmentChoice::refresh()
 {

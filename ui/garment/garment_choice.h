@@ -35,6 +35,8 @@ public:
 Q_SIGNALS:
     /// The design, or what is chosen in it.
     void changed();
+    /// The user has chosen a garment, be it the same again.
+    void garmentChosen();
     void drawingChanged();
 
 private:

@@ -3,8 +3,8 @@
 
 #include "core/base/words.h"
 #include "core/project/library.h"
+#include "ui/document/sources.h"
 
-#include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -55,9 +55,7 @@ int addGarmentFile(Document& document, const QString& path)
 {
     Garment garment;
     const QFileInfo file(path);
-    const QString absolute = QDir::cleanPath(file.absoluteFilePath());
-    garment.source =
-        (document.path().isEmpty() ? absolute : QFileInfo(document.path()).absoluteDir().relativeFilePath(absolute)).toStdString();
+    garment.source = sourceFrom(document.folder(), path).toStdString();
     garment.name = file.completeBaseName().toStdString();
     return add(document, std::move(garment));
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/garment_pane.h"
 
+#include "ui/basics/elided_label.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/shape_view.h"
 
 #include <QGuiApplication>
-#include <QLabel>
 #include <QPainter>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -13,14 +13,12 @@
 namespace hygroloom {
 
 GarmentPane::GarmentPane(QWidget* parent)
-    : QWidget(parent), caption_(new QLabel), sides_(new QSplitter(Qt::Horizontal)), flat_(new FlatView)
+    : QWidget(parent), caption_(new ElidedLabel), sides_(new QSplitter(Qt::Horizontal)), flat_(new FlatView)
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     caption_->setMargin(4);
-    caption_->setTextFormat(Qt::PlainText); // names of garments
-    caption_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     layout->addWidget(caption_);
     layout->addWidget(sides_, 1);
     sides_->setChildrenCollapsible(false);
@@ -39,11 +37,7 @@ GarmentPane::GarmentPane(QWidget* parent)
     });
 }
 
-void GarmentPane::setCaption(const QString& text)
-{
-    caption_->setText(text);
-    caption_->setToolTip(text);
-}
+void GarmentPane::setCaption(const QString& text) { caption_->setFullText(text); }
 
 void GarmentPane::show(const std::shared_ptr<const GarmentDrawing>& drawing, const std::shared_ptr<const GarmentPaint>& paint)
 {

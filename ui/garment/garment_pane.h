@@ -7,11 +7,11 @@
 
 #include <QWidget>
 
-class QLabel;
 class QSplitter;
 
 namespace hygroloom {
 
+class ElidedLabel;
 class FlatView;
 class ShapeView;
 
@@ -23,6 +23,7 @@ public:
     explicit GarmentPane(QWidget* parent = nullptr);
 
     void setCaption(const QString& text);
+    ElidedLabel& caption() { return *caption_; }
     void show(const std::shared_ptr<const GarmentDrawing>& drawing, const std::shared_ptr<const GarmentPaint>& paint);
     const std::shared_ptr<const GarmentDrawing>& drawing() const { return drawing_; }
     void setSides(Sides sides);
@@ -41,7 +42,7 @@ Q_SIGNALS:
 
 private:
     std::shared_ptr<const GarmentDrawing> drawing_;
-    QLabel* caption_;
+    ElidedLabel* caption_;
     QSplitter* sides_;
     FlatView* flat_;
     ShapeView* shape_ = nullptr;

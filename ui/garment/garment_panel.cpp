@@ -4,6 +4,7 @@
 #include "ui/basics/icon_button.h"
 #include "ui/basics/name_dialog.h"
 #include "ui/basics/typed_value.h"
+#include "ui/document/sources.h"
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/panel_table.h"
@@ -72,6 +73,7 @@ GarmentPanel::GarmentPanel(GarmentChoice& choice, QWidget* parent)
         if (choice_.garment()) { cutAllFrom(choice_.document(), choice_.garmentIndex(), item->text().toStdString()); }
     });
     connect(&choice_, &GarmentChoice::changed, this, &GarmentPanel::refresh);
+    connect(&choice_.document(), &Document::replaced, &reader_, &NewestJob::drop);
     refresh();
 }
 
@@ -187,13 +189,13 @@ void GarmentPanel::chooseSweat(int index)
     } else if (index + 1 < sweat_->count()) {
         return; // the file that is in use
     } else {
-        const QString folder = QString::fromStdString(choice_.base().string());
+        const QString folder = choice_.document().folder();
         const QString file = QFileDialog::getOpenFileName(this, tr("Sweat Rates"), folder, tr("Tables of zones (*.csv)"));
         if (file.isEmpty()) {
             refresh();
             return;
         }
-        zones = (folder.isEmpty() ? file : QDir(folder).relativeFilePath(file)).toStdString();
+        zones = sourceFrom(folder, file).toStdString();
     }
     editGarment(choice_.document(), tr("choose sweat rates"), choice_.garmentIndex(), {},
                 [&](Garment& garment) { garment.wearer.zones = zones; });
@@ -204,7 +206,24 @@ void GarmentPanel::addFile()
     const QString file =
         QFileDialog::getOpenFileName(this, tr("Add a Garment"), QString::fromStdString(choice_.base().string()),
                                      tr("Patterns and meshes (*.json *.obj *.glb *.gltf *.fbx *.ply *.dae);;All files (*)"));
-    if (!file.isEmpty()) { choice_.setGarmentIndex(addGarmentFile(choice_.document(), file)); }
+    if (file.isEmpty()) { return; }
+    reader_.run([this, file](const NewestJob::Turn& turn) {
+        QString problem;
+        try {
+            Garment garment;
+            garment.source = file.toStdString();
+            read_pattern(garment, {});
+        } catch (const std::exception& error) {
+            problem = QString::fromUtf8(error.what());
+        }
+        turn.deliver([this, file, problem] {
+            if (problem.isEmpty()) {
+                choice_.setGarmentIndex(addGarmentFile(choice_.document(), file));
+            } else {
+                Q_EMIT problemFound(problem);
+            }
+        });
+    });
 }
 
 void GarmentPanel::removeChosen()

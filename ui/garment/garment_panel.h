@@ -23,10 +23,13 @@ public:
     explicit GarmentPanel(GarmentChoice& choice, QWidget* parent = nullptr);
 
     PanelTable& panels() { return *panels_; }
-    /// Asks for a pattern or a mesh, and adds it.
+    /// Asks for a pattern or a mesh, and adds it once it has been read.
     void addFile();
     void removeChosen();
     QSize minimumSizeHint() const override;
+
+Q_SIGNALS:
+    void problemFound(const QString& sentence);
 
 private:
     QWidget* makeHead();
@@ -53,6 +56,7 @@ private:
     QuantityEdit* skin_;
     QuantityEdit* gap_;
     QComboBox* sweat_;
+    NewestJob reader_; // last: joined before the rest goes
 };
 
 /// The project's fabrics, to be dragged onto panels.

@@ -44,8 +44,9 @@ public:
 Q_SIGNALS:
     /// The first frame follows.
     void started(const std::shared_ptr<WornRun>& run);
-    /// metrics: of all frames up to this one. most: g/m2, of any cell in it.
-    void frameArrived(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics, double most);
+    /// metrics: of all frames up to this one. most: of any cell in it.
+    void frameArrived(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics,
+                      const MostWater& most);
     void progressed(const RunProgress& progress);
     void pausedChanged(bool paused);
     /// sentence: what went wrong, empty otherwise.

@@ -71,6 +71,7 @@ GarmentView::GarmentView(GarmentChoice& choice, WearPlayback& playback, QWidget*
     layout->addWidget(pages_);
     for (GarmentPane* pane : panes()) { connectPane(pane); }
     connect(&choice_, &GarmentChoice::changed, this, &GarmentView::refresh);
+    connect(&choice_, &GarmentChoice::garmentChosen, this, &GarmentView::showChosen);
     connect(&choice_, &GarmentChoice::drawingChanged, this, &GarmentView::refresh);
     connect(&playback_, &WearPlayback::runChanged, this, [this] {
         if (playback_.run() && colors_ == Colors::fabrics) {
@@ -178,6 +179,21 @@ void GarmentView::connectPane(GarmentPane* pane)
                 if (other->shape() != shape) { other->shape()->setCamera(camera); }
             }
         });
+    }
+}
+
+/// The chosen garment instead of a run of another; the run again with its own garment.
+void GarmentView::showChosen()
+{
+    if (!choice_.garment() || !playback_.run()) { return; }
+    if (choice_.garment()->name != playback_.run()->layout().garment) {
+        if (showsRun()) {
+            const Colors before = colors_;
+            setColors(Colors::fabrics);
+            left_ = before;
+        }
+    } else if (left_) {
+        setColors(*left_);
     }
 }
 

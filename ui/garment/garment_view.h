@@ -61,6 +61,7 @@ private:
     void showPin();
     void connectPane(GarmentPane* pane);
     std::vector<GarmentPane*> panes() const { return {kept_, newest_, difference_}; }
+    void showChosen();
     void refresh();
     void refreshRun();
     void refreshBar();
@@ -74,6 +75,7 @@ private:
     GarmentChoice& choice_;
     WearPlayback& playback_;
     Colors colors_ = Colors::fabrics;
+    std::optional<Colors> left_; ///< the colours of the run, while another garment is shown in its fabrics
     Compared compared_ = Compared::newest;
     GarmentSpot hovered_;
     QStackedWidget* pages_;

@@ -75,6 +75,7 @@ QWidget* GarmentView::makeBar()
 void GarmentView::setColors(Colors colors)
 {
     colors_ = colors;
+    left_.reset();
     if (colors != Colors::fabrics) { playback_.setValue(colors == Colors::water ? WearValue::water : WearValue::share); }
     refresh();
 }
@@ -130,8 +131,8 @@ void GarmentView::refreshBar()
     edit_steps_->setEnabled(showsRun());
     QuantityEdit* edit = share ? most_share_ : most_water_;
     edit->setHelp(playback_.ownSteps() ? tr("The steps have ends of their own; Steps… under the legend edits and resets them.")
-                                       : tr("Where the eight steps of the colours end. Empty: at the most that the runs hold, or at the "
-                                            "whole capacity."));
+                                       : tr("Where the eight steps of the colours end. Empty: at a round number over the most that the "
+                                            "runs hold."));
     edit->setValue(playback_.ownSteps() ? std::nullopt : playback_.setMost());
     edit->setDerived(playback_.most());
 }

@@ -19,13 +19,15 @@ void WearPlayback::begin(const std::shared_ptr<WornRun>& run)
     Q_EMIT framesChanged();
 }
 
-void WearPlayback::append(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics, double most)
+void WearPlayback::append(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics,
+                          const MostWater& most)
 {
     if (!run_) { return; }
     const double before = this->most();
     run_->frames.push_back(frame);
     run_->metrics = metrics;
-    run_->most_water = std::max(run_->most_water, most);
+    run_->most_water = std::max(run_->most_water, most.areal);
+    run_->most_share = std::max(run_->most_share, most.share);
     if (!run_->live) { run_->duration = std::max(run_->duration, frame->time); }
     if (this->most() != before) { Q_EMIT scaleChanged(); }
     Q_EMIT framesChanged();
@@ -114,8 +116,10 @@ double WearPlayback::most() const
 {
     if (ownSteps()) { return ownSteps()->back(); }
     if (const auto& set = most_[static_cast<std::size_t>(value_)]) { return *set; }
-    if (value_ == WearValue::share) { return 1; }
-    return roundedUp(std::max(run_ ? run_->most_water : 0, kept_ ? kept_->most_water : 0));
+    const auto held = [this](const std::shared_ptr<WornRun>& run) {
+        return !run ? 0 : value_ == WearValue::share ? run->most_share : run->most_water;
+    };
+    return roundedUp(std::max(held(run_), held(kept_)));
 }
 
 void WearPlayback::pair()

@@ -18,7 +18,7 @@ public:
     /// A; nullptr: none is kept.
     const std::shared_ptr<WornRun>& kept() const { return kept_; }
     void begin(const std::shared_ptr<WornRun>& run);
-    void append(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics, double most);
+    void append(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics, const MostWater& most);
     void end();
     void clear();
     void keepAsA();
@@ -43,7 +43,7 @@ public:
 
     WearValue value() const { return value_; }
     void setValue(WearValue value);
-    /// Where the colours end: g/m2, or a share. Both runs have the same.
+    /// Where the colours end: g/m2, or a share. Both runs have the same: what the user has set, else a round number over what they hold.
     double most() const;
     /// What the user has set; none: by the runs.
     std::optional<double> setMost() const { return most_[static_cast<std::size_t>(value_)]; }

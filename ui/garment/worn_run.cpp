@@ -112,11 +112,13 @@ std::vector<double> cellValues(const WearLayout& layout, const WearFrame& frame,
     return values;
 }
 
-double mostWater(const WearLayout& layout, const WearFrame& frame)
+MostWater mostWater(const WearLayout& layout, const WearFrame& frame)
 {
-    double most = 0;
-    for (std::size_t i = 0; i < layout.cells.size(); ++i) { most = std::max(most, 1e3 * frame.water(i) / layout.cells[i].area); }
-    return most;
+    const auto most_of = [&](WearValue what) {
+        const std::vector<double> values = cellValues(layout, frame, what);
+        return values.empty() ? 0 : std::max(0.0, *std::max_element(values.begin(), values.end()));
+    };
+    return {most_of(WearValue::water), most_of(WearValue::share)};
 }
 
 QString directionWords(const WornRun& run, int cell)

@@ -26,6 +26,12 @@ private:
 /// What the colours say.
 enum class WearValue { water, share };
 
+/// The most that any cell holds.
+struct MostWater {
+    double areal = 0; ///< g/m2
+    double share = 0; ///< of its capacity
+};
+
 struct WornRun {
     std::shared_ptr<const WearRecord> record;
     std::shared_ptr<const GarmentDrawing> drawing;
@@ -33,6 +39,7 @@ struct WornRun {
     std::vector<std::shared_ptr<const WearFrame>> frames;
     std::shared_ptr<const WearMetrics> metrics; ///< of all frames so far; nullptr before the first
     double most_water = 0;                      ///< g/m2, of any cell in any frame
+    double most_share = 0;                      ///< of its capacity, the same
     double duration = 0;                        ///< s
     double wall = 0;                            ///< s, that it took; 0: it did not come to its end
     bool live = false;
@@ -48,7 +55,7 @@ std::shared_ptr<WornRun> newWornRun(std::shared_ptr<const WearRecord> record);
 
 /// Of each cell: g/m2, or the share of its capacity. As wear_map() says of single cells.
 std::vector<double> cellValues(const WearLayout& layout, const WearFrame& frame, WearValue what);
-double mostWater(const WearLayout& layout, const WearFrame& frame);
+MostWater mostWater(const WearLayout& layout, const WearFrame& frame);
 
 /// Which of the yarns runs down at a cell, in words: "warp", "weft", "bias, 38° from the warp", or that the cloth lies level.
 QString directionWords(const WornRun& run, int cell);

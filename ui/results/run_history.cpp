@@ -8,6 +8,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace hygroloom {
 
@@ -25,6 +26,22 @@ bool isCurrent(const KeptRun& run, const Design& design)
 {
     if (!run.problem.isEmpty()) { return true; }
     return run.worn ? garmentHoldsFor(run.run->design, run.run->fabric, run.run->experiment, design) : holdsFor(*run.run, design);
+}
+
+std::string nameOf(const std::string& file) { return std::filesystem::path(file).filename().string(); }
+
+/// Without the folders of its files, which change as the project is saved elsewhere.
+Garment anywhere(Garment garment)
+{
+    garment.source = nameOf(garment.source);
+    garment.wearer.zones = nameOf(garment.wearer.zones);
+    return garment;
+}
+
+WearExperiment anywhere(WearExperiment wear)
+{
+    wear.activity_file = nameOf(wear.activity_file);
+    return wear;
 }
 
 template <typename T> bool areEqual(const T* one, const T* other) { return one && other ? *one == *other : one == other; }
@@ -177,8 +194,8 @@ bool garmentHoldsFor(const Design& then, const std::string& garment, const std::
 {
     const Garment *worn = find_garment(now, garment), *before = find_garment(then, garment);
     const WearExperiment *wear = find_wear(now, experiment), *wear_before = find_wear(then, experiment);
-    return worn && before && *worn == *before && wear && wear_before && *wear == *wear_before && now.fabrics == then.fabrics &&
-           now.materials == then.materials && now.liquids == then.liquids;
+    return worn && before && anywhere(*worn) == anywhere(*before) && wear && wear_before && anywhere(*wear) == anywhere(*wear_before) &&
+           now.fabrics == then.fabrics && now.materials == then.materials && now.liquids == then.liquids;
 }
 
 bool isSaved(const KeptRun& run)

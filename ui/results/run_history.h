@@ -75,7 +75,8 @@ bool holdsFor(const RunRecord& run, const Design& design);
 /// What a list of runs needs of a worn garment's. wall: s; 0: it did not come to its end.
 std::shared_ptr<const RunRecord> runOfGarment(const WearRecord& record, double wall);
 
-/// The same of a garment's run of this design: nothing that it depends on differs in the design as it is now.
+/// The same of a garment's run of this design: nothing that it depends on differs in the design as it is now. Files are
+/// known by name.
 bool garmentHoldsFor(const Design& then, const std::string& garment, const std::string& experiment, const Design& now);
 
 /// Whether it lies in a file that outlives the window, or its copy does: still there and of its size.

@@ -7,14 +7,15 @@
 
 namespace hygroloom {
 
-/// True when the user presses the button instead of Cancel. consequence: what pressing it does, in a sentence.
+/// True when the user presses the button instead of Cancel, which is the default. consequence: what pressing it does, in a sentence.
 inline bool confirm(QWidget* parent, const QString& title, const QString& question, const QString& consequence, const QString& button)
 {
     QMessageBox box(QMessageBox::Question, title, question, QMessageBox::Cancel, parent);
     box.setInformativeText(consequence);
-    box.addButton(button, QMessageBox::AcceptRole);
+    const QPushButton* agreed = box.addButton(button, QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
     box.exec();
-    return box.clickedButton() != box.button(QMessageBox::Cancel);
+    return box.clickedButton() == agreed;
 }
 
 } // namespace hygroloom

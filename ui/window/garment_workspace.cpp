@@ -45,6 +45,7 @@ GarmentWorkspace::GarmentWorkspace(Document& document, RunHistory& history, Proj
         garment_->panels().choosePanel(panel);
     });
     connect(&garment_->panels(), &PanelTable::panelChosen, view_, &GarmentView::setChosenPanel);
+    connect(garment_, &GarmentPanel::problemFound, this, &GarmentWorkspace::problemFound);
     connect(&document_, &Document::replaced, this, &GarmentWorkspace::clearResults);
     connectRun();
 }
@@ -90,6 +91,8 @@ void GarmentWorkspace::fillMenu(QMenu* menu)
     connect(open_, &QAction::triggered, this, &GarmentWorkspace::chooseRecording);
     save_run_ = addCommand(menu, {}, tr("Save R&un As…"), {}, tr("Write the run that is shown to another recording."));
     connect(save_run_, &QAction::triggered, this, &GarmentWorkspace::chooseRunFile);
+    save_a_ = addCommand(menu, {}, tr("Save &A As…"), {}, tr("Write the run that is kept as A to another recording."));
+    connect(save_a_, &QAction::triggered, this, &GarmentWorkspace::chooseFileOfA);
     save_map_ = addCommand(menu, {}, tr("Save &Map…"), {},
                            tr("Write pictures and textures of the panels, a table of cells, OBJ and GLB of the time shown to a folder."));
     connect(save_map_, &QAction::triggered, this, &GarmentWorkspace::saveMap);
@@ -125,6 +128,7 @@ void GarmentWorkspace::refreshActions()
     save_run_->setEnabled(any && !running);
     copy_->setEnabled(any);
     keep_->setEnabled(any && !running);
+    save_a_->setEnabled(playback_.kept() != nullptr);
     drop_->setEnabled(playback_.kept() != nullptr);
 }
 

@@ -74,8 +74,9 @@ public:
     /// Waits until it has ended, 0.2 s or so.
     void stopRun();
     void clearResults();
-    /// Writes the run that is shown to another recording, in the background.
+    /// Writes the run that is shown, or the one kept as A, to another recording, in the background.
     void saveRun(const QString& path);
+    void saveA(const QString& path);
 
 Q_SIGNALS:
     void problemFound(const QString& sentence);
@@ -92,6 +93,8 @@ private:
     void saveMap();
     void saveReport();
     void chooseRunFile();
+    void chooseFileOfA();
+    void write(const std::shared_ptr<WornRun>& run, const QString& path, NewestJob& recorder);
     /// Where the next run is recorded; empty after the reason was given.
     QString reserve();
     void finishRun(GarmentRun::Outcome outcome, const QString& sentence);
@@ -108,6 +111,7 @@ private:
     GarmentRun run_;
     NewestJob saver_;
     NewestJob recorder_;
+    NewestJob recorder_of_a_;
     NewestJob reporter_;
     GarmentPanel* garment_;
     FitForm* fit_;
@@ -122,6 +126,7 @@ private:
     Actions actions_;
     QAction* open_ = nullptr;
     QAction* save_run_ = nullptr;
+    QAction* save_a_ = nullptr;
     QAction* save_map_ = nullptr;
     QAction* save_report_ = nullptr;
     QAction* copy_ = nullptr;

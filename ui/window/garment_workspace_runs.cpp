@@ -11,6 +11,7 @@
 #include "ui/results/run_history.h"
 #include "ui/window/confirm.h"
 #include "ui/window/file_names.h"
+#include "ui/window/folder_dialog.h"
 #include "ui/window/garment_workspace.h"
 
 #include <QAction>
@@ -140,7 +141,7 @@ void GarmentWorkspace::saveMap()
 {
     const auto frame = playback_.frame();
     if (!frame) { return; }
-    const QString above = QFileDialog::getExistingDirectory(&window_, tr("Save Map in a Folder"), folderOf(document_));
+    const QString above = askForFolder(&window_, tr("Save Map in a Folder"), folderOf(document_));
     if (above.isEmpty()) { return; }
     const QString folder =
         mapFolder(above, tr("%1 at %2 s").arg(QString::fromStdString(playback_.run()->layout().garment)).arg(frame->time));
@@ -174,11 +175,24 @@ void GarmentWorkspace::chooseRunFile()
     if (!path.isEmpty()) { saveRun(withEnding(path, ".hygrorec")); }
 }
 
+void GarmentWorkspace::chooseFileOfA()
+{
+    const QString path = QFileDialog::getSaveFileName(&window_, tr("Save A"), folderOf(document_), tr("Recordings (*.hygrorec)"));
+    if (!path.isEmpty()) { saveA(withEnding(path, ".hygrorec")); }
+}
+
 void GarmentWorkspace::saveRun(const QString& path)
 {
-    const std::shared_ptr<WornRun> run = playback_.run();
-    if (!run || run_.running() || QFileInfo(path) == QFileInfo(run->file)) { return; }
-    recorder_.run([this, run, frames = run->frames, wall = run->wall, path](const NewestJob::Turn& turn) {
+    if (!run_.running()) { write(playback_.run(), path, recorder_); }
+}
+
+/// Also while the next run is computed.
+void GarmentWorkspace::saveA(const QString& path) { write(playback_.kept(), path, recorder_of_a_); }
+
+void GarmentWorkspace::write(const std::shared_ptr<WornRun>& run, const QString& path, NewestJob& recorder)
+{
+    if (!run || QFileInfo(path) == QFileInfo(run->file)) { return; }
+    recorder.run([this, run, frames = run->frames, wall = run->wall, path](const NewestJob::Turn& turn) {
         QString why;
         try {
             WearWriter writer(path.toStdString(), *run->record);
