@@ -159,7 +159,7 @@ private Q_SLOTS:
     }
     void aTradeoffComparesVariantsWithTheReference()
     {
-        const Answer answer = run_cli(small_scene("0.004", "[4,4]", "0.3") << "--knobs"
+        const Answer answer = run_cli(small_scene("0.001", "[4,4]", "0.3") << "--knobs"
                                                                            << "fibre_shells,particles_per_droplet"
                                                                            << "--convergence",
                                       300);

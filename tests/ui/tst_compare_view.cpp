@@ -32,6 +32,7 @@ private Q_SLOTS:
         thick_ = ran(design, "thick");
         design.fabrics[0].name = "a thinner fabric, whose name is as long as names of fabrics get to be in a mill";
         design.fabrics[0].contact_angle_deg = 55;
+        design.fabrics[0].warp.packing_factor = design.fabrics[0].weft.packing_factor = 0.6;
         thin_ = ran(design, "thin");
         design.experiments[0].climate.temperature_c = 35;
         hot_ = ran(design, "hot");
