@@ -267,8 +267,8 @@ private Q_SLOTS:
         };
         const auto particles = drop("particles"), cap = drop("cap");
         QVERIFY(particles[0] > 0 && cap[0] > 0);
-        const double longer =
-            particles[0] / cap[0]; // particles still spread while yarns draw; absorbed step by step they took 2 to 5 times as long
+        // Particles still spread while yarns draw. Absorbed step by step they took 2 to 5 times as long as a cap.
+        const double longer = particles[0] / cap[0];
         QVERIFY2(longer > 1 && longer < 1.7, qPrintable(QString::number(longer)));
         for (std::size_t axis : {1, 2}) {
             const double wider = particles[axis] / cap[axis];
