@@ -211,12 +211,13 @@ void MetricsCollector::add(const Frame& frame)
     watch_free_water(frame);
 }
 
-/// Absorbency: when the free liquid came to an end, which the ledger knows; of older recordings the first frame without any. Liquid that
+/// Absorbency: when liquid last stood on the cloth, which the ledger knows; of older recordings the first frame without any. Liquid that
 /// comes later starts it anew.
 void MetricsCollector::watch_free_water(const Frame& frame)
 {
     constexpr double some = 1e-9; // of the water; a pool keeps the remainder of its quanta
-    const bool free_water = frame.ledger.water_free > some * frame.ledger.water_delivered;
+    const bool free_water = frame.ledger.water_free > some * frame.ledger.water_delivered &&
+                            !(frame.ledger.free_until >= 0 && frame.ledger.free_until < frame.time);
     had_free_water_ = had_free_water_ || frame.ledger.water_delivered > 0;
     const bool comes = frame.ledger.water_delivered > delivered_;
     delivered_ = frame.ledger.water_delivered;

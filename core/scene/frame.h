@@ -26,7 +26,7 @@ struct Ledger {
     double energy_released = 0;  ///< by sorption and condensation, less evaporation
     double energy_lost = 0;      ///< to the air, and with water that left
     double energy_delivered = 0; ///< with water that came
-    double free_until = -1;      ///< s, when free liquid was last about; less than 0: not known
+    double free_until = -1;      ///< s, when liquid last stood on the cloth; less than 0: not known
 
     double water_imbalance() const
     {

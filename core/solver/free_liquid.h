@@ -38,6 +38,8 @@ public:
     bool rests() const { return flow_.count == 0 || flow_.asleep; }
     /// Whether it may soon come to the yarns: not while it sleeps on cloth that does not absorb it.
     bool is_about() const { return flow_.count > 0 && !(flow_.asleep && !absorbed_); }
+    /// Whether it is seen on the cloth; where yarns do not draw in their own step, whether there is any.
+    bool is_on_top() const { return flow_.count > 0 && (flow_.above > flow_.unseen || !offers_); }
 
     /// When the next drop is released, s.
     double next_drop() const
@@ -256,9 +258,7 @@ template <typename Executor> double FreeLiquid<Executor>::release_drop()
     take_off(drop, landed, alone);
     flow_.landing = std::max(flow_.landing, drop.time + landed);
     flow_.settling = std::max(flow_.settling, rules_.capillary_time(drop.volume));
-    flow_.left += water;
-    flow_.asleep = 0;
-    flow_.hurry = 1;
+    count_drop(flow_, water);
     flow_.longest_dt = std::min(next_droplet_ == 1 ? rules_.longest_step() : flow_.longest_dt, rules_.advective_step(drop.speed));
     return static_cast<double>(water) * water_quantum;
 }
@@ -319,12 +319,12 @@ template <typename Executor> bool FreeLiquid<Executor>::offer(double time, const
 template <typename Executor> void FreeLiquid<Executor>::take_payment(const Segments& segments)
 {
     if (!offered_) return;
-    flow_.left = 0;
+    flow_.left = flow_.above = 0;
     control_.write(0, flow_);
     LiquidControl* control = control_.data();
     const OfferFromDrops offered{particle_views(), shape(segments), segments, {}};
     exec_.for_each("pay", flow_.count, PayForDrawn{offered, &control->absorbed});
-    exec_.for_each("close", flow_.count, CloseAccounts{offered, &control->absorbed, &control->left});
+    exec_.for_each("close", flow_.count, CloseAccounts{offered, &control->absorbed, &control->left, &control->above});
     flow_ = control_.read(0);
     if (flow_.left == 0) flow_.count = 0;
 }
@@ -374,9 +374,8 @@ template <typename Executor> bool FreeLiquid<Executor>::take_back(const WaterGiv
                             Real(1.1) * touching_in_spacings * start_.spacing});
     const bool wakes = rests();
     flow_.count += count;
-    flow_.listed_for = 0;
+    flow_.listed_for = flow_.asleep = 0;
     flow_.flight_end = 0;
-    flow_.asleep = 0;
     flow_.roused = time;
     const double settling = rules_.capillary_time(static_cast<double>(count) * std::pow(static_cast<double>(start_.spacing), 3));
     flow_.settling = wakes ? settling : std::max(flow_.settling, settling);

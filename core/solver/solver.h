@@ -57,7 +57,7 @@ public:
         const auto start = std::chrono::steady_clock::now();
         while (time_ < until) {
             if (sync_time_ < 0) plan_step(until);
-            const bool was_free = is_free_liquid_about();
+            const bool stood = stands_on_cloth();
             if (liquid_.count() > 0) yarns_.expect_liquid();
             while (!liquid_.flow(time_, sync_time_, wall_seconds, yarns_.absorbed()))
                 if (elapsed(start) > wall_seconds) return time_;
@@ -66,7 +66,7 @@ public:
             sync_time_ = -1;
             step_yarns(time_ - network_time_, time_ >= until);
             network_time_ = time_;
-            if (was_free || yarns_.pool_was_fed() || is_free_liquid_about()) free_until_ = time_;
+            if (stood || yarns_.pool_was_fed() || stands_on_cloth()) free_until_ = time_;
             if (elapsed(start) > wall_seconds) break;
         }
         return time_;
@@ -121,7 +121,7 @@ private:
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-    bool is_free_liquid_about() const { return liquid_.count() > 0 || yarns_.pool_feeds(); }
+    bool stands_on_cloth() const { return liquid_.is_on_top() || yarns_.pool_feeds(); }
     /// Releases the drops that are due and chooses when liquid and yarns meet next.
     void plan_step(double until)
     {
@@ -166,7 +166,7 @@ private:
     typename Executor::Snapshot snapshot_;
     double time_ = 0, sync_time_ = -1, network_time_ = 0;     ///< s
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0; ///< kg, kg, J
-    double free_until_ = 0;                                   ///< s, when drops or pools were last about
+    double free_until_ = 0;                                   ///< s, when drops or pools last stood on the cloth
 };
 
 } // namespace hygroloom::inline HL_PRECISION

@@ -35,7 +35,7 @@ struct Stock {
     std::vector<FrameCap> caps;
     double evaporated = 0;     ///< kg, from caps
     double dripped = 0;        ///< kg, fallen or run off
-    double free_until = 0;     ///< s, when free liquid was last about
+    double free_until = 0;     ///< s, when liquid last stood on the cloth
     double unsolved_lines = 0; ///< see Frame
     double stressed = 0;       ///< s for which stresses were summed
     Unvisited unvisited;

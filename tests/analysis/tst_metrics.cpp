@@ -250,8 +250,11 @@ private Q_SLOTS:
         QCOMPARE(collector.metrics().absorbency_time.value(), 3.5);
         at(5, 3e-6, 0, 4.75); // one that came and was absorbed between two frames
         QCOMPARE(collector.metrics().absorbency_time.value(), 4.75);
-        at(6, 4e-6, 0, -1); // as older recordings
-        QCOMPARE(collector.metrics().absorbency_time.value(), 6.0);
+        at(6, 5e-6, 1e-6, 6);
+        at(7, 5e-6, 1e-7, 6.5); // the rest hangs below
+        QCOMPARE(collector.metrics().absorbency_time.value(), 6.5);
+        at(8, 6e-6, 0, -1); // as older recordings
+        QCOMPARE(collector.metrics().absorbency_time.value(), 8.0);
     }
     void waterLeftOverMeansNoAbsorbencyTime()
     {

@@ -73,6 +73,7 @@ struct CloseAccounts {
     OfferFromDrops offered;
     std::int64_t* absorbed; ///< quanta
     std::int64_t* total;    ///< quanta that particles still hold
+    std::int64_t* above;    ///< of them over the cloth's middle
 
     HL_FN std::int64_t operator()(int i) const
     {
@@ -85,6 +86,7 @@ struct CloseAccounts {
         p.content[i] += back;
         if (back != 0) atomic_add(absorbed, -back);
         if (p.content[i] == 0) p.alive[i] = 0;
+        if (p.alive[i] && p.position[i].z > 0) atomic_add(above, p.content[i]);
         return p.content[i];
     }
     HL_FN static std::int64_t clear(const Segments& s, int taker)

@@ -97,10 +97,13 @@ struct LiquidControl {
     double fell_asleep = 0;                     ///< s, when
     double hurry = 1;                           ///< by which liquid that was woken creeps faster, to make up for the time it slept
 
+    std::int64_t unseen = 0; ///< quanta: so little of the last drop on the cloth is not seen (a thousandth, an assumption)
+
     // Many elements add to these.
     int moved[6] = {};                             ///< see BeginStep
     int box[6] = {};                               ///< see FindBox
     std::int64_t left = 0;                         ///< quanta that particles held after yarns last absorbed, or when they were released
+    std::int64_t above = 0;                        ///< of them over the cloth's middle, where yarns draw in their own step
     int farthest = 0;                              ///< see FindFarthestMoved
     int fastest = 0;                               ///< see MoveParticles
     int largest = 0;                               ///< see SumSpeeds
@@ -133,6 +136,16 @@ HL_FN void plan_step(LiquidControl& c, const LiquidRules& rules)
     c.step.drag = static_cast<Real>(rules.drag * c.dt / rules.thinnest2 / c.hurry);
     c.fastest = c.largest = c.round = 0;
     c.error = c.squares = 0;
+}
+
+/// A drop of so many quanta has been released; what slept may be hit.
+inline void count_drop(LiquidControl& c, std::int64_t water)
+{
+    c.left += water;
+    c.above += water;
+    c.unseen = water / 1000;
+    c.asleep = 0;
+    c.hurry = 1;
 }
 
 /// Nothing has been found yet of what particles have moved since neighbours were listed.
