@@ -178,8 +178,9 @@ std::string measured_help()
                                 scene.device, scene.date);
             for (const MeasuredRun& run : scene.runs)
                 if (run.settings.empty())
-                    text += fmt::format("    {:<10} {:>8} s {:>8} {:>8}\n", name_of(run.plan.fidelity), rounded_text(run.seconds, 3),
-                                        bytes_text(run.bytes), percent(run.error));
+                    text += fmt::format("    {:<10} {:>10} {:>8} {:>8}\n", name_of(run.plan.fidelity),
+                                        run.seconds > 0 ? rounded_text(run.seconds, 3) + " s" : "not timed",
+                                        run.bytes > 0 ? bytes_text(run.bytes) : "–", percent(run.error));
         }
     return text;
 }
