@@ -123,10 +123,33 @@ private:
     std::vector<Level> levels_;
 };
 
+/// What a file is that begins so and is no text; empty: nothing that is known.
+const char* looks_like(std::string_view text)
+{
+    using namespace std::string_view_literals;
+    struct Kind {
+        std::string_view begin;
+        const char* is;
+    };
+    static constexpr std::array kinds{Kind{"\x89PNG"sv, "a PNG picture"},
+                                      Kind{"\xff\xd8\xff"sv, "a JPEG picture"},
+                                      Kind{"GIF8"sv, "a GIF picture"},
+                                      Kind{"\x89HDF"sv, "an HDF5 file, such as a recording"},
+                                      Kind{"PK\x03\x04"sv, "a zip archive"},
+                                      Kind{"\x1f\x8b"sv, "a gzip archive"},
+                                      Kind{"%PDF"sv, "a PDF document"},
+                                      Kind{"glTF"sv, "a GLB mesh"},
+                                      Kind{"<"sv, "HTML or XML"}};
+    for (const Kind& kind : kinds)
+        if (text.starts_with(kind.begin)) return kind.is;
+    return "";
+}
+
 } // namespace
 
 ProjectJson parse_json(std::string_view text, const std::string& name)
 {
+    if (const std::string is = looks_like(text); !is.empty()) throw FileError(fmt::format("{}: This is {}, not JSON text.", name, is));
     Watch watch(text, name);
     try {
         ProjectJson::sax_parse(text, &watch);
