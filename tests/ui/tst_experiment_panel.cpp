@@ -63,6 +63,31 @@ private Q_SLOTS:
         }
     }
 
+    void itsNameFollowsTheTypeUntilItIsChanged()
+    {
+        const auto name = [this] { return QString::fromStdString(document_->experiment()->name); };
+        const auto choose = [this](ExperimentType type) {
+            auto* types = named<QComboBox>("Type of experiment");
+            types->setCurrentIndex(static_cast<int>(type));
+            Q_EMIT types->activated(static_cast<int>(type));
+        };
+        document_->edit("one", {}, [](Design& d) {
+            Experiment drop = standard_experiment(ExperimentType::droplet);
+            drop.name = "one drop 2";
+            Experiment drying = standard_experiment(ExperimentType::drying);
+            drying.name = "drying";
+            d.experiments = {drop, drying};
+        });
+        document_->setExperimentIndex(0);
+        choose(ExperimentType::moisture_management);
+        QCOMPARE(name(), "moisture management");
+        choose(ExperimentType::drying);
+        QCOMPARE(name(), "drying 2"); // the other one has the name
+        document_->edit("name", {}, [](Design& d) { d.experiments[0].name = "drying of my cloth"; });
+        choose(ExperimentType::droplet);
+        QCOMPARE(name(), "drying of my cloth");
+    }
+
     void aStripHasAWidthAndALength()
     {
         document_->setExperimentIndex(0);

@@ -28,6 +28,26 @@ QString titleOf(ExperimentType type)
     return *info.standard ? ExperimentPanel::tr("%1 (%2)").arg(info.title, info.standard) : QString(info.title);
 }
 
+/// That an experiment of the type has until somebody changes it; a number may follow.
+std::string usualName(ExperimentType type)
+{
+    if (type == ExperimentType::droplet) { return ExperimentPanel::tr("one drop").toStdString(); }
+    return QString::fromUtf8(info_of(type).title).toLower().toStdString();
+}
+
+bool isUsualName(const std::string& name, ExperimentType type)
+{
+    const std::string usual = usualName(type);
+    if (!name.starts_with(usual)) { return false; }
+    const std::string rest = name.substr(usual.size());
+    return rest.empty() || (rest.size() > 1 && rest[0] == ' ' && rest.find_first_not_of("0123456789", 1) == std::string::npos);
+}
+
+std::string freeName(const std::string& wish, const Design& design)
+{
+    return free_name(wish, [&design](const std::string& name) { return find_experiment(design, name) != nullptr; });
+}
+
 } // namespace
 
 ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
@@ -261,9 +281,11 @@ void ExperimentPanel::setType(int chosen)
 {
     const auto type = static_cast<ExperimentType>(chosen);
     if (!document_.experiment() || document_.experiment()->type == type) { return; }
-    edit(tr("type of experiment"), [&](Experiment& e) {
+    document_.edit(tr("type of experiment"), {}, [&](Design& design) {
+        Experiment& e = design.experiments[static_cast<std::size_t>(document_.experimentIndex())];
+        const std::string old = std::exchange(e.name, {}); // which is free now
         Experiment standard = standard_experiment(type);
-        standard.name = e.name;
+        standard.name = isUsualName(old, e.type) ? freeName(usualName(type), design) : old;
         standard.closure = e.closure;
         standard.swelling = e.swelling;
         e = standard;
@@ -307,8 +329,7 @@ void ExperimentPanel::addExperiment()
 {
     document_.editState(tr("add experiment"), [this](Design& design, DesignState& state) {
         Experiment experiment = document_.experiment() ? *document_.experiment() : Experiment{};
-        const std::string wish = experiment.name.empty() ? tr("one drop").toStdString() : experiment.name;
-        experiment.name = free_name(wish, [&design](const std::string& name) { return find_experiment(design, name) != nullptr; });
+        experiment.name = freeName(experiment.name.empty() ? usualName(experiment.type) : experiment.name, design);
         design.experiments.push_back(experiment);
         state.experiment = static_cast<int>(design.experiments.size()) - 1;
     });
