@@ -5,6 +5,7 @@
 #include "ui/panels/candidates_panel.h"
 #include "ui/panels/fabric_panel.h"
 #include "ui/picture/viewport.h"
+#include "ui/results/live_panel.h"
 #include "ui/weave/draft_editor.h"
 #include "ui/weave/order_editor.h"
 #include "ui/weave/point_paper.h"
@@ -17,12 +18,13 @@ namespace hygroloom {
 
 DesignWorkspace::DesignWorkspace(Document& document, Viewport& viewport, QMainWindow& window)
     : document_(document), window_(window), candidates_(new CandidatesPanel(document)), weave_(new WeaveEditor(document)),
-      draft_(new DraftEditor(document)), fabric_(new FabricPanel(document))
+      draft_(new DraftEditor(document)), fabric_(new FabricPanel(document)), live_(new LivePanel(document))
 {
     docks_.candidates = makeDock(window, "candidates", tr("Candidates"), candidates_);
     docks_.weave = makeDock(window, "weave", tr("Weave"), weave_);
     docks_.draft = makeDock(window, "draft", tr("Draft"), draft_);
     docks_.fabric = makeDock(window, "fabric", tr("Fabric"), fabric_);
+    docks_.live = makeDock(window, "live", tr("Water, live"), live_);
     connectParts(viewport);
 }
 

@@ -13,6 +13,7 @@ class CandidatesPanel;
 class Document;
 class DraftEditor;
 class FabricPanel;
+class LivePanel;
 class Viewport;
 class WeaveEditor;
 
@@ -24,11 +25,13 @@ public:
         QDockWidget* weave = nullptr;
         QDockWidget* draft = nullptr;
         QDockWidget* fabric = nullptr;
+        QDockWidget* live = nullptr;
     };
 
     DesignWorkspace(Document& document, Viewport& viewport, QMainWindow& window);
 
     CandidatesPanel& candidates() { return *candidates_; }
+    LivePanel& live() { return *live_; }
     const Docks& docks() const { return docks_; }
     /// Focuses the field of a value of the chosen fabric. where: its path in the project; part: the same within the fabric.
     void showFabricIssue(const QString& where, const QString& part);
@@ -49,6 +52,7 @@ private:
     WeaveEditor* weave_;
     DraftEditor* draft_;
     FabricPanel* fabric_;
+    LivePanel* live_;
     Docks docks_;
 };
 

@@ -131,8 +131,8 @@ std::vector<QDockWidget*> MainWindow::docks() const
     const auto& d = design_->docks();
     const auto& s = simulate_->docks();
     const auto& g = garment_->docks();
-    return {d.candidates, d.weave, d.draft, d.fabric, s.experiment, s.simulation, s.timeline, s.results,
-            g.garment,    g.fit,   g.wear,  g.run,    g.time,       g.parts,      g.runs,     issues_dock_};
+    return {d.candidates, d.weave, d.draft, d.fabric, d.live, s.experiment, s.simulation, s.timeline,  s.results,
+            g.garment,    g.fit,   g.wear,  g.run,    g.time, g.parts,      g.runs,       issues_dock_};
 }
 
 void MainWindow::arrange(Workspace workspace)
@@ -147,8 +147,10 @@ void MainWindow::arrange(Workspace workspace)
     addDockWidget(Qt::LeftDockWidgetArea, d.weave);
     splitDockWidget(d.candidates, d.weave, Qt::Vertical);
     addDockWidget(Qt::RightDockWidgetArea, d.fabric);
+    addDockWidget(Qt::RightDockWidgetArea, d.live);
+    splitDockWidget(d.fabric, d.live, Qt::Vertical);
     addDockWidget(Qt::RightDockWidgetArea, s.experiment);
-    splitDockWidget(d.fabric, s.experiment, Qt::Vertical);
+    splitDockWidget(d.live, s.experiment, Qt::Vertical);
     splitDockWidget(s.experiment, s.simulation, Qt::Vertical);
     addDockWidget(Qt::LeftDockWidgetArea, g.garment);
     addDockWidget(Qt::LeftDockWidgetArea, g.fit);
@@ -164,10 +166,20 @@ void MainWindow::arrange(Workspace workspace)
     addDockWidget(Qt::BottomDockWidgetArea, issues_dock_);
     splitDockWidget(d.draft, issues_dock_, Qt::Vertical);
     splitDockWidget(s.timeline, s.results, Qt::Horizontal);
+    showDocks(workspace);
+}
+
+/// Those of a workspace, in their usual sizes.
+void MainWindow::showDocks(Workspace workspace)
+{
+    const auto& d = design_->docks();
+    const auto& s = simulate_->docks();
+    const auto& g = garment_->docks();
     const bool design = workspace == Workspace::design, simulate = workspace == Workspace::simulate;
     d.candidates->setVisible(design);
     d.weave->setVisible(design);
     d.fabric->setVisible(design);
+    d.live->setVisible(design);
     s.experiment->setVisible(simulate);
     s.simulation->setVisible(simulate);
     s.timeline->setVisible(simulate);
@@ -179,6 +191,7 @@ void MainWindow::arrange(Workspace workspace)
     issues_dock_->setVisible(false);
     if (design) {
         resizeDocks({d.candidates, d.weave}, {130, 470}, Qt::Vertical);
+        resizeDocks({d.fabric, d.live}, {400, 310}, Qt::Vertical);
         resizeDocks({d.candidates, d.fabric}, {230, 320}, Qt::Horizontal);
     } else if (simulate) {
         resizeDocks({s.experiment, s.simulation}, {480, 240}, Qt::Vertical);

@@ -69,6 +69,7 @@ private:
     void restoreLayout();
     std::vector<QDockWidget*> docks() const;
     void arrange(Workspace workspace);
+    void showDocks(Workspace workspace);
     void showRunCommands();
     void refreshTitle();
     void refreshPicture();

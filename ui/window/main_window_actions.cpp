@@ -4,6 +4,7 @@
 #include "ui/panels/candidates_panel.h"
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/view_bar.h"
+#include "ui/results/live_panel.h"
 #include "ui/results/water_map_view.h"
 #include "ui/window/command.h"
 #include "ui/window/command_palette.h"
@@ -140,6 +141,7 @@ void MainWindow::buildViewMenu()
         viewport_->setWaterColors(static_cast<WaterColors>(i));
         simulate_->maps().setWaterColors(static_cast<WaterColors>(i));
         compare_->view().setWaterColors(static_cast<WaterColors>(i));
+        design_->live().setWaterColors(static_cast<WaterColors>(i));
     });
     addAppearances(menu->addMenu(tr("&Appearance")));
     menu->addSeparator();

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What an edit comes to, while the hand is still on the slider: the experiment on one core, shortened to what fits a moment.
+#pragma once
+
+#include "core/run/run_options.h"
+#include "ui/basics/newest_job.h"
+#include "ui/results/results_panel.h"
+#include "ui/results/water_map.h"
+
+#include <map>
+
+namespace hygroloom {
+
+struct Answer {
+    std::shared_ptr<const RunRecord> run; ///< with its plan
+    FaceMap top, bottom;
+    std::vector<Result> numbers; ///< those by which fabrics are compared come first
+    double simulated = 0;        ///< s
+    double duration = 0;         ///< s, of the whole experiment
+    double wall = 0;             ///< s, from the question to the answer
+};
+
+/// The time to simulate next, s: a step of 1, 2, 5, 10, … less where an answer took too long, one more where there is room for it.
+double lengthThatFits(double simulated, double duration, double wall);
+
+class LiveAnswer : public QObject {
+    Q_OBJECT
+public:
+    explicit LiveAnswer(QObject* parent = nullptr);
+    ~LiveAnswer() override;
+
+    /// Begins anew with an experiment of a fabric; what is under way for an older question is cancelled. At live the experiment is
+    /// shortened, at other fidelities it is whole. Preconditions: indices within the design.
+    void ask(const std::shared_ptr<const Design>& design, int fabric, int experiment, Fidelity fidelity = Fidelity::live);
+    void stop();
+    bool working() const { return working_; }
+
+Q_SIGNALS:
+    void answered(const std::shared_ptr<const Answer>& answer);
+    /// Why there is no answer.
+    void refused(const QString& sentence);
+
+private:
+    void end(const std::shared_ptr<const Answer>& answer, const QString& refusal);
+    double lengthOf(const Experiment& experiment) const;
+
+    std::shared_ptr<RunControl> control_;   ///< of what is under way
+    std::map<std::string, double> lengths_; ///< s, that fit, by experiment
+    bool working_ = false;
+    NewestJob job_; // last: it ends before the rest goes
+};
+
+} // namespace hygroloom

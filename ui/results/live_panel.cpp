@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/results/live_panel.h"
+
+#include "core/base/text.h"
+#include "ui/basics/quantity.h"
+#include "ui/document/document.h"
+#include "ui/results/plan_dialog.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QDir>
+#include <QFile>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QSettings>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr int legend_width = 92;
+constexpr int leading_numbers = 3;
+constexpr int pause_ms = 1000; // without an edit, after which a finer answer is begun
+constexpr const char* refine_setting = "live/refine";
+
+QString secondsText(double seconds) { return LivePanel::tr("%1 s").arg(shownNumber(seconds, decimals_for(seconds, 3))); }
+
+} // namespace
+
+bool runsOnBattery(const QString& folder)
+{
+    for (const QString& supply : QDir(folder).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        QFile status(folder + "/" + supply + "/status"), scope(folder + "/" + supply + "/scope");
+        const bool of_a_device = scope.open(QIODevice::ReadOnly) && scope.readAll().trimmed() == "Device"; // a mouse's, not the machine's
+        if (!of_a_device && status.open(QIODevice::ReadOnly) && status.readAll().trimmed() == "Discharging") { return true; }
+    }
+    return false;
+}
+
+LivePanel::LivePanel(Document& document, QWidget* parent)
+    : QWidget(parent), document_(document), map_(new WaterMap(tr("Top"))), legend_(new QWidget), status_(new QLabel),
+      refine_(new QCheckBox(tr("Refine when I pause"))), numbers_(new QGridLayout)
+{
+    build();
+    pause_.setSingleShot(true);
+    connect(&document_, &Document::designChanged, this, &LivePanel::ask);
+    connect(&live_, &LiveAnswer::answered, this, &LivePanel::take);
+    connect(&live_, &LiveAnswer::refused, this, &LivePanel::refuse);
+    connect(&pause_, &QTimer::timeout, this, &LivePanel::askFiner);
+    connect(refine_, &QCheckBox::toggled, this, [this](bool on) {
+        QSettings().setValue(refine_setting, on);
+        if (on) {
+            askFiner();
+        } else {
+            ask();
+        }
+    });
+}
+
+void LivePanel::build()
+{
+    legend_->setFixedWidth(legend_width);
+    status_->setWordWrap(true);
+    status_->setAccessibleName(tr("What the map shows"));
+    refine_->setChecked(QSettings().value(refine_setting, false).toBool());
+    refine_->setToolTip("<p>" + tr("After a second without an edit the whole experiment runs at draft, then at standard.") + "</p>");
+    numbers_->setContentsMargins(8, 0, 8, 0);
+    numbers_->setVerticalSpacing(2);
+    numbers_->setColumnStretch(0, 1);
+    for (int row = 0; row < leading_numbers; ++row) {
+        auto* name = new QLabel;
+        name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        auto* value = new QLabel;
+        value->setAlignment(Qt::AlignRight);
+        numbers_->addWidget(name, row, 0);
+        numbers_->addWidget(value, row, 1);
+    }
+    auto* picture = new QHBoxLayout;
+    picture->setSpacing(0);
+    picture->addWidget(map_, 1);
+    picture->addWidget(legend_);
+    auto* foot = new QVBoxLayout;
+    foot->setContentsMargins(8, 0, 8, 4);
+    foot->addWidget(status_);
+    foot->addWidget(refine_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 4, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(picture, 1);
+    layout->addLayout(numbers_);
+    layout->addLayout(foot);
+}
+
+QString LivePanel::status() const { return status_->text(); }
+
+void LivePanel::setWaterColors(WaterColors colors)
+{
+    colors_ = colors;
+    if (range_ > 0) { map_->setRange(range_, colors_); }
+    update();
+}
+
+void LivePanel::ask()
+{
+    pause_.stop();
+    live_.stop();
+    shown_.reset();
+    if (!isVisible()) { return; }
+    const Experiment* experiment = document_.experiment();
+    if (!document_.fabric() || !experiment) {
+        refuse(document_.fabric() ? tr("Add an experiment to see its water here.") : tr("Add a fabric to see its water here."));
+    } else if (document_.fabricHasError()) {
+        refuse(tr("Out of date: the fabric has an error."));
+    } else if (runsOnBattery()) {
+        refuse(tr("Off while this machine runs on its battery."));
+    } else {
+        live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex());
+    }
+}
+
+void LivePanel::askFiner()
+{
+    const bool live = shown_ && shown_->run->plan.fidelity == Fidelity::live;
+    const bool draft = shown_ && shown_->run->plan.fidelity == Fidelity::draft;
+    if (!isVisible() || live_.working() || !(live || draft)) { return; }
+    live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex(), live ? Fidelity::draft : Fidelity::standard);
+    status_->setText(status_->text() + " " + (live ? tr("Draft is being computed.") : tr("Standard is being computed.")));
+}
+
+void LivePanel::take(const std::shared_ptr<const Answer>& answer)
+{
+    shown_ = answer;
+    const double most = roundedUp(std::max(1000 * answer->top.cells.maximum(), 0.1)) / 1000;
+    if (most > range_ || most < 0.4 * range_) { range_ = most; } // it stays while it serves, so that maps can be told apart
+    map_->setRange(range_, colors_);
+    map_->setMap(answer->top.cells, answer->top.stain, answer->top.size);
+    showNumbers(answer->numbers);
+    const QString name = QString::fromStdString(answer->run->experiment);
+    const bool whole = answer->simulated >= answer->duration;
+    status_->setText(tr("%1: %2, %3; %4.")
+                         .arg(fidelityName(answer->run->plan.fidelity), name,
+                              whole ? tr("after %1").arg(secondsText(answer->simulated))
+                                    : tr("after %1 of %2").arg(secondsText(answer->simulated), secondsText(answer->duration)),
+                              expectedError(answer->run->plan)));
+    if (refine_->isChecked() && answer->run->plan.fidelity != Fidelity::standard) { pause_.start(pause_ms); }
+    update();
+    Q_EMIT changed();
+}
+
+void LivePanel::showNumbers(const std::vector<Result>& numbers)
+{
+    for (int row = 0; row < leading_numbers; ++row) {
+        const auto at = static_cast<std::size_t>(row);
+        const bool is = at < numbers.size();
+        const QString value = !is ? QString()
+                              : numbers[at].bottom.isEmpty() || numbers[at].bottom == numbers[at].value
+                                  ? numbers[at].value
+                                  : tr("%1 / %2").arg(numbers[at].value, numbers[at].bottom);
+        static_cast<QLabel*>(numbers_->itemAtPosition(row, 0)->widget())->setText(is ? numbers[at].name : QString());
+        static_cast<QLabel*>(numbers_->itemAtPosition(row, 1)->widget())->setText(value);
+    }
+}
+
+/// What is shown stays while the question is about the same project; the sentence says why it is out of date.
+void LivePanel::refuse(const QString& sentence)
+{
+    pause_.stop();
+    shown_.reset();
+    status_->setText(sentence);
+    Q_EMIT changed();
+}
+
+void LivePanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    ask();
+}
+
+void LivePanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    pause_.stop();
+    live_.stop();
+}
+
+void LivePanel::paintEvent(QPaintEvent*)
+{
+    if (!(range_ > 0)) { return; }
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawLegend(painter, QRectF(legend_->geometry()).adjusted(4, 0, -4, -4), tr("Water"), 1000 * range_, tr("g/m²"), colors_);
+}
+
+} // namespace hygroloom
