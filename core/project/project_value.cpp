@@ -190,4 +190,15 @@ Design with_value(const Design& design, const std::string& path, const std::stri
     return parse_project(text_from_json(project), "--set " + path);
 }
 
+std::optional<std::string> value_at(const Design& design, const std::string& path)
+{
+    ProjectJson project = json_from_design(design);
+    if (path.empty()) return project.dump();
+    PathWalk walk(project, path);
+    const std::string key = walk.walk();
+    const ProjectJson& holder = walk.here();
+    if (key.empty()) return holder.dump();
+    return holder.contains(key) ? std::optional(holder.at(key).dump()) : std::nullopt;
+}
+
 } // namespace hygroloom
