@@ -9,6 +9,7 @@ packages="
   libgl-dev libegl-dev
   libeigen3-dev libassimp-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libpng-dev zlib1g-dev libcsv-dev libcairo2-dev
   libbenchmark-dev
+  python3-dev pybind11-dev python3-numpy python3-xarray python3-pandas python3-h5py python3-pytest
   python3 clang-format-14
   xvfb xauth libgl1-mesa-dri fonts-dejavu-core
 "

@@ -13,6 +13,10 @@ if(EXISTS ${BUILD}/bin/hygroloom)
   list(APPEND expected bin/hygroloom share/man/man1/hygroloom.1 share/applications/hygroloom.desktop share/metainfo/org.hygroloom.Hygroloom.metainfo.xml
     share/mime/packages/hygroloom.xml share/icons/hicolor/scalable/apps/hygroloom.svg)
 endif()
+if(EXISTS ${BUILD}/python)
+  list(APPEND expected lib/python3/dist-packages/hygroloom/__init__.py lib/python3/dist-packages/hygroloom/py.typed
+    share/hygroloom/examples/python/experiments.py)
+endif()
 foreach(file IN LISTS expected)
   if(NOT EXISTS ${tree}/${file})
     message(FATAL_ERROR "Not installed: ${file}")

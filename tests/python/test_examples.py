@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+"""The worked examples run as they stand, and a worn garment's arrays hold its water."""
+import importlib.util
+import sys
+
+import numpy as np
+import pytest
+
+import hygroloom
+
+pytestmark = pytest.mark.slow
+
+
+def run(examples, monkeypatch, folder, name, *arguments):
+    monkeypatch.chdir(folder)
+    monkeypatch.setattr(sys, "argv", [name, *arguments])
+    spec = importlib.util.spec_from_file_location(name, examples / "python" / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_a_recording_becomes_a_picture(examples, monkeypatch, tmp_path):
+    run(examples, monkeypatch, tmp_path, "recording_to_picture")
+    assert (tmp_path / "drop.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "drop.hygrorec").exists()
+    run(examples, monkeypatch, tmp_path, "recording_to_picture", "drop.hygrorec", "again.png")
+    assert (tmp_path / "again.png").read_bytes() == (tmp_path / "drop.png").read_bytes()
+
+
+def test_angles_become_a_table(examples, monkeypatch, tmp_path):
+    table = run(examples, monkeypatch, tmp_path, "angles_to_table", "table.csv").table
+    assert list(table.index) == [20, 40, 60] and (tmp_path / "table.csv").stat().st_size > 100
+    times = table.absorbency_time_s.astype(float)
+    assert times[20] < times[60] or np.isnan(times[60])
+
+
+def test_a_strip_is_calibrated(examples, monkeypatch, tmp_path):
+    example = run(examples, monkeypatch, tmp_path, "calibrate_a_strip")
+    assert example.angle["low"] <= 55 <= example.angle["high"] and abs(example.angle["value"] - 55) < 3
+    example.fit.save_report(tmp_path / "fit.html")
+    assert "<svg" in (tmp_path / "fit.html").read_text()
+
+
+@pytest.mark.parametrize(
+    "name", ["droplet", "moisture_management", "vertical_wicking", "horizontal_wicking", "drying", "conditioning", "sweat", "wear"])  # fmt: skip
+def test_each_experiment_has_an_example(examples, monkeypatch, tmp_path, name):
+    done = getattr(run(examples, monkeypatch, tmp_path, "experiments"), name)()
+    assert done.finished and len(done.series) > 3
+    ds = done.dataset
+    assert ds.attrs["type"] == name and ds.sizes["time"] == len(done.series)
+    if name == "wear":
+        water = 1e3 * float((ds.inside + ds.outside).isel(time=-1).sum())
+        assert water == pytest.approx(done.metrics["water_g"], rel=1e-9)
+        assert set(np.unique(ds.panel)) == set(done.panels.index) and set(np.unique(ds.zone)) == set(done.zones.index)
+        assert hygroloom.measure(done.recording).metrics == done.metrics
