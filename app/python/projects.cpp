@@ -30,9 +30,9 @@ template <typename Item> const Item& chosen(const std::vector<Item>& items, cons
 /// Without what the command line puts before its paths.
 std::string without_option(std::string sentence)
 {
-    constexpr std::string_view option = "--set ";
+    constexpr std::string_view option = "--set";
     if (sentence.starts_with(option)) sentence.erase(0, option.size());
-    return sentence;
+    return sentence.substr(std::min(sentence.size(), sentence.find_first_not_of(": ")));
 }
 
 Design changed(const Design& design, const std::string& path, const std::string& value)
