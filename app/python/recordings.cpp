@@ -130,6 +130,26 @@ py::array map_of(SharedRecording& recording, int index, const std::string& side,
     return array_of(std::move(map.water), {map.rows, map.columns});
 }
 
+/// Those that the run's type of experiment has.
+std::vector<SeriesKey> keys_of(const SharedRecording& recording)
+{
+    const RunRecord& run = recording.about().run();
+    const ExperimentType type = find_experiment(run.design, run.experiment)->type;
+    std::vector<SeriesKey> keys;
+    for (const SeriesKey& key : series_keys())
+        if (key.of_all || (key.values == &Series::wick_height ? is_strip(type) : type == ExperimentType::moisture_management))
+            keys.push_back(key);
+    return keys;
+}
+
+/// Pairs of key and title.
+py::list series_titles(const SharedRecording& recording)
+{
+    py::list titles;
+    for (const SeriesKey& key : keys_of(recording)) titles.append(py::make_tuple(key.key, text(title_of_series(key.key))));
+    return titles;
+}
+
 /// Each by its key, NaN where a frame cannot be read; and which those are.
 py::tuple series_of(SharedRecording& recording)
 {
@@ -139,8 +159,7 @@ py::tuple series_of(SharedRecording& recording)
         measured = recording.measured();
     }
     py::dict series;
-    for (const SeriesKey& key : series_keys()) {
-        if ((measured.series.*key.values).empty()) continue;
+    for (const SeriesKey& key : keys_of(recording)) {
         const std::vector<double> values = values_of(key, measured.series);
         std::vector<double> all(static_cast<std::size_t>(recording.about().frames()), std::numeric_limits<double>::quiet_NaN());
         for (std::size_t k = 0; k < values.size(); ++k) all[static_cast<std::size_t>(measured.frames[k])] = values[k];
@@ -149,20 +168,6 @@ py::tuple series_of(SharedRecording& recording)
     py::list problems;
     for (const std::string& problem : measured.problems) problems.append(text(problem));
     return py::make_tuple(series, problems);
-}
-
-/// Pairs of key and title, of the series that the run's type of experiment has.
-py::list series_titles(const SharedRecording& recording)
-{
-    const RunRecord& run = recording.about().run();
-    const Experiment& experiment = *find_experiment(run.design, run.experiment);
-    py::list titles;
-    for (const SeriesKey& key : series_keys()) {
-        const bool of_type = key.of_all || (key.values == &Series::wick_height ? is_strip(experiment.type)
-                                                                               : experiment.type == ExperimentType::moisture_management);
-        if (of_type) titles.append(py::make_tuple(key.key, text(title_of_series(key.key))));
-    }
-    return titles;
 }
 
 /// A row per frame.

@@ -81,7 +81,7 @@ def test_progress_is_told_and_may_end_the_run(small):
     with pytest.raises(RuntimeError, match="enough"):
         hygroloom.simulate(small, fidelity="standard", progress=enough)
     assert time.monotonic() - begin < 2
-    assert 0 <= told[0][0] <= 1 and told[0][1].endswith("of 30.0 s") and len(told) == 1
+    assert 0 <= told[0][0] <= 1 and told[0][1].endswith("of 30.00 s") and len(told) == 1
 
 
 def test_two_threads_run_side_by_side(small):
@@ -200,7 +200,7 @@ def test_calibration_refuses_what_cannot_be_told(examples):
     assert not fit.identifiable and fit.refusal
     with pytest.raises(hygroloom.Error, match=fit.refusal[:20]):
         fit.project
-    for arguments, words in ((dict(free="colour"), "colour"), (dict(free=""), "Name an input"), (dict(measured=flat * "x"), "measured")):
+    for arguments, words in ((dict(free="colour"), "colour"), (dict(free=""), "Name an input"), (dict(measured=flat.astype(str) + "x"), "measured")):
         with pytest.raises(hygroloom.Error, match=words):
             hygroloom.calibrate(strip, experiment="vertical wicking", fidelity="live", **{"measured": flat, "free": "contact_angle_deg", **arguments})
     with pytest.raises(hygroloom.FileError, match="none.csv"):
