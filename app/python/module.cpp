@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The module _hygroloom: its parts, and the core's exceptions as Python's.
 #include "app/python/bindings.h"
+#include "app/python/watched.h"
 
 #include "core/base/utf8.h"
 
@@ -68,6 +69,7 @@ PYBIND11_MODULE(_hygroloom, module)
 {
     module.doc() = "The C++ side of hygroloom; use the package.";
     module.attr("version") = HYGROLOOM_VERSION;
+    pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(&hygroloom::python::wait_for_all_work));
     hygroloom::python::add_projects(module);
     hygroloom::python::add_errors(module);
     hygroloom::python::add_recordings(module);

@@ -131,12 +131,13 @@ py::tuple simulate(const Design& design, const std::string& fabric, const std::s
 {
     const RunArguments arguments = run_arguments(how);
     const bool only_wear = experiment.empty() && design.experiments.empty() && design.wears.size() == 1;
-    const WearExperiment* const wear = only_wear ? &design.wears.front() : find_wear(design, experiment);
-    if (wear && !fabric.empty())
-        throw Error(
-            fmt::format("The experiment \"{}\" is one on a garment, whose panels name their fabrics; leave fabric out.", wear->name));
-    const auto run = [&](Watch& watch) {
-        return wear ? run_worn(design, *wear, folder, arguments, watch) : run_sample(design, fabric, experiment, arguments, watch);
+    std::optional<std::string> worn;
+    if (only_wear || find_wear(design, experiment)) worn = only_wear ? design.wears.front().name : experiment;
+    if (worn && !fabric.empty())
+        throw Error(fmt::format("The experiment \"{}\" is one on a garment, whose panels name their fabrics; leave fabric out.", *worn));
+    const auto run = [=](Watch& watch) {
+        return worn ? run_worn(design, *find_wear(design, *worn), folder, arguments, watch)
+                    : run_sample(design, fabric, experiment, arguments, watch);
     };
     return watched(progress, run).tuple();
 }
@@ -214,7 +215,7 @@ private:
 py::str verify(const std::string& name, const std::map<std::string, std::string>& changes, const py::dict& how)
 {
     const RunArguments arguments = run_arguments(how);
-    const auto run = [&](Watch& watch) {
+    const auto run = [=](Watch& watch) {
         StoppableBackend backend(open_backend(arguments), watch.control.cancel);
         return dumped(report_value(run_verify_case(name, changes, backend)));
     };
@@ -235,7 +236,7 @@ void add_runs(py::module_& module)
 {
     module.def("simulate", &simulate);
     module.def("measure", [](const std::string& path, const py::object& progress) {
-        return watched(progress, [&](Watch& watch) { return measured(path, watch); }).tuple();
+        return watched(progress, [path](Watch& watch) { return measured(path, watch); }).tuple();
     });
     module.def("verify", &verify);
     module.def("verify_list", &verify_list);

@@ -62,7 +62,7 @@ py::tuple calibrate_fabric(const Design& design, const std::string& fabric, cons
 {
     const RunArguments arguments = run_arguments(how);
     Calibrated result = watched(
-        progress, [&](Watch& watch) { return calibrated(design, fabric, experiment, measured, measured_name, keys, arguments, watch); });
+        progress, [=](Watch& watch) { return calibrated(design, fabric, experiment, measured, measured_name, keys, arguments, watch); });
     const py::object fitted = result.design ? py::cast(std::move(*result.design)) : py::none();
     return py::make_tuple(text(result.json), fitted, text(result.refusal), text(result.report));
 }
@@ -121,7 +121,7 @@ py::str compare(const Design& design, const std::vector<std::string>& fabrics, c
 {
     const RunArguments arguments = run_arguments(how);
     const CompareArguments asked{fabrics, experiment, by, baseline, replicates};
-    return text(watched(progress, [&](Watch& watch) { return compared_fabrics(design, asked, arguments, watch); }));
+    return text(watched(progress, [=](Watch& watch) { return compared_fabrics(design, asked, arguments, watch); }));
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include <pybind11/pybind11.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace hygroloom::python {
@@ -22,15 +23,19 @@ struct Watch {
 };
 
 /// Calls act() in a thread. progress: None, or called with a share and a sentence. Throws what act() throws; KeyboardInterrupt and what
-/// progress raises once act() has ended, for which it is asked at once. Precondition: the caller has Python's lock.
-void watch(const py::object& progress, const std::function<void(Watch&)>& act);
+/// progress raises once act() has ended, for which it is asked at once, or 0.15 s later: it then ends by itself, and Python waits for it
+/// before it exits. act() must therefore hold all that it uses, and nothing of Python. Precondition: the caller has Python's lock.
+void watch(const py::object& progress, std::function<void(Watch&)> act);
 
 /// The same with a result.
 template <typename Act> auto watched(const py::object& progress, Act act)
 {
-    std::optional<decltype(act(std::declval<Watch&>()))> result;
-    watch(progress, [&](Watch& all) { result.emplace(act(all)); });
-    return std::move(*result);
+    const auto result = std::make_shared<std::optional<decltype(act(std::declval<Watch&>()))>>();
+    watch(progress, [result, act](Watch& all) { result->emplace(act(all)); });
+    return std::move(**result);
 }
+
+/// Before Python exits.
+void wait_for_all_work();
 
 } // namespace hygroloom::python

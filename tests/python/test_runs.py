@@ -101,6 +101,27 @@ def test_two_threads_run_side_by_side(small):
     assert max(b - a for a, b in zip(steps, steps[1:])) < 0.3  # this thread went on meanwhile
 
 
+def limit_s():
+    """For Ctrl-C; more where the machine has more to do than it can."""
+    return 0.3 if os.getloadavg()[0] < os.cpu_count() else 0.8
+
+
+def interrupted_after(child, begin):
+    """Sends Ctrl-C; s, until the child saw it."""
+    begin()
+    sent = time.clock_gettime(time.CLOCK_MONOTONIC)
+    child.send_signal(signal.SIGINT)
+    out, err = child.communicate(timeout=60)
+    said = [line for line in out.splitlines() if line.startswith("interrupted")]
+    assert child.returncode == -signal.SIGINT and "KeyboardInterrupt" in err
+    return float(said[0].split()[1]) - sent
+
+
+def child_of(code, *arguments):
+    command = [sys.executable, "-c", textwrap.dedent(code), *arguments]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
 CHILD = """
     import sys, time
     import hygroloom
@@ -118,20 +139,35 @@ CHILD = """
 
 def test_ctrl_c_ends_a_run_at_once(examples, tmp_path):
     recording = tmp_path / "cut.hygrorec"
-    child = subprocess.Popen(
-        [sys.executable, "-c", textwrap.dedent(CHILD), examples / "one-drop-on-cotton.hygro", recording],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)  # fmt: skip
-    assert child.stdout.readline() == "running\n"
-    while not recording.exists():
-        time.sleep(0.01)
-    sent = time.clock_gettime(time.CLOCK_MONOTONIC)
-    child.send_signal(signal.SIGINT)
-    out, err = child.communicate(timeout=30)
-    said = [line for line in out.splitlines() if line.startswith("interrupted")]
-    assert float(said[0].split()[1]) - sent < (0.3 if os.getloadavg()[0] < os.cpu_count() else 0.8)
-    assert child.returncode == -signal.SIGINT and "KeyboardInterrupt" in err
+    child = child_of(CHILD, examples / "one-drop-on-cotton.hygro", recording)
+
+    def begin():
+        assert child.stdout.readline() == "running\n"
+        while not recording.exists():
+            time.sleep(0.01)
+
+    assert interrupted_after(child, begin) < limit_s()
     cut = hygroloom.measure(recording)
     assert not cut.finished and cut.end_s < 600
+
+
+SLOW_START = """
+    import sys, time
+    import hygroloom
+    project = hygroloom.Project.open(sys.argv[1]).set("experiments.drying.sample_mm", [120, 120])
+    print("begins", flush=True)
+    try:
+        hygroloom.simulate(project, experiment="drying", fidelity="reference", recording=False)
+    except KeyboardInterrupt:
+        print("interrupted", time.clock_gettime(time.CLOCK_MONOTONIC), flush=True)
+        raise
+"""
+
+
+def test_ctrl_c_is_obeyed_before_the_first_step(examples):
+    """What builds a scene asks nobody; it goes on by itself, and Python waits for it when it exits."""
+    child = child_of(SLOW_START, examples / "laboratory.hygro")
+    assert interrupted_after(child, lambda: (child.stdout.readline(), time.sleep(0.1))) < limit_s()
 
 
 def test_wrong_arguments_are_named(small, tmp_path):
