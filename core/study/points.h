@@ -3,6 +3,7 @@
 // machine.
 #pragma once
 
+#include "core/project/migrations.h"
 #include "core/study/study.h"
 
 namespace hygroloom {
@@ -33,11 +34,11 @@ FactorValue quantile(const Factor& factor, double probability);
 /// The base samples of a Saltelli design: its points are N of one sample, N of another, and N for each factor where that is from the other.
 std::size_t saltelli_base(const Study& study);
 
-/// The design with a point's values, and the knobs that it sets. Throws Error naming the path.
+/// The design with a point's values, and the knobs that it sets; project: json_from_design(). Throws Error naming the path.
 struct PointSetting {
     Design design;
     KnobSettings knobs;
 };
-PointSetting with_point(const Study& study, const Design& design, const StudyPoints& points, std::size_t point);
+PointSetting with_point(const Study& study, const ProjectJson& project, const StudyPoints& points, std::size_t point);
 
 } // namespace hygroloom

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+target_sources(hygroloom_core PRIVATE
+  study/journal.cpp
+  study/points.cpp
+  study/quantiles.cpp
+  study/results.cpp
+  study/results_hdf5.cpp
+  study/study.cpp
+  study/study_check.cpp
+  study/study_folder.cpp
+  study/study_run.cpp
+)
