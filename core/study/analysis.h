@@ -6,8 +6,6 @@
 #include "core/run/run_options.h"
 #include "core/study/study_run.h"
 
-#include <map>
-
 namespace hygroloom {
 
 /// Why there is no analysis here, in a sentence; empty: there is. Loads the module.
@@ -39,15 +37,16 @@ struct Prediction {
 /// A kriging surface of one metric over the factors, fitted to the means of the replicates.
 struct Surface {
     std::string metric, fabric, experiment;
-    std::size_t points = 0;
-    double q2 = 0;       ///< share of the variance that it predicts of points left out one at a time; 1 is perfect
-    std::string state;   ///< of the module, JSON
-    std::string missing; ///< why there is none, in a sentence
+    std::vector<std::size_t> points; ///< that it was fitted to
+    std::vector<double> values;      ///< there
+    double q2 = 0;                   ///< share of the variance that it predicts of points left out; 1 is perfect, 0 no better than the mean
+    std::string state;               ///< of the module, JSON
+    std::string missing;             ///< why there is none, in a sentence
 };
 std::vector<Surface> fit_surfaces(const StudyFolder& study, const StudyTable& table);
 std::string surfaces_json(const StudyFolder& study, const std::vector<Surface>& surfaces);
-/// From DIR/surface.json. Throws FileError.
-std::vector<Surface> read_surfaces(const std::filesystem::path& file);
+/// From DIR/surface.json of that study. Throws FileError.
+std::vector<Surface> read_surfaces(const StudyFolder& study, const std::filesystem::path& file);
 
 /// Each point has a value for every factor, in the study's order. Throws Error where one lies outside of the study.
 std::vector<Prediction> predict(const StudyFolder& study, const Surface& surface, const std::vector<std::vector<FactorValue>>& points);

@@ -3,6 +3,7 @@
 #include "core/study/study_folder.h"
 
 #include "core/base/error.h"
+#include "core/design/validate.h"
 #include "core/project/atomic_file.h"
 #include "core/project/project_file.h"
 #include "core/study/csv_rows.h"

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/design/unknowns.h"
+#include "core/design/validate.h"
 #include "core/plan/expectation.h"
 #include "core/project/project_json.h"
 #include "core/run/plan_run.h"
