@@ -8,6 +8,7 @@ target_sources(hygroloom_core PRIVATE
   study/quantiles.cpp
   study/results.cpp
   study/results_hdf5.cpp
+  study/slurm.cpp
   study/study.cpp
   study/study_check.cpp
   study/study_folder.cpp
