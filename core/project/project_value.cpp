@@ -199,12 +199,8 @@ Design with_value(const Design& design, const std::string& path, const std::stri
 
 Design with_values(ProjectJson project, const std::vector<std::pair<std::string, std::string>>& values)
 {
-    std::string paths;
-    for (const auto& [path, value] : values) {
-        set_value(project, path, value);
-        paths += (paths.empty() ? "" : ", ") + path;
-    }
-    return design_from_json(std::move(project), paths);
+    for (const auto& [path, value] : values) set_value(project, path, value);
+    return design_from_json(std::move(project), "the project");
 }
 
 Design with_values(const Design& design, const std::vector<std::pair<std::string, std::string>>& values)
