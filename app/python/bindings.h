@@ -14,9 +14,10 @@ namespace hygroloom::python {
 
 namespace py = pybind11;
 
-/// A run was asked for of a project that has errors.
+/// Runs were asked for of a project or a study that has errors.
 struct InvalidProject : Error {
-    explicit InvalidProject(std::vector<Issue> found);
+    /// what: "project" or "study".
+    InvalidProject(const char* what, std::vector<Issue> found);
     std::vector<Issue> issues;
 };
 
@@ -36,5 +37,6 @@ void add_recordings(py::module_& module);
 void add_wear_recordings(py::module_& module);
 void add_runs(py::module_& module);
 void add_studies(py::module_& module);
+void add_sweeps(py::module_& module);
 
 } // namespace hygroloom::python

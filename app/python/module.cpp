@@ -76,4 +76,5 @@ PYBIND11_MODULE(_hygroloom, module)
     hygroloom::python::add_wear_recordings(module);
     hygroloom::python::add_runs(module);
     hygroloom::python::add_studies(module);
+    hygroloom::python::add_sweeps(module);
 }

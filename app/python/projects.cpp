@@ -4,6 +4,7 @@
 
 #include "core/base/words.h"
 #include "core/project/project_file.h"
+#include "core/project/project_value.h"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
@@ -42,12 +43,12 @@ try {
     throw Error(without_option(error.what()));
 }
 
-std::string first_of(const std::vector<Issue>& issues)
+std::string first_of(const char* what, const std::vector<Issue>& issues)
 {
     const auto errors = std::count_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
     const auto first = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
     const std::string more = errors > 1 ? fmt::format(" There are {} more errors; see .issues.", errors - 1) : "";
-    return fmt::format("The project has errors; nothing was computed. {}: {}{}", first->where, first->text, more);
+    return fmt::format("The {} has errors; nothing was computed. {}: {}{}", what, first->where, first->text, more);
 }
 
 py::list fabric_names(const Design& design)
@@ -68,12 +69,12 @@ py::list experiment_names(const Design& design)
 
 } // namespace
 
-InvalidProject::InvalidProject(std::vector<Issue> found) : Error(first_of(found)), issues(std::move(found)) {}
+InvalidProject::InvalidProject(const char* what, std::vector<Issue> found) : Error(first_of(what, found)), issues(std::move(found)) {}
 
 std::vector<std::shared_ptr<const FittedFabric>> require_valid(const Design& design)
 {
     Validation found = validate_and_fit(design);
-    if (has_error(found.issues)) throw InvalidProject(std::move(found.issues));
+    if (has_error(found.issues)) throw InvalidProject("project", std::move(found.issues));
     return std::move(found.fabrics);
 }
 
@@ -97,8 +98,8 @@ void add_projects(py::module_& module)
     module.def("format_project", [](const Design& design) { return text(format_project(design)); });
     module.def("with_value", &changed, released());
     module.def("value_at", [](const Design& design, const std::string& path) -> py::object {
-        const std::optional<std::string> value = value_at(design, path);
-        return value ? py::object(text(*value)) : py::none();
+        const ProjectJson value = value_at(design, path);
+        return value.is_null() ? py::object(py::none()) : py::object(text(value.dump()));
     });
     module.def("fabric_names", &fabric_names);
     module.def("experiment_names", &experiment_names);

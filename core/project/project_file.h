@@ -5,8 +5,6 @@
 #include "core/design/validate.h"
 
 #include <filesystem>
-#include <optional>
-#include <string>
 #include <string_view>
 
 namespace hygroloom {
@@ -31,8 +29,5 @@ std::string format_project(const Design& design);
 /// Sets one value by its path, as --set does: "fabrics[0].contact_angle_deg", "60"; names work as indices:
 /// "experiments.one drop.duration_s". Throws Error with a sentence. The result is re-read strictly, so a wrong key or type is refused.
 Design with_value(const Design& design, const std::string& path, const std::string& value);
-
-/// What stands at such a path, as JSON; nothing where the key may be left out, or is unknown. Throws Error where the path leads nowhere.
-std::optional<std::string> value_at(const Design& design, const std::string& path);
 
 } // namespace hygroloom

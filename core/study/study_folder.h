@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Between a study's folder and its runs. For study_run.cpp and the files beside it; others use study_run.h.
+#pragma once
+
+#include "core/study/journal.h"
+
+namespace hygroloom {
+
+/// Which run each row of a study is: replicate by replicate, then experiments, fabrics and points.
+class StudyFrame {
+public:
+    /// Precondition: validate() found no error. Throws Error when there are too many rows.
+    StudyFrame(const Study& study, const Design& design);
+    std::size_t rows() const { return rows_; }
+    StudyRow row(std::size_t number) const;
+    const std::vector<std::string>& fabrics() const { return fabrics_; }
+    const std::vector<std::string>& experiments() const { return experiments_; }
+    const std::vector<std::string>& metrics() const { return metrics_; }
+
+private:
+    std::vector<std::string> fabrics_, experiments_, metrics_;
+    std::size_t replicates_, rows_;
+};
+
+StudyFolder folder_of(const Design& design, const Study& study);
+/// Tells the parts of this study and project from those of others.
+std::string mark_of(const std::string& project_text, const std::string& study_text);
+
+/// What the folder has of the study. Throws Error where that does not go with the options: see run_study().
+KeptRows prepared_rows(const StudyFolder& study, const std::filesystem::path& folder, const StudyOptions& options);
+/// Makes the folder, and writes what it does not have yet. Throws FileError.
+void write_study_folder(const StudyFolder& study, const std::filesystem::path& folder);
+
+} // namespace hygroloom
