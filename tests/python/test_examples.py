@@ -4,6 +4,7 @@ import importlib.util
 import sys
 
 import numpy as np
+import pandas
 import pytest
 
 import hygroloom
@@ -28,11 +29,14 @@ def test_a_recording_becomes_a_picture(examples, monkeypatch, tmp_path):
     assert (tmp_path / "again.png").read_bytes() == (tmp_path / "drop.png").read_bytes()
 
 
-def test_angles_become_a_table(examples, monkeypatch, tmp_path):
-    table = run(examples, monkeypatch, tmp_path, "angles_to_table", "table.csv").table
-    assert list(table.index) == [20, 40, 60] and (tmp_path / "table.csv").stat().st_size > 100
-    times = table.absorbency_time_s.astype(float)
-    assert times[20] < times[60] or np.isnan(times[60])
+def test_a_sweep_becomes_a_table(examples, monkeypatch, tmp_path):
+    table = run(examples, monkeypatch, tmp_path, "sweep_to_table", "swept").table
+    assert len(table) == 6 and (table.status == "done").all()
+    kept = pandas.read_csv(tmp_path / "swept/results.csv")
+    assert list(kept.columns) == list(table.columns)
+    np.testing.assert_array_equal(kept.absorbency_time_s, table.absorbency_time_s)
+    times = table.set_index("fabrics[0].contact_angle_deg").absorbency_time_s
+    assert (times[20].values < times[60].values).all()
 
 
 def test_a_strip_is_calibrated(examples, monkeypatch, tmp_path):

@@ -241,3 +241,37 @@ def test_calibration_refuses_what_cannot_be_told(examples):
             hygroloom.calibrate(strip, experiment="vertical wicking", fidelity="live", **{"measured": flat, "free": "contact_angle_deg", **arguments})
     with pytest.raises(hygroloom.FileError, match="none.csv"):
         hygroloom.calibrate(strip, experiment="vertical wicking", measured="none.csv", free="contact_angle_deg")
+
+
+def test_a_sweep_is_kept_and_gone_on_with(small, cli, tmp_path):
+    study = {
+        "factors": [{"path": "fabrics[0].contact_angle_deg", "values": [20, 60]}, {"path": "fabrics[0].warp.material", "values": ["cotton", "linen"]}],
+        "design": {"type": "grid"}, "metrics": ["absorbency_time_s", "maximum_wetted_radius_top_mm"], "fidelity": "live",
+    }  # fmt: skip
+    told = []
+    table = hygroloom.sweep(small, study, tmp_path / "out", progress=lambda share, what: told.append(what))
+    assert list(table.point) == [0, 1, 2, 3] and list(table["fabrics[0].warp.material"].unique()) == ["cotton", "linen"]
+    for row in table.itertuples(index=False):
+        alone = small.copy().set("fabrics[0].contact_angle_deg", row[2]).set("fabrics[0].warp.material", row[3])
+        run = hygroloom.simulate(alone, fidelity="live", recording=False)
+        assert row.maximum_wetted_radius_top_mm == pytest.approx(run.metrics["maximum_wetted_radius_top_mm"], rel=1e-12)
+    kept = (tmp_path / "out/results.csv").read_bytes()
+    with pytest.raises(hygroloom.Error, match="resume"):
+        hygroloom.sweep(small, study, tmp_path / "out")
+    again = hygroloom.sweep(small, study, tmp_path / "out", resume=True)
+    pandas.testing.assert_frame_equal(again, table)
+    assert (tmp_path / "out/results.csv").read_bytes() == kept
+    unkept = hygroloom.sweep(small, study)
+    pandas.testing.assert_frame_equal(unkept.drop(columns="wall_s"), table.drop(columns="wall_s"))
+    study["factors"][0]["path"] = "fabrics[0].contct_angle_deg"
+    with pytest.raises(hygroloom.InvalidProject, match="The study has errors.*contct_angle_deg") as refused:
+        hygroloom.sweep(small, study)
+    assert refused.value.issues[0].where.startswith("factors[0]")
+    for wrong, error, words in (
+        ({"factrs": []}, hygroloom.FileError, "study: .*factrs"),
+        (tmp_path / "none.json", hygroloom.FileError, "none.json"),
+        (3, TypeError, "study: This must be a path"),
+        ({"seed": object()}, TypeError, "study: "),
+    ):
+        with pytest.raises(error, match=words):
+            hygroloom.sweep(small, wrong)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import json
 import os
 import pathlib
+import tempfile
+import warnings
 from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Union
 
 from . import _checks, _hygroloom
@@ -62,20 +64,26 @@ class Calibration:
         return f"<hygroloom.Calibration {found or self.refusal}>"
 
 
+def _file(path: Any, name: str) -> tuple[bytes, bytes]:
+    """What a file holds, and its name."""
+    name_bytes = _checks.path_bytes(path, name)
+    shown = os.fsdecode(name_bytes)
+    try:
+        with open(name_bytes, "rb") as file:
+            data = file.read(_LARGEST_TABLE + 1)
+    except OSError as error:
+        raise FileError(f"{shown}: The file cannot be read: {error.strerror}.") from None
+    if len(data) > _LARGEST_TABLE:
+        raise FileError(f"{shown}: The file is larger than 16 MiB.")
+    return data, name_bytes
+
+
 def _measured(measured: Any) -> tuple[bytes, bytes]:
     """Text and name of a file, or of a DataFrame."""
     if hasattr(measured, "to_csv"):
         frame = measured.reset_index() if "time_s" in getattr(measured.index, "names", ()) else measured
         return frame.to_csv(index=False).encode(), b"measured"
-    name = _checks.path_bytes(measured, "measured")
-    try:
-        with open(name, "rb") as file:
-            data = file.read(_LARGEST_TABLE + 1)
-    except OSError as error:
-        raise FileError(f"{os.fsdecode(name)}: The file cannot be read: {error.strerror}.") from None
-    if len(data) > _LARGEST_TABLE:
-        raise FileError(f"{os.fsdecode(name)}: The file is larger than 16 MiB.")
-    return data, name
+    return _file(measured, "measured")
 
 
 def calibrate(
@@ -183,4 +191,71 @@ def compare(
             rows.append({**head, "metric": metric, **values, "verdict": verdicts.get((fabric, metric))})
     table = pandas.DataFrame(rows, columns=["fabric", "rank", "metric", "value", "low", "high", "verdict"])
     table.attrs.update(json=result, failures=failures)
+    return table
+
+
+def sweep(
+    project: Union[Project, str, os.PathLike],
+    study: Union[Mapping[str, Any], str, os.PathLike],
+    folder: Union[str, os.PathLike, None] = None,
+    *,
+    resume: bool = False,
+    retry_failed: bool = False,
+    backend: str = "auto",
+    threads: int = 0,
+    at_once: int = 0,
+    progress: Progress = None,
+) -> "pandas.DataFrame":
+    """Runs a study of many points: changes values of a project and sees what follows.
+
+    Args:
+        project: a :class:`Project`, or the path of one.
+        study: the path of a study file, or a dictionary with its keys (fabrics, experiments, factors, design, metrics, fidelity,
+            replicates, seed); see the guide's page on sweeps.
+        folder: keeps each row as soon as it has ended, then results.csv and study.h5; without one nothing is kept.
+        resume: goes on in a folder that has rows already: runs what is missing.
+        retry_failed: with resume: also runs what failed.
+        backend: as in :func:`simulate`.
+        threads: of each run on a CPU; 0: the cores shared out among the runs.
+        at_once: runs at the same time; 0: one per core of a CPU, up to 16 on each GPU.
+        progress: as in :func:`simulate`.
+
+    Returns:
+        A DataFrame, a row per point, fabric, experiment and replicate: point, replicate, fabric and experiment (where there are
+        several), the factors by their paths, status ("done", "failed"), the metrics by their keys, wall_s, device, commit, reason.
+        The same as results.csv.
+
+    Raises:
+        InvalidProject: the project or the study has errors, which are its ``issues``.
+        FileError: the study cannot be read, the folder cannot be written or has another study.
+        Error: the folder has rows and resume is not set.
+        KeyboardInterrupt: Ctrl-C; a folder keeps every row that has ended.
+
+    >>> table = sweep("cloth.hygro", {"factors": [{"path": "fabrics[0].contact_angle_deg", "values": [20, 40, 60]}],
+    ...                               "design": {"type": "grid"}, "fidelity": "live"})
+    >>> table.plot("fabrics[0].contact_angle_deg", "absorbency_time_s")
+    """
+    import numpy
+    import pandas
+
+    opened = project_of(project)
+    how = {**_checks.machine(backend, threads), "at_once": _checks.whole(at_once, "at_once", 0, 1024)}
+    if isinstance(study, Mapping):
+        head = {"format": "hygroloom-study", "version": 1}
+        data, source = _checks.json_text({**head, **study}, "study").encode(), b"study"
+    else:
+        data, source = _file(study, "study")
+    _checks.call(progress)
+    with tempfile.TemporaryDirectory(prefix="hygroloom-", ignore_cleanup_errors=True) as temporary:
+        place = _checks.path_bytes(os.path.join(temporary, "study") if folder is None else folder, "folder")
+        columns, failures, notes = _hygroloom.sweep(opened._design, data, source, place, bool(resume), bool(retry_failed), how, progress)
+    for note in notes:
+        warnings.warn(note, RuntimeWarning, stacklevel=2)
+    values = {}
+    for name, numbers, words in columns:
+        values[name] = numbers if words is None else numpy.array(words, dtype=object)[numbers]
+    table = pandas.DataFrame(values)
+    for name in ("point", "replicate"):
+        table[name] = table[name].astype(int)
+    table.attrs["failures"] = failures
     return table
