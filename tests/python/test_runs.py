@@ -245,12 +245,12 @@ def test_calibration_refuses_what_cannot_be_told(examples):
 
 def test_a_sweep_is_kept_and_gone_on_with(small, cli, tmp_path):
     study = {
-        "factors": [{"path": "fabrics[0].contact_angle_deg", "values": [20, 60]}, {"path": "fabrics[0].warp.material", "values": ["cotton", "linen"]}],
+        "factors": [{"path": "fabrics[0].contact_angle_deg", "values": [20, 60]}, {"path": "fabrics[0].warp.material", "values": ["cotton", "hemp"]}],
         "design": {"type": "grid"}, "metrics": ["absorbency_time_s", "maximum_wetted_radius_top_mm"], "fidelity": "live",
     }  # fmt: skip
     told = []
     table = hygroloom.sweep(small, study, tmp_path / "out", progress=lambda share, what: told.append(what))
-    assert list(table.point) == [0, 1, 2, 3] and list(table["fabrics[0].warp.material"].unique()) == ["cotton", "linen"]
+    assert list(table.point) == [0, 1, 2, 3] and list(table["fabrics[0].warp.material"].unique()) == ["cotton", "hemp"]
     for row in table.itertuples(index=False):
         alone = small.copy().set("fabrics[0].contact_angle_deg", row[2]).set("fabrics[0].warp.material", row[3])
         run = hygroloom.simulate(alone, fidelity="live", recording=False)
