@@ -32,7 +32,7 @@ def test_a_recording_becomes_a_picture(examples, monkeypatch, tmp_path):
 def test_a_sweep_becomes_a_table(examples, monkeypatch, tmp_path):
     table = run(examples, monkeypatch, tmp_path, "sweep_to_table", "swept").table
     assert len(table) == 6 and (table.status == "done").all()
-    kept = pandas.read_csv(tmp_path / "swept/results.csv")
+    kept = pandas.read_csv(tmp_path / "swept/results.csv", float_precision="round_trip")
     assert list(kept.columns) == list(table.columns)
     np.testing.assert_array_equal(kept.absorbency_time_s, table.absorbency_time_s)
     times = table.set_index("fabrics[0].contact_angle_deg").absorbency_time_s

@@ -268,7 +268,7 @@ def test_a_sweep_is_kept_and_gone_on_with(small, cli, tmp_path):
         hygroloom.sweep(small, study)
     assert refused.value.issues[0].where.startswith("factors[0]")
     for wrong, error, words in (
-        ({"factrs": []}, hygroloom.FileError, "study: .*factrs"),
+        ({**study, "factrs": []}, hygroloom.FileError, "study: .*factrs"),
         (tmp_path / "none.json", hygroloom.FileError, "none.json"),
         (3, TypeError, "study: This must be a path"),
         ({"seed": object()}, TypeError, "study: "),

@@ -29,7 +29,8 @@ def droplet() -> hygroloom.Run:
 
 # %% AATCC 195: how do both faces take up solution?
 def moisture_management() -> hygroloom.Run:
-    project = laboratory().set("experiments.moisture management.duration_s", 30)
+    project = laboratory().set("experiments.moisture management.duration_s", 30).set("experiments.moisture management.volume_ul", 25)
+    project.set("experiments.moisture management.sample_mm", [40, 40])
     run = hygroloom.simulate(project, experiment="moisture management", fidelity="live")
     print(run.metrics.get("grades"), run.metrics["ommc"], run.metrics.get("fabric_class"))
     print(run.series[["water_content_top_pct", "water_content_bottom_pct"]].iloc[::20])
@@ -73,7 +74,8 @@ def conditioning() -> hygroloom.Run:
 
 # %% Where does an even feed on one face go?
 def sweat() -> hygroloom.Run:
-    run = hygroloom.simulate(laboratory(), experiment="sweat", fidelity="draft")
+    project = laboratory().set("experiments.sweat.sample_mm", [10, 10])
+    run = hygroloom.simulate(project, experiment="sweat", fidelity="draft")
     ledger = run.dataset[["water_delivered_kg", "water_evaporated_kg", "water_liquid_kg", "water_bound_kg"]].isel(time=-1)
     print({name: f"{1e6 * float(value):.0f} mg" for name, value in ledger.items()})
     return run
