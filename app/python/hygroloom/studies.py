@@ -210,8 +210,10 @@ def sweep(
 
     Args:
         project: a :class:`Project`, or the path of one.
-        study: the path of a study file, or a dictionary with its keys (fabrics, experiments, factors, design, metrics, fidelity,
-            replicates, seed); see the guide's page on sweeps.
+        study: the path of a study file, or a dictionary with its keys. ``factors`` is a list: each has a ``path``, as
+            :meth:`Project.set` takes it, and ``values``, or ``low`` and ``high``, or a ``distribution``. ``design`` has a ``type``
+            ("grid", "latin_hypercube", "sobol", "one_at_a_time") and ``points``. ``fabrics``, ``experiments``, ``metrics``,
+            ``fidelity``, ``replicates`` and ``seed`` may be left out.
         folder: keeps each row as soon as it has ended, then results.csv and study.h5; without one nothing is kept.
         resume: goes on in a folder that has rows already: runs what is missing.
         retry_failed: with resume: also runs what failed.
