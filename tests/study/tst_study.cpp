@@ -115,9 +115,10 @@ private Q_SLOTS:
     void aHugeStudyIsRefusedWithoutBeingMade()
     {
         std::string factors;
-        for (const char* path : {"fabrics[0].ends_per_cm", "fabrics[0].picks_per_cm", "fabrics[0].contact_angle_deg"})
-            factors +=
-                (factors.empty() ? "" : ", ") + (R"({ "path": ")" + std::string(path)) + R"(", "low": 20, "high": 30, "levels": 10000 })";
+        for (const char* path : {"fabrics[0].ends_per_cm", "fabrics[0].picks_per_cm", "fabrics[0].contact_angle_deg"}) {
+            if (!factors.empty()) factors += ", ";
+            factors += "{ \"path\": \"" + std::string(path) + "\", \"low\": 20, \"high\": 30, \"levels\": 10000 }";
+        }
         QVERIFY(issues_of(file_with(factors, R"({ "type": "grid" })")).contains("more than 1000000 points"));
         QVERIFY(issues_of(file_with(range, R"({ "type": "sobol", "points": 1000000 })", R"("replicates": 2)"))
                     .contains("more than 1000000 rows"));
