@@ -23,12 +23,22 @@ void require_module()
     if (const std::string reason = why_no_analysis(); !reason.empty()) throw Stop(exit_failed, reason);
 }
 
+/// Whether a file is there and no row came since it was written.
+bool is_fresh(const std::filesystem::path& file)
+{
+    std::error_code failure;
+    const auto written = std::filesystem::last_write_time(file, failure);
+    if (failure) return false;
+    for (const auto& part : std::filesystem::directory_iterator(file.parent_path() / "parts", failure))
+        if (std::filesystem::last_write_time(part.path(), failure) > written) return false;
+    return true;
+}
+
 /// Of the folder; made first where they are not there or older than the rows.
 std::vector<Surface> surfaces_in(const SweepOptions& options, const StudyFolder& study)
 {
     const std::filesystem::path file = std::filesystem::path(options.folder) / "surface.json";
-    std::error_code none;
-    if (!std::filesystem::exists(file, none)) analyse_study(options.folder);
+    if (!is_fresh(file)) analyse_study(options.folder);
     return read_surfaces(study, file);
 }
 

@@ -50,7 +50,7 @@ inside timeout --preserve-status --signal=TERM 8 hygroloom >/dev/null 2>&1 && co
 [ "$code" -eq 143 ] || { echo "The window did not stay open; it ended with $code." >&2; exit 1; }
 rm -rf "$root/root/.config/hygroloom" "$root/root/.cache/hygroloom" "$root/root/.local/share/hygroloom"  # its user's, not its package's
 
-inside_apt purge hygroloom hygroloom-cli hygroloom-data python3-hygroloom
+inside_apt purge hygroloom hygroloom-cli hygroloom-study hygroloom-data python3-hygroloom
 list_files after
 if ! diff "$listed/before" "$listed/after"; then
   echo "The packages leave something behind." >&2

@@ -182,6 +182,8 @@ std::vector<MetricSensitivity> sensitivities_with(const StudyFolder& study, cons
 
 } // namespace
 
+std::string why_no_analysis() { return why_no_module(); }
+
 std::vector<Surface> fit_surfaces(const StudyFolder& study, const StudyTable& table)
 {
     const StudyPoints points = study_points(study.study, study.design);

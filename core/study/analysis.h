@@ -3,8 +3,7 @@
 // The mathematics is in a module of its own, which is loaded when one of these is asked for.
 #pragma once
 
-#include "core/run/run_options.h"
-#include "core/study/study_run.h"
+#include "core/study/study_folder.h"
 
 namespace hygroloom {
 

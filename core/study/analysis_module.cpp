@@ -2,7 +2,6 @@
 #include "core/study/analysis_module.h"
 
 #include "core/base/error.h"
-#include "core/study/analysis.h"
 
 #include <cstdlib>
 #include <dlfcn.h>
@@ -58,7 +57,7 @@ const Module& module()
 
 } // namespace
 
-std::string why_no_analysis() { return module().reason; }
+std::string why_no_module() { return module().reason; }
 
 nlohmann::json ask_module(const nlohmann::json& request)
 {

@@ -4,7 +4,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace hygroloom {
+
+/// Why there is none, in a sentence; empty: there is.
+std::string why_no_module();
 
 /// See core/study/openturns/module.h. Throws Error with what the module says, or that it is missing and what to install.
 nlohmann::json ask_module(const nlohmann::json& request);

@@ -6,6 +6,7 @@
 #include "core/project/atomic_file.h"
 #include "core/run/byte_lock.h"
 #include "core/study/csv_rows.h"
+#include "core/study/results.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,11 @@
 // and any number of writers work side by side.
 #pragma once
 
-#include "core/study/study_run.h"
+#include "core/study/study_rows.h"
 
+#include <cstdint>
+#include <filesystem>
+#include <map>
 #include <mutex>
 
 namespace hygroloom {

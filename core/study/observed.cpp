@@ -45,35 +45,45 @@ FactorCube::FactorCube(const std::vector<Factor>& factors) : factors_(factors)
                 axis.low = std::min(axis.low, value.number);
                 axis.high = std::max(axis.high, value.number);
             }
+            axis.lowest = axis.low;
+            axis.highest = axis.high;
         } else {
-            constexpr double tail = 1e-3; // of what has no bounds
+            constexpr double tail = 1e-3, far_tail = 1e-7; // of what has no bounds
             axis.low = d.low ? *d.low : quantile(d, tail);
             axis.high = d.high ? *d.high : quantile(d, 1 - tail);
+            axis.lowest = d.low ? *d.low : quantile(d, far_tail);
+            axis.highest = d.high ? *d.high : quantile(d, 1 - far_tail);
             axis.logarithmic = d.type == FactorDistribution::Type::log_uniform;
         }
         axes_.push_back(std::move(axis));
     }
 }
 
+void FactorCube::require_inside(std::size_t k, const FactorValue& value) const
+{
+    const Axis& axis = axes_[k];
+    if (!axis.words.empty()) {
+        if (std::find(axis.words.begin(), axis.words.end(), value.text) == axis.words.end())
+            throw Error(fmt::format("{}: The study has no value \"{}\"; take one that is in its list.", factors_[k].path, value.text));
+        return;
+    }
+    const double rounding = 1e-9 * (axis.highest - axis.lowest);
+    if (!value.is_number || !(value.number >= axis.lowest - rounding && value.number <= axis.highest + rounding))
+        throw Error(fmt::format("{}: This must be from {:.6g} to {:.6g}, as in the study; given is {}.", factors_[k].path, axis.lowest,
+                                axis.highest, value.text));
+}
+
 void FactorCube::add(std::vector<double>& place, std::size_t k, const FactorValue& value) const
 {
     const Axis& axis = axes_[k];
     if (!axis.words.empty()) {
-        const auto found = std::find(axis.words.begin(), axis.words.end(), value.text);
-        if (found == axis.words.end())
-            throw Error(fmt::format("{}: The study has no value \"{}\"; take one that is in its list.", factors_[k].path, value.text));
         const std::size_t coordinates = axis.words.size() == 2 ? 1 : axis.words.size();
-        for (std::size_t i = 0; i < coordinates; ++i) place.push_back(axis.words.begin() + static_cast<std::ptrdiff_t>(i) == found ? 1 : 0);
+        for (std::size_t i = 0; i < coordinates; ++i) place.push_back(axis.words[i] == value.text ? 1 : 0);
         return;
     }
     const auto at = [&](double number) { return axis.logarithmic ? std::log(number) : number; };
-    const double width = at(axis.high) - at(axis.low), share = width > 0 ? (at(value.number) - at(axis.low)) / width : 0;
-    constexpr double rounding = 1e-9;
-    const bool inside = width > 0 ? share >= -rounding && share <= 1 + rounding : value.number == axis.low;
-    if (!value.is_number || !inside)
-        throw Error(fmt::format("{}: This must be from {} to {}, as in the study; given is {}.", factors_[k].path, axis.low, axis.high,
-                                value.text));
-    place.push_back(share);
+    const double width = at(axis.high) - at(axis.low);
+    place.push_back(width > 0 ? (at(value.number) - at(axis.low)) / width : 0);
 }
 
 std::vector<double> FactorCube::place(const std::vector<FactorValue>& values) const
@@ -81,19 +91,17 @@ std::vector<double> FactorCube::place(const std::vector<FactorValue>& values) co
     if (values.size() != axes_.size())
         throw Error(fmt::format("A point has {} values; the study has {} factors.", values.size(), axes_.size()));
     std::vector<double> place;
-    for (std::size_t k = 0; k < values.size(); ++k) add(place, k, values[k]);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        require_inside(k, values[k]);
+        add(place, k, values[k]);
+    }
     return place;
 }
 
 std::vector<double> FactorCube::place(const StudyPoints& points, std::size_t point) const
 {
     std::vector<double> place;
-    for (std::size_t k = 0; k < axes_.size(); ++k) {
-        FactorValue value = points.value(point, k);
-        const Axis& axis = axes_[k];
-        if (axis.words.empty()) value.number = std::clamp(value.number, axis.low, axis.high); // in the tails, and a base beyond the range
-        add(place, k, value);
-    }
+    for (std::size_t k = 0; k < axes_.size(); ++k) add(place, k, points.value(point, k));
     return place;
 }
 

@@ -21,11 +21,13 @@ public:
 
 private:
     struct Axis {
-        double low = 0, high = 1;
+        double low = 0, high = 1;       ///< ends of the coordinate
+        double lowest = 0, highest = 1; ///< that may be asked for
         bool logarithmic = false;
         std::vector<std::string> words; ///< of a factor that is not a number
     };
     void add(std::vector<double>& place, std::size_t factor, const FactorValue& value) const;
+    void require_inside(std::size_t factor, const FactorValue& value) const;
 
     std::vector<Factor> factors_;
     std::vector<Axis> axes_;

@@ -217,6 +217,20 @@ std::vector<double> one_at_a_time_numbers(const Study& study, const Design& desi
     return numbers;
 }
 
+std::size_t points_of_design(const Study& study)
+{
+    if (study.factors.empty()) return 1;
+    if (study.sampling == Sampling::grid) return product(grid_levels(study));
+    if (study.sampling == Sampling::one_at_a_time) {
+        std::size_t all = 1;
+        for (const Factor& factor : study.factors) all += std::max<std::size_t>(own_levels(factor), 2);
+        if (study.points > 0 && all > study.points)
+            throw Error(fmt::format("design: points: One at a time makes {} points; at most {} are asked for.", all, study.points));
+        return all;
+    }
+    return study.sensitivity == Sensitivity::saltelli ? saltelli_base(study) * (study.factors.size() + 2) : study.points;
+}
+
 } // namespace
 
 FactorValue quantile(const Factor& factor, double probability)
@@ -241,25 +255,17 @@ std::size_t saltelli_base(const Study& study) { return study.points / (study.fac
 
 std::size_t count_points(const Study& study)
 {
-    if (study.factors.empty()) return 1;
-    if (study.sampling == Sampling::grid) return product(grid_levels(study));
-    if (study.sampling == Sampling::one_at_a_time) {
-        std::size_t all = 1;
-        for (const Factor& factor : study.factors) all += std::max<std::size_t>(own_levels(factor), 2);
-        if (study.points > 0 && all > study.points)
-            throw Error(fmt::format("design: points: One at a time makes {} points; at most {} are asked for.", all, study.points));
-        return all;
-    }
-    return study.sensitivity == Sensitivity::saltelli ? saltelli_base(study) * (study.factors.size() + 2) : study.points;
+    const std::size_t points = points_of_design(study);
+    if (points > most_study_rows) refuse_size(fmt::format("{} points", points));
+    if (points * study.factors.size() > largest_matrix)
+        throw Error(fmt::format("The study has {} points of {} factors, {} values; at most {} are allowed. Take fewer points or factors.",
+                                points, study.factors.size(), points * study.factors.size(), largest_matrix));
+    return points;
 }
 
 StudyPoints study_points(const Study& study, const Design& design)
 {
-    const std::size_t most = count_points(study);
-    if (most > most_study_rows) refuse_size(fmt::format("{} points", most));
-    if (most * study.factors.size() > largest_matrix)
-        throw Error(fmt::format("The study has {} points of {} factors, {} values; at most {} are allowed. Take fewer points or factors.",
-                                most, study.factors.size(), most * study.factors.size(), largest_matrix));
+    count_points(study); // refuses what is too large
     if (study.factors.empty()) return {{}, {}};
     switch (study.sampling) {
     case Sampling::grid: return {study.factors, grid_numbers(study)};

@@ -21,10 +21,10 @@ private:
     std::vector<double> numbers_; ///< of each point, each factor: its number, or its place in the factor's list
 };
 
-/// The most points that there may be. Counts without making them; of a grid that is too large it throws Error, too.
+/// The most points that there may be. Counts without making them. Throws Error where they would be too many.
 std::size_t count_points(const Study& study);
 
-/// Precondition: validate() found no error. Throws Error where there would be more rows than most_study_rows.
+/// Precondition: validate() found no error. Throws what count_points() throws.
 StudyPoints study_points(const Study& study, const Design& design);
 
 /// The value below which the factor lies with this probability (0 to 1), of a list that place of it. Numbers have 10 digits, so that they

@@ -13,9 +13,12 @@
 namespace hygroloom {
 namespace {
 
-/// Doubles all through, whatever a machine's long doubles are; what lies beyond is the largest there is.
-using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>,
-                                             boost::math::policies::overflow_error<boost::math::policies::ignore_error>>;
+/// Doubles all through, whatever a machine's long doubles are; what is no distribution any more, for its numbers are too large, gives
+/// infinities or none, which no project takes.
+namespace policies = boost::math::policies;
+using Policy = policies::policy<policies::promote_double<false>, policies::domain_error<policies::ignore_error>,
+                                policies::pole_error<policies::ignore_error>, policies::overflow_error<policies::ignore_error>,
+                                policies::evaluation_error<policies::ignore_error>>;
 
 /// Of what lies between the bounds, which is not without probability for doubles.
 template <typename Of> double within(const Of& of, const FactorDistribution& distribution, double probability)

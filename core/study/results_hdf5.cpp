@@ -6,11 +6,13 @@
 #include "core/project/atomic_file.h"
 #include "core/project/json_reader.h"
 #include "core/run/hdf5_reader.h"
+#include "core/run/recording_source.h"
 #include "core/study/csv_rows.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace hygroloom {
 namespace {
@@ -18,7 +20,7 @@ namespace {
 using hdf5::Handle;
 using Role = StudyColumnRole;
 
-constexpr hsize_t rows_of_chunk = 4096, most_rows = 2'000'000;
+constexpr hsize_t rows_of_chunk = 4096, most_chunk = 65536, most_rows = 2'000'000;
 constexpr std::size_t most_columns = 1000, longest_word = 4096;
 
 /// Compressed, and without the time of day, so that the same table has the same bytes.
@@ -83,6 +85,10 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
     H5Sget_simple_extent_dims(space.get(), &count, nullptr);
     if (rows == HSIZE_UNDEF) rows = count;
     if (count != rows || count > most_rows) refuse(fmt::format("This must have {} rows; it has {}.", std::min(rows, most_rows), count));
+    const Handle properties(H5Dget_create_plist(set.get()), H5Pclose, column.name);
+    hsize_t chunk = 0;
+    if (H5Pget_layout(properties.get()) == H5D_CHUNKED && (H5Pget_chunk(properties.get(), 1, &chunk) != 1 || chunk > most_chunk))
+        refuse(fmt::format("Its chunks have {} rows; at most {} are read.", chunk, most_chunk));
     if (H5Tget_class(type.get()) == H5T_FLOAT) {
         column.numbers.resize(rows);
         if (rows > 0 && H5Dread(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, column.numbers.data()) < 0)
@@ -110,6 +116,16 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
     column.words = words.words();
 }
 
+/// Looks at each block before the library does.
+std::unique_ptr<RecordingSource> opened(const std::filesystem::path& path)
+{
+    try {
+        return std::make_unique<RecordingSource>(path);
+    } catch (const FileError& error) {
+        throw FileError(path.string() + ": " + error.what());
+    }
+}
+
 } // namespace
 
 void write_results_hdf5(const StudyTable& table, const std::string& project, const std::string& study, const std::filesystem::path& path)
@@ -132,7 +148,8 @@ void write_results_hdf5(const StudyTable& table, const std::string& project, con
 StudyTable read_results_hdf5(const std::filesystem::path& path)
 {
     hdf5::silence();
-    const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path.string() + ": The file cannot be opened.");
+    const std::unique_ptr<RecordingSource> source = opened(path); // outlives the library's handle on it
+    const Handle file = hdf5::open_file(*source, path.string() + ": This is no table of a study, or it is damaged.");
     const ProjectJson names = parse_json(hdf5::read_text(file.get(), "columns"), path.string());
     const Handle rows = hdf5::open_group(file.get(), "rows");
     StudyTable table;

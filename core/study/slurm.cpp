@@ -3,7 +3,6 @@
 
 #include "core/base/error.h"
 #include "core/project/atomic_file.h"
-#include "core/study/study_folder.h"
 
 #include <fmt/format.h>
 

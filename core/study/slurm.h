@@ -3,7 +3,7 @@
 // programs: sbatch, squeue, scancel.
 #pragma once
 
-#include "core/study/study_run.h"
+#include "core/study/study_folder.h"
 
 #include <map>
 

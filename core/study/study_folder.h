@@ -1,10 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Between a study's folder and its runs. For study_run.cpp and the files beside it; others use study_run.h.
+// The folder of a study: what it is, which rows have ended, and the tables that are made of them.
 #pragma once
 
 #include "core/study/journal.h"
+#include "core/study/points.h"
+#include "core/study/results.h"
 
 namespace hygroloom {
+
+/// What a folder holds.
+struct StudyFolder {
+    Design design;
+    Study study;
+    std::string project_text, study_text;
+};
+/// Throws FileError.
+StudyFolder read_study_folder(const std::filesystem::path& folder);
+
+/// The rows that have ended, sorted. Throws FileError.
+StudyTable collect_rows(const StudyFolder& study, const std::filesystem::path& folder);
+
+struct MergeResult {
+    std::size_t rows = 0;  ///< that there should be
+    std::size_t ended = 0; ///< that there are, well or not
+    std::size_t failed = 0;
+    std::string missing; ///< the first points that lack rows, in words; empty: all are there
+};
+/// Writes results.csv and study.h5 from the parts, atomically. Throws FileError.
+MergeResult merge_study(const std::filesystem::path& folder);
+
+// For study_run.cpp and slurm.cpp.
 
 /// Which run each row of a study is: replicate by replicate, then experiments, fabrics and points.
 class StudyFrame {

@@ -11,7 +11,6 @@
 #include "core/project/project_json.h"
 #include "core/run/plan_run.h"
 #include "core/run/side_by_side.h"
-#include "core/study/study_folder.h"
 
 #include <fmt/format.h>
 

@@ -5,27 +5,12 @@
 
 #include "core/run/run_options.h"
 #include "core/solver/backend.h"
-#include "core/study/points.h"
-#include "core/study/results.h"
+#include "core/study/study_folder.h"
 
 #include <functional>
 #include <memory>
 
 namespace hygroloom {
-
-/// One run of a study.
-struct StudyRow {
-    std::size_t point = 0;
-    int replicate = 0;
-    std::size_t fabric = 0, experiment = 0; ///< places in fabrics_of() and experiments_of()
-};
-
-struct StudyOptions {
-    bool resume = false;       ///< goes on in a folder that has rows; without it such a folder is refused
-    bool retry_failed = false; ///< with resume: also runs the rows that failed
-    int threads = 1;           ///< of each run on a CPU
-    int task = 1, tasks = 1;   ///< the slice of the rows: task 1 of 1 has all
-};
 
 struct StudyProgress {
     std::size_t rows = 0;   ///< of the slice
@@ -34,16 +19,6 @@ struct StudyProgress {
     std::size_t failed = 0; ///< of those ended
     double share = 0;       ///< of what was to be run, with what is under way
     double wall = 0;        ///< s
-};
-
-/// A row that has ended.
-struct StudyRowResult {
-    std::size_t row = 0; ///< its place in the table
-    bool failed = false;
-    std::string reason;
-    std::vector<double> metrics; ///< NaN where there is none
-    double wall = 0;             ///< s
-    std::string device;
 };
 
 /// From any thread, but never two at a time.
@@ -71,26 +46,5 @@ StudyNeeds study_needs(const Design& design, const Study& study, const std::file
 /// study or has rows and resume is not set, somebody else runs the slice. A run that fails is a row that failed.
 StudyOutcome run_study(const Design& design, const Study& study, const std::filesystem::path& folder, const StudyOptions& options,
                        const std::vector<std::unique_ptr<Backend>>& backends, RunControl& control, const StudyCallbacks& callbacks);
-
-/// What a folder holds.
-struct StudyFolder {
-    Design design;
-    Study study;
-    std::string project_text, study_text;
-};
-/// Throws FileError.
-StudyFolder read_study_folder(const std::filesystem::path& folder);
-
-/// The rows that have ended, sorted. Throws FileError.
-StudyTable collect_rows(const StudyFolder& study, const std::filesystem::path& folder);
-
-struct MergeResult {
-    std::size_t rows = 0;  ///< that there should be
-    std::size_t ended = 0; ///< that there are, well or not
-    std::size_t failed = 0;
-    std::string missing; ///< the first points that lack rows, in words; empty: all are there
-};
-/// Writes results.csv and study.h5 from the parts, atomically. Throws FileError.
-MergeResult merge_study(const std::filesystem::path& folder);
 
 } // namespace hygroloom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The study file: what it says is read, what is wrong with it is said.
 #include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/study/points.h"
 #include "tests/support/drop_design.h"
 
@@ -112,12 +113,50 @@ private Q_SLOTS:
         QVERIFY(issues_of(file_with(R"({ "path": "fidelity.nothing", "low": 1, "high": 2 })", sobol)).contains("factors[0].path"));
     }
 
+    void bytesByChanceAreRefusedOrMakeFewPoints()
+    {
+        const std::string good = format_study(parse_study(file_with(range + R"(, { "path": "fabrics[0].contact_angle_deg", "distribution":
+                { "type": "lognormal", "mean": 40, "sd": 5 } }, { "path": "fabrics[0].picks_per_cm", "low": 20, "high": 30, "step": 1 })",
+                                                                    R"({ "type": "latin_hypercube", "points": 20 })"),
+                                                          "s.json"));
+        const Design design = drop_design();
+        int read = 0;
+        for (std::uint64_t trial = 0; trial < 4000; ++trial) {
+            std::string text = good;
+            for (std::uint64_t k = 0; k < 1 + trial % 3; ++k) {
+                const std::size_t at = random_bits(trial, 1, k) % text.size();
+                const std::string_view letters = "0123456789e.-{}[]\",:xs ";
+                if (random_bits(trial, 3, k) % 3 == 0)
+                    text.insert(at, 1, letters[random_bits(trial, 2, k) % letters.size()]);
+                else
+                    text[at] = letters[random_bits(trial, 2, k) % letters.size()];
+            }
+            try {
+                const Study study = parse_study(text, "s.json");
+                ++read;
+                QVERIFY(parse_study(format_study(study), "again") == study);
+                if (!has_error(validate(study, design)) && count_points(study) < 10000) study_points(study, design);
+            } catch (const FileError&) {
+            }
+        }
+        QVERIFY2(read > 100, qPrintable(QString::number(read)));
+    }
+
+    void numbersAtTheEndOfAllNumbersAreIssues()
+    {
+        for (const char* wide :
+             {R"({ "path": "fabrics[0].ends_per_cm", "low": -1.7e308, "high": 1.7e308 })",
+              R"({ "path": "fabrics[0].ends_per_cm", "distribution": { "type": "lognormal", "mean": 1, "sd": 1e200 } })"})
+            QVERIFY(issues_of(file_with(wide, sobol)).contains("factors[0].path"));
+    }
+
     void aHugeStudyIsRefusedWithoutBeingMade()
     {
         std::string factors;
-        for (const char* path : {"fabrics[0].ends_per_cm", "fabrics[0].picks_per_cm", "fabrics[0].contact_angle_deg"})
-            factors +=
-                (factors.empty() ? "" : ", ") + (R"({ "path": ")" + std::string(path)) + R"(", "low": 20, "high": 30, "levels": 10000 })";
+        for (const char* path : {"fabrics[0].ends_per_cm", "fabrics[0].picks_per_cm", "fabrics[0].contact_angle_deg"}) {
+            if (!factors.empty()) factors += ", ";
+            factors += "{ \"path\": \"" + std::string(path) + "\", \"low\": 20, \"high\": 30, \"levels\": 10000 }";
+        }
         QVERIFY(issues_of(file_with(factors, R"({ "type": "grid" })")).contains("more than 1000000 points"));
         QVERIFY(issues_of(file_with(range, R"({ "type": "sobol", "points": 1000000 })", R"("replicates": 2)"))
                     .contains("more than 1000000 rows"));
