@@ -266,6 +266,7 @@ int run(int count, char** values)
     add_devices(app, verb);
     add_compare(app, verb);
     add_calibrate(app, verb);
+    add_sweep(app, verb);
     add_tradeoff(app, verb);
     add_verify(app, verb);
     add_reference(app, verb);

@@ -93,6 +93,7 @@ void add_presets(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
 void add_calibrate(CLI::App& app, Verb& chosen);
 void add_compare(CLI::App& app, Verb& chosen);
+void add_sweep(CLI::App& app, Verb& chosen);
 void add_tradeoff(CLI::App& app, Verb& chosen);
 void add_verify(CLI::App& app, Verb& chosen);
 /// After all others.

@@ -144,18 +144,6 @@ std::vector<std::string> chosen_fabrics(const Design& design, const std::vector<
     return names;
 }
 
-std::vector<Textile> textiles_of_runs(const Design& design, const FittedFabrics& fitted, const std::vector<std::string>& fabrics,
-                                      const Experiment& experiment)
-{
-    std::vector<Textile> textiles;
-    for (const std::string& name : fabrics) {
-        const Fabric& fabric = *find_fabric(design, name);
-        const auto place = static_cast<std::size_t>(&fabric - design.fabrics.data());
-        textiles.push_back(textile_of_run(design, fabric, experiment, fitted[place].get()));
-    }
-    return textiles;
-}
-
 std::vector<std::string> file_stems(const std::vector<std::string>& fabrics)
 {
     std::vector<std::string> stems;

@@ -4,7 +4,7 @@
 
 #include "app/cli.h"
 
-#include "core/analysis/sweep.h"
+#include "core/analysis/jobs.h"
 #include "core/solver/backend.h"
 
 #include <chrono>
@@ -43,10 +43,6 @@ std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& option
 
 /// --at-once.
 void add_at_once_option(CLI::App& verb, int& at_once);
-
-/// Of each of the fabrics, with its fit; see textile_of_run().
-std::vector<Textile> textiles_of_runs(const Design& design, const FittedFabrics& fitted, const std::vector<std::string>& fabrics,
-                                      const Experiment& experiment);
 
 /// The named fabrics, separated by commas; all for an empty list. A name that stands alone may hold commas. Throws Stop.
 std::vector<std::string> chosen_fabrics(const Design& design, const std::vector<std::string>& given);

@@ -4,7 +4,6 @@
 #include "app/cli_run.h"
 #include "app/run_apart.h"
 
-#include "core/analysis/sweep.h"
 #include "core/base/text.h"
 #include "core/plan/expectation.h"
 #include "core/project/atomic_file.h"

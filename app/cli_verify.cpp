@@ -2,7 +2,7 @@
 // verify: the built-in cases with known answers.
 #include "app/cli.h"
 
-#include "core/verify/verify.h"
+#include "core/verify/verify_json.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -23,34 +23,6 @@ struct VerifyOptions : CommonOptions {
     std::string backend = "auto";
     int threads = 0;
 };
-
-Json parameters_json(const std::vector<VerifyParameter>& parameters)
-{
-    Json json = Json::object();
-    for (const VerifyParameter& p : parameters) json[p.name] = p.word.empty() ? Json(p.value) : Json(p.word);
-    return json;
-}
-
-Json report_json(const VerifyReport& report)
-{
-    Json results = Json::array();
-    for (const VerifyResult& r : report.results) {
-        Json result{{"name", r.name}, {"computed", r.computed}, {"expected", r.expected}, {"tolerance", r.tolerance}, {"pass", r.pass()}};
-        if (!r.parts.empty()) result["computed"] = result["expected"] = Json::object();
-        for (const VerifyPart& p : r.parts) {
-            result["computed"][p.name] = p.computed;
-            result["expected"][p.name] = p.expected;
-        }
-        if (r.rule != Rule::near) result["rule"] = r.rule == Rule::at_most ? "at_most" : "at_least";
-        if (r.blind) result["blind"] = true;
-        if (!r.known_miss.empty()) result["known_miss"] = r.known_miss;
-        results.push_back(result);
-    }
-    Json json{{"case", report.name}, {"parameters", parameters_json(report.parameters)}, {"results", results}, {"wall_s", report.wall}};
-    if (!report.source.empty()) json["compared_with"] = report.source;
-    if (!report.not_applicable.empty()) json["not_applicable"] = report.not_applicable;
-    return json;
-}
 
 const char* word_for(const VerifyReport& report, const VerifyResult& r)
 {
@@ -112,7 +84,7 @@ int list_cases(const VerifyOptions& options)
 {
     Json list = Json::array();
     for (const VerifyCase& c : verify_cases()) {
-        Json entry{{"case", c.name}, {"about", c.about}, {"parameters", parameters_json(c.parameters)}};
+        Json entry{{"case", c.name}, {"about", c.about}, {"parameters", parameters_value(c.parameters)}};
         if (!c.source.empty()) entry["compared_with"] = c.source;
         if (!c.not_applicable.empty()) entry["not_applicable"] = c.not_applicable;
         list.push_back(entry);
@@ -158,7 +130,7 @@ int verify(const VerifyOptions& options)
     }
     if (options.json) {
         Json all = Json::array();
-        for (const VerifyReport& report : reports) all.push_back(report_json(report));
+        for (const VerifyReport& report : reports) all.push_back(report_value(report));
         print_result("{}\n", (several ? Json{{"reports", all}} : all[0]).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     } else if (several) {
         print_summary(reports);

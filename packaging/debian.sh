@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-# Builds the Debian packages hygroloom, hygroloom-cli and hygroloom-data from the files that git knows: packaging/debian.sh [FOLDER]
+# Builds the Debian packages hygroloom, hygroloom-cli, hygroloom-study, hygroloom-data and python3-hygroloom from the files that git knows: packaging/debian.sh [FOLDER]
 # They come into FOLDER (build/debian), which is emptied first. Needs debhelper and lintian beside what packaging/dependencies.sh installs.
 # DEB_BUILD_OPTIONS="cuda" builds for GPUs, too; JOBS=8 uses more than two cores.
 set -eu

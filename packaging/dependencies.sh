@@ -8,9 +8,12 @@ packages="
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-charts-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
   libgl-dev libegl-dev
   libeigen3-dev libassimp-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libpng-dev zlib1g-dev libcsv-dev libcairo2-dev
+  libboost-dev libopenturns-dev
   libbenchmark-dev
+  python3-dev pybind11-dev python3-numpy python3-xarray python3-pandas python3-h5py python3-pytest
   python3 clang-format-14
   xvfb xauth libgl1-mesa-dri fonts-dejavu-core
+  slurm-wlm munge
 "
 
 if ! command -v dpkg-query >/dev/null 2>&1 || ! command -v apt-get >/dev/null 2>&1; then

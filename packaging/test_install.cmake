@@ -7,11 +7,18 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${tree} OUT
 set(expected bin/hygroloom-cli share/man/man1/hygroloom-cli.1 share/bash-completion/completions/hygroloom-cli
   share/zsh/site-functions/_hygroloom-cli share/fish/vendor_completions.d/hygroloom-cli.fish share/doc/hygroloom/LICENSE share/hygroloom/examples/one-drop-on-cotton.hygro
   share/hygroloom/examples/paper/figure-08-wetted-radius.hygro share/hygroloom/examples/paper/README.md
-  share/hygroloom/help/index.md share/hygroloom/help/drying.md
+  share/hygroloom/help/index.md share/hygroloom/help/drying.md share/hygroloom/examples/textile-F.study.json
   share/hygroloom/schema/hygroloom-project-1.schema.json)
 if(EXISTS ${BUILD}/bin/hygroloom)
   list(APPEND expected bin/hygroloom share/man/man1/hygroloom.1 share/applications/hygroloom.desktop share/metainfo/org.hygroloom.Hygroloom.metainfo.xml
     share/mime/packages/hygroloom.xml share/icons/hicolor/scalable/apps/hygroloom.svg)
+endif()
+if(EXISTS ${BUILD}/python)
+  list(APPEND expected lib/python3/dist-packages/hygroloom/__init__.py lib/python3/dist-packages/hygroloom/py.typed
+    share/hygroloom/examples/python/experiments.py)
+endif()
+if(EXISTS ${BUILD}/lib/hygroloom/hygroloom_openturns.so)
+  list(APPEND expected lib/hygroloom/hygroloom_openturns.so)
 endif()
 foreach(file IN LISTS expected)
   if(NOT EXISTS ${tree}/${file})

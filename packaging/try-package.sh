@@ -44,12 +44,13 @@ inside hygroloom --version
 inside hygroloom-cli --version
 inside hygroloom-cli simulate /usr/share/hygroloom/examples/one-drop-on-cotton.hygro --fidelity draft --quiet -o /tmp/drop.hygrorec | head -3
 inside hygroloom-cli measure /tmp/drop.hygrorec --quiet >/dev/null
+inside python3 -c 'import hygroloom; print(hygroloom.measure("/tmp/drop.hygrorec").table.value)'
 inside timeout --preserve-status --signal=TERM 8 hygroloom >/dev/null 2>&1 && code=0 || code=$?
 # 143: it ran until it was ended.
 [ "$code" -eq 143 ] || { echo "The window did not stay open; it ended with $code." >&2; exit 1; }
 rm -rf "$root/root/.config/hygroloom" "$root/root/.cache/hygroloom" "$root/root/.local/share/hygroloom"  # its user's, not its package's
 
-inside_apt purge hygroloom hygroloom-cli hygroloom-data
+inside_apt purge hygroloom hygroloom-cli hygroloom-study hygroloom-data python3-hygroloom
 list_files after
 if ! diff "$listed/before" "$listed/after"; then
   echo "The packages leave something behind." >&2

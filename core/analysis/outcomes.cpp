@@ -319,6 +319,15 @@ std::vector<OutcomeInfo> compared_by(ExperimentType type)
     return infos;
 }
 
+std::vector<OutcomeInfo> reported_by(ExperimentType type)
+{
+    std::vector<OutcomeInfo> infos;
+    for (const MetricGroup* group : metrics_of(type).groups)
+        for (const Metric& metric : group->rows)
+            if (metric.value) infos.push_back(metric.info);
+    return infos;
+}
+
 bool may_be_negative(const std::string& key)
 {
     for (int type = 0; type < experiment_types; ++type)

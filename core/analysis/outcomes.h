@@ -58,6 +58,8 @@ bool may_be_negative(const std::string& key);
 
 /// The numbers by which fabrics are compared on a type of experiment. The first ranks by default.
 std::vector<OutcomeInfo> compared_by(ExperimentType type);
+/// All numbers that the type of experiment may report.
+std::vector<OutcomeInfo> reported_by(ExperimentType type);
 
 /// The curves of what the type of experiment measures.
 const Plot& subject_plot(ExperimentType type);

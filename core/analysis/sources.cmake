@@ -12,6 +12,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/comparison_report.cpp
   analysis/enclosing_circle.cpp
   analysis/intervals.cpp
+  analysis/jobs.cpp
   analysis/laboratory.cpp
   analysis/laboratory_table.cpp
   analysis/line_chart.cpp

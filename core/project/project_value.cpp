@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // One value of a project by its path, for --set and for scripts that sweep a parameter.
+#include "core/project/project_value.h"
 #include "core/base/words.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_file.h"
@@ -164,11 +165,9 @@ void erase_others(ProjectJson& holder, const std::string& key, bool is_null)
     }
 }
 
-} // namespace
-
-Design with_value(const Design& design, const std::string& path, const std::string& value)
+/// Changes the JSON, which is not read yet.
+void set_value(ProjectJson& project, const std::string& path, const std::string& value)
 {
-    ProjectJson project = json_from_design(design);
     if (path.empty()) refuse("--set", "The path is empty; give one such as fabrics[0].contact_angle_deg.");
     PathWalk walk(project, path);
     const std::string key = walk.walk();
@@ -187,7 +186,36 @@ Design with_value(const Design& design, const std::string& path, const std::stri
             refuse(path, fmt::format("This must be a number; given is {}.", in_words(fresh)));
         holder[key] = std::move(fresh);
     }
+}
+
+} // namespace
+
+Design with_value(const Design& design, const std::string& path, const std::string& value)
+{
+    ProjectJson project = json_from_design(design);
+    set_value(project, path, value);
     return parse_project(text_from_json(project), "--set " + path);
+}
+
+Design with_values(ProjectJson project, const std::vector<std::pair<std::string, std::string>>& values)
+{
+    for (const auto& [path, value] : values) set_value(project, path, value);
+    return design_from_json(std::move(project), "the project");
+}
+
+Design with_values(const Design& design, const std::vector<std::pair<std::string, std::string>>& values)
+{
+    return values.empty() ? design : with_values(json_from_design(design), values);
+}
+
+ProjectJson value_at(const Design& design, const std::string& path)
+{
+    ProjectJson project = json_from_design(design);
+    PathWalk walk(project, path);
+    const std::string key = walk.walk();
+    if (key.empty()) return walk.here();
+    const auto found = walk.here().find(key);
+    return found == walk.here().end() ? ProjectJson() : *found;
 }
 
 } // namespace hygroloom

@@ -13,5 +13,6 @@ set(solver_sources
 target_sources(hygroloom_core PRIVATE ${solver_sources})
 add_library(hygroloom_core_double OBJECT ${solver_sources})
 target_compile_definitions(hygroloom_core_double PRIVATE HYGROLOOM_DOUBLE)
+target_compile_options(hygroloom_core_double PRIVATE -fPIC -fno-semantic-interposition) # as the rest of the core
 target_link_libraries(hygroloom_core_double PRIVATE hygroloom_common Eigen3::Eigen TBB::tbb)
 target_sources(hygroloom_core PRIVATE $<TARGET_OBJECTS:hygroloom_core_double>)

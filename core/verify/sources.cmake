@@ -23,6 +23,7 @@ target_sources(hygroloom_core PRIVATE
   verify/swing_fit.cpp
   verify/tester_case.cpp
   verify/verify.cpp
+  verify/verify_json.cpp
   verify/whole_run_cases.cpp
   verify/wicking_cases.cpp
   verify/yarn_drop_case.cpp

@@ -12,6 +12,8 @@ import sys
 import tempfile
 
 SKIPPED = 77
+STUDY = """{"format": "hygroloom-study", "version": 1, "fabrics": ["Cotton plain"], "experiments": ["one drop"], "fidelity": "live",
+  "factors": [{"path": "fabrics[0].contact_angle_deg", "values": [30, 50]}], "design": {"type": "grid"}}"""
 NETWORK_LIBRARY = re.compile(r"curl|ssl|crypto|Qt\d?(Network|WebSockets|WebEngine|HttpServer)|nghttp|ldap|libssh|resolv|libzmq|libuv|gnutls")
 NETWORK_FUNCTION = re.compile(
     r"^(socket|socketpair|connect|bind|listen|accept4?|send(to|msg|mmsg)?|recv(from|msg|mmsg)?|getaddrinfo|gethostby\w+|res_\w+|curl_\w+|SSL_\w+)$")
@@ -55,6 +57,7 @@ def verbs(root):
         (["devices"], []),
         (["compare", project, "--fabrics", "Cotton plain,Cotton twill", *drop, *short, "-o", "compared"], ["compared"]),
         (["tradeoff", *one, *drop, *short[2:], "--fidelities", "draft", "--knobs", "none", "--repeats", "1", "-o", "tradeoff"], ["tradeoff"]),
+        (["sweep", project, "--study", "../study.json", "-o", "swept", "--set", "experiments[0].duration_s=0.05", "--quiet"], ["swept"]),
         (["verify", "washburn"], []),
         (["reference"], []),
     ]
@@ -95,6 +98,7 @@ def inside(root, cli, window, folder):
     home.mkdir()
     here.mkdir()
     environment = surroundings(home)
+    (folder / "study.json").write_text(STUDY)
     named = set()
     for arguments, writes in verbs(root):
         answer = subprocess.run([cli, *map(str, arguments)], cwd=here, env=environment, capture_output=True, text=True, timeout=120)

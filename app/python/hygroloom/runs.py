@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+"""One run, and what came of it."""
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import shutil
+import tempfile
+import warnings
+import weakref
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Union
+
+from . import _checks, _hygroloom
+from .errors import Error
+from .projects import Project, project_of
+from .recordings import read_recording
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+Progress = Optional[Callable[[float, str], Any]]
+
+
+class Run:
+    """What a run came to, of :func:`simulate` or :func:`measure`.
+
+    Attributes:
+        json: all of it, as ``hygroloom-cli simulate --json`` prints it.
+        metrics: the numbers by their keys, which end in the unit, such as ``"absorbency_time_s"``; None: it could not be determined,
+            and a sentence of notes says why. "grades" and the like stand beside.
+        intervals: by key a dictionary with value, low, high, level, and parts: half widths of its named errors.
+        ledger: where all water and heat went, kg and J.
+        provenance: program, commit, backend, device, fidelity, seed, wall_s, the plan.
+        notes: what limits the numbers, in sentences.
+        finished: whether the run came to its end.
+        recording: the file; None: there is none.
+    """
+
+    def __init__(self, results: tuple, recording: Optional[pathlib.Path] = None):
+        metrics, outcomes, self.notes, troubles, self.end_s, self.finished = results
+        self.json: dict[str, Any] = json.loads(metrics)
+        self.metrics: dict[str, Any] = self.json["metrics"]
+        self.intervals: dict[str, Any] = self.json.get("intervals", {})
+        self.ledger: dict[str, float] = self.json.get("ledger", {})
+        self.provenance: dict[str, Any] = self.json.get("provenance", {})
+        self.recording = recording
+        self._outcomes = json.loads(outcomes)
+        self._dataset: Optional["xarray.Dataset"] = None
+        for trouble in troubles:
+            warnings.warn(trouble, RuntimeWarning, stacklevel=4)
+
+    @property
+    def series(self) -> "pandas.DataFrame":
+        """The time series, a row per frame: index time_s; each column ends in its unit, such as wetted_radius_top_mm."""
+        import pandas
+
+        series = {key: values for key, values in self.json["series"].items() if isinstance(values, list)}
+        return pandas.DataFrame(series).set_index("time_s")
+
+    @property
+    def table(self) -> "pandas.DataFrame":
+        """The metrics, a row each: index metric; title, unit, value, low and high (its interval), missing (why there is no value), grade."""
+        import pandas
+
+        rows = []
+        for outcome in self._outcomes or [{"metric": key, "value": value} for key, value in self.metrics.items()]:
+            interval = self.intervals.get(outcome["metric"], {})
+            rows.append({**outcome, "low": interval.get("low"), "high": interval.get("high")})
+        columns = ["metric", "title", "unit", "value", "low", "high", "missing", "grade"]
+        return pandas.DataFrame(rows, columns=columns).set_index("metric")
+
+    def _parts(self, which: str) -> "pandas.DataFrame":
+        import pandas
+
+        if which not in self.json:
+            raise Error(f"Only runs of garments have {which}.")
+        return pandas.DataFrame.from_dict(self.json[which], orient="index")
+
+    @property
+    def panels(self) -> "pandas.DataFrame":
+        """Of a worn garment: the numbers of each panel, a row each."""
+        return self._parts("panels")
+
+    @property
+    def zones(self) -> "pandas.DataFrame":
+        """Of a worn garment: the numbers of each zone of the body, a row each."""
+        return self._parts("zones")
+
+    def _file(self) -> pathlib.Path:
+        if self.recording is None:
+            raise Error("The run was not recorded; call simulate() without recording=False.")
+        return self.recording
+
+    @property
+    def dataset(self) -> "xarray.Dataset":
+        """The recording: maps, values of segments, series and ledger over time; see :func:`read_recording`."""
+        if self._dataset is None:
+            self._dataset = read_recording(self._file())
+        return self._dataset
+
+    def save(self, path: Union[str, os.PathLike]) -> pathlib.Path:
+        """Writes the recording to a file (.hygrorec), as a whole, and returns its path. Raises Error where the run was not recorded, OSError."""
+        source, target = self._file(), pathlib.Path(os.fsdecode(_checks.path_bytes(path, "path")))
+        if target.exists() and source.samefile(target):
+            return target
+        handle, name = tempfile.mkstemp(prefix="." + target.name + ".", suffix=".part", dir=target.parent)
+        try:
+            with open(source, "rb") as old, os.fdopen(handle, "wb") as new:
+                shutil.copyfileobj(old, new)
+                new.flush()
+                os.fsync(new.fileno())
+            mask = os.umask(0)
+            os.umask(mask)
+            os.chmod(name, 0o666 & ~mask)
+            os.replace(name, target)
+        except BaseException:
+            os.unlink(name)
+            raise
+        return target
+
+    def __repr__(self) -> str:
+        of = self.provenance
+        what = f"{of['fabric']}, {of['experiment']}" if of else self.json.get("garment", "")
+        return f"<hygroloom.Run {what}: {self.end_s:g} s{'' if self.finished else ', unfinished'}>"
+
+
+def simulate(
+    project: Union[Project, str, os.PathLike],
+    fabric: Optional[str] = None,
+    experiment: Optional[str] = None,
+    *,
+    fidelity: str = "standard",
+    backend: str = "auto",
+    seed: int = 1,
+    threads: int = 0,
+    physics: Union[str, Mapping[str, bool], None] = None,
+    knobs: Optional[Mapping[str, Any]] = None,
+    recording: Union[bool, str, os.PathLike] = True,
+    cell_mm: Optional[float] = None,
+    shown_mm: Optional[float] = None,
+    detail: Union[str, Iterable[str]] = (),
+    progress: Progress = None,
+) -> Run:
+    """Runs an experiment on a fabric, in this process, and returns what came of it.
+
+    The numbers are those of ``hygroloom-cli simulate`` with the same options. Python's lock is released meanwhile: runs in several threads
+    go on side by side. Ctrl-C ends the run within 0.3 s with KeyboardInterrupt; a recording with a name then stays as far as it came.
+
+    Args:
+        project: a :class:`Project`, or the path of one.
+        fabric: by name; may be left out where the project has one. A worn garment (experiment type wear) takes none.
+        experiment: by name; may be left out where the project has one.
+        fidelity: "live", "draft", "standard" or "reference", from the fastest to the finest.
+        backend: "auto", "cpu" or "cuda".
+        seed: of what is random, 0 to 2**64 - 1.
+        threads: of the CPU; 0: all. Results do not depend on it.
+        physics: parts to switch on or off, such as ``{"heat": False}`` or "heat=off,vapour=on".
+        knobs: single knobs of the fidelity, such as ``{"free_liquid": "cap"}``.
+        recording: a path (.hygrorec); True: a temporary file that goes with the Run; False: none, so that Run.dataset and save() are not
+            there.
+        cell_mm, shown_mm: of a worn garment: sides of the cells that are computed, and of those that are recorded, 0.05 to 100 mm.
+        detail: of a worn garment: panels of which each computed cell is recorded.
+        progress: called several times a second from the calling thread with the share done, 0 to 1, and a text. What it raises ends the run.
+
+    Raises:
+        InvalidProject: the project has errors, which are its ``issues``.
+        FileError: the recording, or a file of the garment, cannot be written or read.
+        DeviceError: the GPU that was asked for is not there.
+        Error: no such fabric, experiment or knob, with the names there are; or the run failed.
+        TypeError, ValueError: an argument is of a wrong type or out of its range.
+        KeyboardInterrupt: Ctrl-C.
+
+    >>> run = simulate("cloth.hygro", "Textile F", "one drop", fidelity="draft")
+    >>> run.metrics["absorbency_time_s"]
+    >>> run.series.wetted_radius_top_mm.plot()
+    """
+    opened = project_of(project)
+    how = _checks.how(fidelity, backend, seed, threads, physics, knobs)
+    for name, side in (("cell_mm", cell_mm), ("shown_mm", shown_mm)):
+        if side is not None:
+            how[name] = _checks.number(side, name, 0.05, 100)
+    how["detail"] = _checks.texts(detail, "detail")
+    names = _checks.optional_text(fabric, "fabric"), _checks.optional_text(experiment, "experiment")
+    folder = os.fsencode(opened.path.parent if opened.path else ".") or b"."
+    _checks.call(progress)
+
+    temporary = None
+    path = None
+    if recording is True:
+        temporary = tempfile.mkdtemp(prefix="hygroloom-")
+        path = pathlib.Path(temporary, "run.hygrorec")
+    elif recording is not False and recording is not None:
+        path = pathlib.Path(os.fsdecode(_checks.path_bytes(recording, "recording")))
+    if path is not None:
+        how["recording"] = os.fsencode(path)
+    try:
+        run = Run(_hygroloom.simulate(opened._design, *names, folder, how, progress), path)
+    except BaseException:
+        if temporary:
+            shutil.rmtree(temporary, ignore_errors=True)
+        raise
+    if temporary:
+        weakref.finalize(run, shutil.rmtree, temporary, ignore_errors=True)
+    return run
+
+
+def measure(recording: Union[str, os.PathLike], *, progress: Progress = None) -> Run:
+    """The numbers of a recording, as ``hygroloom-cli measure --json`` prints them, also of a run that goes on or was stopped.
+
+    Args:
+        recording: the file (.hygrorec), of a sample or of a worn garment.
+        progress: as in :func:`simulate`.
+
+    Frames that are damaged are left out and named in a RuntimeWarning. Raises FileError when the file is no recording or has no frames.
+    """
+    path = _checks.path_bytes(recording, "recording")
+    return Run(_hygroloom.measure(path, _checks.call(progress)), pathlib.Path(os.fsdecode(path)))
+
+
+def verify(case: str, /, *, backend: str = "auto", threads: int = 0, **parameters: Any) -> dict[str, Any]:
+    """Runs a case with a known answer through the solver, as ``hygroloom-cli verify CASE --json`` does.
+
+    Args:
+        case: its name; see :func:`verify_cases`.
+        backend, threads: as in :func:`simulate`.
+        parameters: of the case, by their names, which end in the unit.
+
+    Returns:
+        A dictionary: case, parameters, wall_s, and results: a list of dictionaries with name, computed, expected, tolerance and pass.
+
+    Raises Error naming the case, the parameter, its range and what was given; KeyboardInterrupt.
+
+    >>> verify("washburn", radius_um=20, contact_angle_deg=45)["results"][0]["computed"]
+    """
+    changes = _checks.settings(parameters, "parameters")
+    return json.loads(_hygroloom.verify(_checks.text(case, "case"), changes, _checks.machine(backend, threads)))
+
+
+def verify_cases() -> "pandas.DataFrame":
+    """The cases of :func:`verify`: index case; what it is about, and its parameters with their usual values as a dictionary."""
+    import pandas
+
+    return pandas.DataFrame(json.loads(_hygroloom.verify_list())).set_index("case")

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// One run, one recording's numbers, and the cases of verify, for Python. Results are JSON, as the command line prints it.
+#include "app/python/bindings.h"
+#include "app/python/machine.h"
+
+#include "core/analysis/jobs.h"
+#include "core/analysis/metrics_json.h"
+#include "core/analysis/outcomes.h"
+#include "core/run/recording.h"
+#include "core/verify/verify_json.h"
+#include "core/wear/wear_metrics.h"
+#include "core/wear/wear_recording.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <filesystem>
+
+namespace hygroloom::python {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the package makes a run's results from.
+struct Results {
+    std::string metrics;                 ///< JSON, as `simulate --json` prints it
+    std::string outcomes = "[]";         ///< JSON: each number's key, title, face, unit, and why it is missing
+    std::vector<std::string> notes = {}; ///< what limits the numbers, in sentences
+    std::vector<std::string> warnings = {};
+    double end = 0; ///< s, of the last frame
+    bool finished = true;
+
+    py::tuple tuple() const
+    {
+        py::list all_notes, all_warnings;
+        for (const std::string& note : notes) all_notes.append(text(note));
+        for (const std::string& warning : warnings) all_warnings.append(text(warning));
+        return py::make_tuple(text(metrics), text(outcomes), all_notes, all_warnings, end, finished);
+    }
+};
+
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json outcome_list(const RunRecord& run, const Metrics& metrics)
+{
+    Json list = Json::array();
+    for (const Outcome& outcome : outcomes_of(run, metrics)) {
+        Json row{{"metric", outcome.key}, {"title", full_title(outcome)}, {"unit", outcome.unit}};
+        row["value"] = outcome.text.empty() ? (outcome.value ? Json(*outcome.value) : Json(nullptr)) : Json(outcome.text);
+        row["missing"] = outcome.missing;
+        row["grade"] = outcome.grade ? Json(*outcome.grade) : Json(nullptr);
+        list.push_back(row);
+    }
+    return list;
+}
+
+Results results_of(const RunRecord& run, const Metrics& metrics)
+{
+    Results results{dumped(metrics_value(run, metrics)), dumped(outcome_list(run, metrics)), notes_of(run.plan)};
+    results.notes.insert(results.notes.end(), metrics.notes.begin(), metrics.notes.end());
+    results.end = metrics.ledger.time;
+    return results;
+}
+
+Results run_sample(const Design& design, const std::string& fabric_name, const std::string& experiment_name, const RunArguments& arguments,
+                   Watch& watch)
+{
+    if (arguments.cell_mm > 0 || arguments.shown_mm > 0 || !arguments.detail.empty())
+        throw Error("cell_mm, shown_mm and detail work with experiments of the type wear.");
+    RunOptions how = run_options(arguments);
+    const auto fitted = require_valid(design);
+    const Experiment& experiment = chosen_experiment(design, experiment_name);
+    const Fabric& fabric = chosen_fabric(design, fabric_name);
+    how.textile = std::make_shared<const Textile>(textiles_of_runs(design, fitted, {fabric.name}, experiment).front());
+    const std::unique_ptr<Backend> backend = open_backend(arguments);
+    RunCallbacks beside;
+    beside.progress = [&](const RunProgress& progress) { watch.tell(share_of(progress), in_words(progress)); };
+    const FinishedRun finished = run_and_measure(design, fabric.name, experiment.name, how, *backend, watch.control, beside);
+    Results results = results_of(finished.run, finished.metrics);
+    if (!finished.device_failure.empty()) results.warnings.push_back(finished.device_failure);
+    return results;
+}
+
+std::string now_in_utc()
+{
+    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+/// folder: of the project, from where it names a garment's files.
+Results run_worn(const Design& design, const WearExperiment& wear, const std::string& folder, const RunArguments& arguments, Watch& watch)
+{
+    const auto start = std::chrono::steady_clock::now();
+    if (!arguments.physics.empty() || arguments.seed != RunArguments{}.seed)
+        throw Error("A worn garment takes neither physics nor seed: its panels name their fabrics, and nothing of it is left to chance.");
+    require_valid(design);
+    WearOptions how;
+    how.fidelity = fidelity_from_name(arguments.fidelity);
+    how.cell_mm = arguments.cell_mm;
+    how.shown_mm = arguments.shown_mm;
+    how.detail = arguments.detail;
+    how.knobs = run_options(arguments).knobs;
+    const GarmentParts parts = garment_parts(design, wear, std::filesystem::absolute(folder));
+    const GarmentScene garment = garment_scene(parts, resolution_of(how));
+    const WearLayout layout = wear_layout(parts, garment);
+    const std::unique_ptr<Backend> backend = open_backend(arguments);
+    std::optional<WearWriter> recording;
+    if (!arguments.recording.empty())
+        recording.emplace(arguments.recording,
+                          WearRecord{design, layout, arguments.fidelity, backend->name(), backend->device(), now_in_utc()});
+    WearMetrics metrics(layout);
+    WearCallbacks callbacks;
+    callbacks.frame = [&](const std::shared_ptr<const WearFrame>& frame) {
+        metrics.add(*frame);
+        if (recording) recording->append(*frame);
+    };
+    callbacks.progress = [&](const RunProgress& progress) { watch.tell(share_of(progress), in_words(progress)); };
+    run_wear(garment, wear, *backend, watch.control, callbacks);
+    if (recording) recording->finish(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    Results results{metrics.json()};
+    results.notes = parts.pattern.issues;
+    results.end = metrics.ledger().time;
+    return results;
+}
+
+py::tuple simulate(const Design& design, const std::string& fabric, const std::string& experiment, const std::string& folder,
+                   const py::dict& how, const py::object& progress)
+{
+    const RunArguments arguments = run_arguments(how);
+    const bool only_wear = experiment.empty() && design.experiments.empty() && design.wears.size() == 1;
+    std::optional<std::string> worn;
+    if (only_wear || find_wear(design, experiment)) worn = only_wear ? design.wears.front().name : experiment;
+    if (worn && !fabric.empty())
+        throw Error(fmt::format("The experiment \"{}\" is one on a garment, whose panels name their fabrics; leave fabric out.", *worn));
+    const auto run = [=](Watch& watch) {
+        return worn ? run_worn(design, *find_wear(design, *worn), folder, arguments, watch)
+                    : run_sample(design, fabric, experiment, arguments, watch);
+    };
+    return watched(progress, run).tuple();
+}
+
+Results measured_garment(const std::string& path, const Watch& watch)
+{
+    const WearRecording recording(path);
+    WearMetrics metrics(recording.record().layout);
+    if (recording.frames() == 0) throw FileError(path + ": The recording has no frames.");
+    for (int k = 0; k < recording.frames(); ++k) {
+        if (watch.control.cancel) throw Cancelled();
+        metrics.add(recording.frame(k));
+    }
+    Results results{metrics.json()};
+    results.end = metrics.ledger().time;
+    results.finished = recording.finished();
+    return results;
+}
+
+Results measured(const std::string& path, const Watch& watch)
+{
+    if (WearRecording::is_one(path)) return measured_garment(path, watch);
+    Recording recording(path);
+    MetricsCollector collector;
+    collector.start(recording.run());
+    const int frames = std::max(1, recording.frames());
+    int seen = 0;
+    recording.read_frames([&](const Frame& frame) {
+        collector.add(frame);
+        watch.tell(static_cast<double>(++seen) / frames, fmt::format("{} of {} frames", seen, frames));
+        return !watch.control.cancel;
+    });
+    if (watch.control.cancel) throw Cancelled();
+    if (recording.frames() == 0) throw FileError(path + ": The recording has no frames.");
+    Results results = results_of(recording.run(), collector.metrics());
+    results.warnings = recording.problems();
+    results.finished = recording.finished();
+    return results;
+}
+
+/// A backend that ends its work when it is asked to.
+class StoppableBackend : public Backend {
+public:
+    StoppableBackend(std::unique_ptr<Backend> backend, const std::atomic<bool>& stop) : backend_(std::move(backend)), stop_(stop) {}
+    std::string name() const override { return backend_->name(); }
+    std::string device() const override { return backend_->device(); }
+    void set_threads(int threads) override { backend_->set_threads(threads); }
+    void load(const Scene& scene) override
+    {
+        obey();
+        backend_->load(scene);
+    }
+    void unload() override { backend_->unload(); }
+    double advance(double until) override
+    {
+        obey();
+        return backend_->advance(until);
+    }
+    Frame frame() override { return backend_->frame(); }
+    std::future<Frame> take_frame() override { return backend_->take_frame(); }
+    std::vector<std::byte> state() override { return backend_->state(); }
+    void go_on_from(const std::vector<std::byte>& state) override { backend_->go_on_from(state); }
+    long liquid_steps() const override { return backend_->liquid_steps(); }
+    int particles() const override { return backend_->particles(); }
+
+private:
+    void obey() const
+    {
+        if (stop_) throw Cancelled();
+    }
+    std::unique_ptr<Backend> backend_;
+    const std::atomic<bool>& stop_;
+};
+
+py::str verify(const std::string& name, const std::map<std::string, std::string>& changes, const py::dict& how)
+{
+    const RunArguments arguments = run_arguments(how);
+    const auto run = [=](Watch& watch) {
+        StoppableBackend backend(open_backend(arguments), watch.control.cancel);
+        return dumped(report_value(run_verify_case(name, changes, backend)));
+    };
+    return text(watched(py::none(), run));
+}
+
+py::str verify_list()
+{
+    Json list = Json::array();
+    for (const VerifyCase& c : verify_cases())
+        list.push_back({{"case", c.name}, {"about", c.about}, {"parameters", parameters_value(c.parameters)}});
+    return text(dumped(list));
+}
+
+} // namespace
+
+void add_runs(py::module_& module)
+{
+    module.def("simulate", &simulate);
+    module.def("measure", [](const std::string& path, const py::object& progress) {
+        return watched(progress, [path](Watch& watch) { return measured(path, watch); }).tuple();
+    });
+    module.def("verify", &verify);
+    module.def("verify_list", &verify_list);
+}
+
+} // namespace hygroloom::python

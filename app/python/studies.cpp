@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Many runs for one answer, for Python: fabrics side by side, and inputs fitted to a measurement.
+#include "app/python/bindings.h"
+#include "app/python/machine.h"
+
+#include "core/analysis/calibration.h"
+#include "core/analysis/jobs.h"
+#include "core/project/atomic_file.h"
+#include "core/run/side_by_side.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <set>
+
+namespace hygroloom::python {
+namespace {
+
+std::vector<FreeInput> free_inputs(const Design& design, const Fabric& fabric, const std::vector<std::string>& keys)
+{
+    std::set<std::string> seen;
+    std::vector<FreeInput> inputs;
+    for (const std::string& key : keys) {
+        if (!seen.insert(key).second) throw Error(fmt::format("free: {} is named twice.", key));
+        inputs.push_back(free_input(design, fabric, key));
+    }
+    if (inputs.empty()) throw Error("free: Name an input: contact_angle_deg, receding_angle_deg or packing_factor.");
+    return inputs;
+}
+
+struct Calibrated {
+    std::string json, report, refusal;
+    std::optional<Design> design = {}; ///< none: the data do not tell the inputs
+};
+
+Calibrated calibrated(const Design& design, const std::string& fabric_name, const std::string& experiment_name, const std::string& measured,
+                      const std::string& measured_name, const std::vector<std::string>& keys, const RunArguments& arguments, Watch& watch)
+{
+    RunOptions how = run_options(arguments);
+    const auto fitted = require_valid(design);
+    const Experiment& experiment = chosen_experiment(design, experiment_name);
+    const Fabric& fabric = chosen_fabric(design, fabric_name);
+    const std::vector<FreeInput> inputs = free_inputs(design, fabric, keys);
+    const MeasuredData data = read_measured_data(measured, measured_name, design, fabric, experiment);
+    const std::vector<Textile> textiles = textiles_of_runs(design, fitted, {fabric.name}, experiment);
+    const int most = 2 * static_cast<int>(inputs.size()); // runs side by side
+    const auto backends = open_backends(arguments, arguments.at_once, most, bytes_of_largest(design, experiment, textiles, how));
+    CalibrationRuns runs{design, fabric.name, experiment.name, data, inputs, how, backends, watch.control};
+    std::optional<ManyRuns> round;
+    runs.started = [&](std::size_t points) { round.emplace(watch, points); };
+    runs.progress = [&](std::size_t point, const RunProgress& progress) { round->tell(point, share_of(progress)); };
+    const Calibration result = calibrate(runs);
+    Calibrated all{calibration_json(result), calibration_report_html(result), result.refusal};
+    if (result.identifiable()) all.design = calibrated_design(design, result);
+    return all;
+}
+
+py::tuple calibrate_fabric(const Design& design, const std::string& fabric, const std::string& experiment, const std::string& measured,
+                           const std::string& measured_name, const std::vector<std::string>& keys, const py::dict& how,
+                           const py::object& progress)
+{
+    const RunArguments arguments = run_arguments(how);
+    Calibrated result = watched(
+        progress, [=](Watch& watch) { return calibrated(design, fabric, experiment, measured, measured_name, keys, arguments, watch); });
+    const py::object fitted = result.design ? py::cast(std::move(*result.design)) : py::none();
+    return py::make_tuple(text(result.json), fitted, text(result.refusal), text(result.report));
+}
+
+struct CompareArguments {
+    std::vector<std::string> fabrics;
+    std::string experiment, by, baseline;
+    int replicates = 1;
+};
+
+Comparison comparison_of(const CompareArguments& asked, const Experiment& experiment)
+{
+    Comparison comparison;
+    comparison.experiment = experiment.name;
+    comparison.criteria = compared_by(experiment.type);
+    comparison.ranked_by = criterion_named(comparison.criteria, asked.by);
+    comparison.replicates = asked.replicates;
+    comparison.baseline = asked.baseline.empty() ? asked.fabrics.front() : asked.baseline;
+    if (std::find(asked.fabrics.begin(), asked.fabrics.end(), comparison.baseline) == asked.fabrics.end())
+        throw Error(fmt::format("baseline: \"{}\" is not among the compared fabrics.", comparison.baseline));
+    return comparison;
+}
+
+std::string compared_fabrics(const Design& design, CompareArguments asked, const RunArguments& arguments, Watch& watch)
+{
+    RunOptions how = run_options(arguments);
+    const auto fitted = require_valid(design);
+    const Experiment& experiment = chosen_experiment(design, asked.experiment);
+    if (asked.fabrics.empty())
+        for (const Fabric& fabric : design.fabrics) asked.fabrics.push_back(fabric.name);
+    std::set<std::string> seen;
+    for (const std::string& name : asked.fabrics)
+        if (!seen.insert(chosen_fabric(design, name).name).second) throw Error(fmt::format("fabrics: \"{}\" is named twice.", name));
+    if (asked.fabrics.size() < 2) throw Error("A comparison needs two or more fabrics; use simulate for one.");
+    Comparison comparison = comparison_of(asked, experiment);
+    const std::vector<Textile> textiles = textiles_of_runs(design, fitted, asked.fabrics, experiment);
+    const std::vector<Job> jobs = jobs_of(design, asked.fabrics, experiment.name, textiles, how, asked.replicates);
+    const auto backends =
+        open_backends(arguments, arguments.at_once, static_cast<int>(jobs.size()), bytes_of_largest(design, experiment, textiles, how));
+    ManyRuns all(watch, jobs.size());
+    std::mutex one_on_cpu;
+    const auto run = [&](std::size_t i, Backend& backend) {
+        RunOptions own = jobs[i].how;
+        own.one_on_cpu = &one_on_cpu;
+        RunCallbacks beside;
+        beside.progress = [&](const RunProgress& progress) { all.tell(i, share_of(progress)); };
+        return candidate_of(jobs[i],
+                            run_and_measure(jobs[i].drawn.design, jobs[i].fabric, experiment.name, own, backend, watch.control, beside));
+    };
+    run_comparison(comparison, asked.fabrics, backends, watch.control, run, [&](std::size_t i) { all.end(i); });
+    return comparison_json(comparison);
+}
+
+py::str compare(const Design& design, const std::vector<std::string>& fabrics, const std::string& experiment, const std::string& by,
+                const std::string& baseline, int replicates, const py::dict& how, const py::object& progress)
+{
+    const RunArguments arguments = run_arguments(how);
+    const CompareArguments asked{fabrics, experiment, by, baseline, replicates};
+    return text(watched(progress, [=](Watch& watch) { return compared_fabrics(design, asked, arguments, watch); }));
+}
+
+} // namespace
+
+void add_studies(py::module_& module)
+{
+    module.def("calibrate", &calibrate_fabric);
+    module.def("compare", &compare);
+    module.def("write_text", [](const std::string& path, const std::string& content) { write_file(path, content); });
+}
+
+} // namespace hygroloom::python

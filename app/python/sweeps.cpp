@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Studies of many points for Python: run in a folder, and their table as columns.
+#include "app/python/arrays.h"
+#include "app/python/bindings.h"
+#include "app/python/machine.h"
+
+#include "core/study/study_run.h"
+#include "gpu/backends.h"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace hygroloom::python {
+namespace {
+
+struct SweepArguments {
+    std::string study, study_name, folder;
+    bool resume = false, retry_failed = false;
+};
+
+struct Swept {
+    StudyTable table;
+    std::vector<std::pair<std::size_t, std::string>> failures;
+    std::vector<std::string> notes;
+};
+
+/// On a CPU as many as it has cores, but no more than the memory holds, and the threads of each; on a GPU as many as pay (0).
+int runs_at_once(const RunArguments& arguments, const StudyNeeds& needs, StudyOptions& options)
+{
+    options.threads = std::max(1, arguments.threads);
+    if (expected_backend(backend_for(arguments.backend, {})) != "cpu") return arguments.at_once;
+    const double cores = std::max(1U, std::thread::hardware_concurrency());
+    const double memory = 0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    const double fit = memory / std::max(1.0, static_cast<double>(needs.bytes_each));
+    const double asked = arguments.at_once > 0 ? arguments.at_once : std::min({cores, static_cast<double>(needs.rows), fit});
+    const int at_once = std::max(1, static_cast<int>(asked));
+    if (arguments.threads == 0) options.threads = std::max(1, static_cast<int>(cores) / at_once);
+    return at_once;
+}
+
+Swept swept(const Design& design, const SweepArguments& asked, const RunArguments& arguments, Watch& watch)
+{
+    const Study study = parse_study(asked.study, asked.study_name);
+    require_valid(design);
+    std::vector<Issue> issues = validate(study, design);
+    if (has_error(issues)) throw InvalidProject("study", std::move(issues));
+    StudyOptions options;
+    options.resume = asked.resume;
+    options.retry_failed = asked.retry_failed;
+    const StudyNeeds needs = study_needs(design, study, asked.folder, options);
+    const int runs = static_cast<int>(std::max<std::size_t>(1, needs.rows));
+    const auto backends = open_backends(arguments, runs_at_once(arguments, needs, options), runs, needs.bytes_each);
+    Swept result;
+    StudyCallbacks callbacks;
+    callbacks.progress = [&](const StudyProgress& p) {
+        watch.tell(p.share, fmt::format("{} of {} runs, {} failed", p.ended, p.rows, p.failed));
+    };
+    callbacks.note = [&](const std::string& note) { result.notes.push_back(note); };
+    StudyOutcome outcome = run_study(design, study, asked.folder, options, backends, watch.control, callbacks);
+    if (outcome.cancelled) throw Cancelled();
+    merge_study(asked.folder);
+    result.table = collect_rows(read_study_folder(asked.folder), asked.folder);
+    result.failures = std::move(outcome.failures);
+    return result;
+}
+
+py::list words_of(const std::vector<std::string>& words)
+{
+    py::list list;
+    for (const std::string& word : words) list.append(text(word));
+    return list;
+}
+
+/// Each column: name, its numbers or places, and the words that those are of; None for numbers.
+py::list columns_of(StudyTable table)
+{
+    py::list columns;
+    for (StudyColumn& column : table.columns) {
+        if (column.is_number)
+            columns.append(py::make_tuple(text(column.name), array_of(std::move(column.numbers)), py::none()));
+        else
+            columns.append(py::make_tuple(text(column.name), array_of(std::move(column.word_of)), words_of(column.words)));
+    }
+    return columns;
+}
+
+py::tuple sweep(const Design& design, const std::string& study, const std::string& study_name, const std::string& folder, bool resume,
+                bool retry_failed, const py::dict& how, const py::object& progress)
+{
+    const RunArguments arguments = run_arguments(how);
+    const SweepArguments asked{study, study_name, folder, resume, retry_failed};
+    Swept result = watched(progress, [=](Watch& watch) { return swept(design, asked, arguments, watch); });
+    py::list failures;
+    for (const auto& [row, reason] : result.failures) failures.append(py::make_tuple(row, text(reason)));
+    return py::make_tuple(columns_of(std::move(result.table)), failures, words_of(result.notes));
+}
+
+} // namespace
+
+void add_sweeps(py::module_& module) { module.def("sweep", &sweep); }
+
+} // namespace hygroloom::python

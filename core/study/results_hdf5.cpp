@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The table of a study as HDF5: /project and /study, and under /rows a set for each column.
+#include "core/study/results.h"
+
+#include "core/base/error.h"
+#include "core/project/atomic_file.h"
+#include "core/project/json_reader.h"
+#include "core/run/hdf5_reader.h"
+#include "core/run/recording_source.h"
+#include "core/study/csv_rows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace hygroloom {
+namespace {
+
+using hdf5::Handle;
+using Role = StudyColumnRole;
+
+constexpr hsize_t rows_of_chunk = 4096, most_chunk = 65536, most_rows = 2'000'000;
+constexpr std::size_t most_columns = 1000, longest_word = 4096;
+
+/// Compressed, and without the time of day, so that the same table has the same bytes.
+Handle column_properties(hsize_t rows)
+{
+    Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "columns");
+    H5Pset_obj_track_times(properties.get(), 0);
+    if (rows > 0) {
+        const hsize_t chunk = std::min(rows, rows_of_chunk);
+        H5Pset_chunk(properties.get(), 1, &chunk);
+        H5Pset_shuffle(properties.get());
+        H5Pset_deflate(properties.get(), 4);
+    }
+    return properties;
+}
+
+Handle word_type(std::size_t length)
+{
+    Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "words");
+    H5Tset_size(type.get(), std::max<std::size_t>(length, 1));
+    H5Tset_strpad(type.get(), H5T_STR_NULLPAD);
+    H5Tset_cset(type.get(), H5T_CSET_UTF8);
+    return type;
+}
+
+/// Slashes would make groups.
+std::string set_name(std::string name)
+{
+    std::replace(name.begin(), name.end(), '/', '|');
+    return name == "." ? "dot" : name;
+}
+
+void write_column(hid_t group, const StudyColumn& column)
+{
+    const hsize_t rows = column.size();
+    const Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose, column.name);
+    const Handle properties = column_properties(rows);
+    std::size_t length = 1;
+    for (const std::string& word : column.words) length = std::max(length, word.size());
+    const Handle type = column.is_number ? Handle(H5Tcopy(H5T_IEEE_F64LE), H5Tclose, column.name) : word_type(length);
+    const Handle set(H5Dcreate2(group, set_name(column.name).c_str(), type.get(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
+                     H5Dclose, column.name);
+    if (rows == 0) return;
+    std::string words;
+    if (!column.is_number) {
+        words.assign(rows * length, '\0');
+        for (std::size_t row = 0; row < rows; ++row) column.word(row).copy(&words[row * length], length);
+    }
+    const void* values = column.is_number ? static_cast<const void*>(column.numbers.data()) : words.data();
+    if (H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+        throw FileError(column.name + ": The column cannot be written.");
+}
+
+/// A set of one dimension and one of the two types.
+void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::string& file)
+{
+    const auto refuse = [&](const std::string& what) { throw FileError(fmt::format("{}: rows/{}: {}", file, column.name, what)); };
+    const Handle set(H5Dopen2(group, set_name(column.name).c_str(), H5P_DEFAULT), H5Dclose, file + ": rows/" + column.name);
+    const Handle space(H5Dget_space(set.get()), H5Sclose, column.name), type(H5Dget_type(set.get()), H5Tclose, column.name);
+    hsize_t count = 0;
+    if (H5Sget_simple_extent_ndims(space.get()) != 1) refuse("This must have one dimension.");
+    H5Sget_simple_extent_dims(space.get(), &count, nullptr);
+    if (rows == HSIZE_UNDEF) rows = count;
+    if (count != rows || count > most_rows) refuse(fmt::format("This must have {} rows; it has {}.", std::min(rows, most_rows), count));
+    const Handle properties(H5Dget_create_plist(set.get()), H5Pclose, column.name);
+    hsize_t chunk = 0;
+    if (H5Pget_layout(properties.get()) == H5D_CHUNKED && (H5Pget_chunk(properties.get(), 1, &chunk) != 1 || chunk > most_chunk))
+        refuse(fmt::format("Its chunks have {} rows; at most {} are read.", chunk, most_chunk));
+    if (H5Tget_class(type.get()) == H5T_FLOAT) {
+        column.numbers.resize(rows);
+        if (rows > 0 && H5Dread(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, column.numbers.data()) < 0)
+            refuse("This cannot be read.");
+        return;
+    }
+    column.is_number = false;
+    const std::size_t length = H5Tget_size(type.get());
+    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 || length > longest_word)
+        refuse(fmt::format("This must be numbers, or texts of a fixed length of {} bytes at most.", longest_word));
+    WordList words;
+    std::string block;
+    for (hsize_t first = 0; first < rows; first += rows_of_chunk) {
+        const hsize_t part = std::min(rows_of_chunk, rows - first);
+        block.assign(part * length, '\0');
+        const Handle memory(H5Screate_simple(1, &part, nullptr), H5Sclose, column.name);
+        H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, &first, nullptr, &part, nullptr);
+        if (H5Dread(set.get(), word_type(length).get(), memory.get(), space.get(), H5P_DEFAULT, block.data()) < 0)
+            refuse("This cannot be read.");
+        for (hsize_t row = 0; row < part; ++row) {
+            const std::string_view word(&block[row * length], length);
+            column.word_of.push_back(words.place_of(word.substr(0, word.find('\0'))));
+        }
+    }
+    column.words = words.words();
+}
+
+/// Looks at each block before the library does.
+std::unique_ptr<RecordingSource> opened(const std::filesystem::path& path)
+{
+    try {
+        return std::make_unique<RecordingSource>(path);
+    } catch (const FileError& error) {
+        throw FileError(path.string() + ": " + error.what());
+    }
+}
+
+} // namespace
+
+void write_results_hdf5(const StudyTable& table, const std::string& project, const std::string& study, const std::filesystem::path& path)
+{
+    hdf5::silence();
+    ProjectJson names = ProjectJson::array();
+    for (const StudyColumn& column : table.columns) names.push_back({column.name, static_cast<int>(column.role)});
+    write_file_with(path, [&](const std::filesystem::path& temporary) {
+        const Handle file(H5Fcreate(temporary.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+                          path.string() + ": The file cannot be created.");
+        hdf5::write_text(file.get(), "project", project);
+        hdf5::write_text(file.get(), "study", study);
+        hdf5::write_text(file.get(), "columns", names.dump());
+        const Handle rows = hdf5::create_group(file.get(), "rows");
+        for (const StudyColumn& column : table.columns) write_column(rows.get(), column);
+        if (H5Fflush(file.get(), H5F_SCOPE_LOCAL) < 0) throw FileError(path.string() + ": The file cannot be written; is the disk full?");
+    });
+}
+
+StudyTable read_results_hdf5(const std::filesystem::path& path)
+{
+    hdf5::silence();
+    const std::unique_ptr<RecordingSource> source = opened(path); // outlives the library's handle on it
+    const Handle file = hdf5::open_file(*source, path.string() + ": This is no table of a study, or it is damaged.");
+    const ProjectJson names = parse_json(hdf5::read_text(file.get(), "columns"), path.string());
+    const Handle rows = hdf5::open_group(file.get(), "rows");
+    StudyTable table;
+    hsize_t count = HSIZE_UNDEF;
+    for (const ProjectJson& name : array_in(names, path.string(), "columns")) {
+        if (table.columns.size() == most_columns || !name.is_array() || name.size() != 2 || !name[0].is_string() ||
+            !name[1].is_number_unsigned() || name[1].get<unsigned>() > static_cast<unsigned>(Role::reason))
+            throw FileError(path.string() + ": columns: This is no table of a study.");
+        table.columns.push_back({name[0].get<std::string>(), static_cast<Role>(name[1].get<int>()), true, {}, {}, {}});
+        read_column(rows.get(), table.columns.back(), count, path.string());
+    }
+    return table;
+}
+
+} // namespace hygroloom

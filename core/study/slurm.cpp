@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/study/slurm.h"
+
+#include "core/base/error.h"
+#include "core/project/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sstream>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace hygroloom {
+namespace {
+
+constexpr std::size_t rows_of_task = 16, most_tasks = 1000; // a task takes a second or two to begin; Slurm's usual limit is 1001
+
+/// What a program printed, both streams, and how it ended.
+struct Said {
+    int code = -1;
+    std::string text;
+};
+
+Said ask(std::vector<std::string> words)
+{
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw Error(fmt::format("{} cannot be started: {}.", words.front(), std::strerror(errno)));
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    pid_t child = 0;
+    const int failure = ::posix_spawnp(&child, arguments[0], &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(ends[1]);
+    Said said;
+    char block[4096];
+    for (ssize_t got = 0; failure == 0 && ((got = ::read(ends[0], block, sizeof block)) > 0 || (got < 0 && errno == EINTR));)
+        if (got > 0) said.text.append(block, static_cast<std::size_t>(got));
+    ::close(ends[0]);
+    if (failure != 0) throw Error(fmt::format("{} cannot be started: {}.", words.front(), std::strerror(failure)));
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    said.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    while (!said.text.empty() && std::isspace(static_cast<unsigned char>(said.text.back())) != 0) said.text.pop_back();
+    return said;
+}
+
+/// For the shell.
+std::string quoted(const std::string& text)
+{
+    std::string inside;
+    for (const char c : text) inside += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return "'" + inside + "'";
+}
+
+std::string job_id(const std::filesystem::path& folder)
+{
+    std::error_code none;
+    const std::filesystem::path file = folder / "slurm" / "job";
+    if (!std::filesystem::exists(file, none)) return {};
+    std::string id = read_file(file, 1000);
+    id.erase(std::remove_if(id.begin(), id.end(), [](unsigned char c) { return std::isdigit(c) == 0; }), id.end());
+    return id;
+}
+
+std::map<std::string, int> states_of(const std::string& id)
+{
+    const Said said = ask({"squeue", "--noheader", "--array", "--jobs", id, "--format", "%T"});
+    std::map<std::string, int> states;
+    if (said.code != 0) return states; // it has forgotten the job
+    std::istringstream words(said.text);
+    for (std::string word; words >> word;) ++states[word];
+    return states;
+}
+
+/// The numbers of the slices that lack rows, "1-3,7".
+std::string slices(const KeptRows& kept, int tasks, bool retry_failed, int& count)
+{
+    std::vector<bool> lacks(static_cast<std::size_t>(tasks));
+    for (std::size_t row = 0; row < kept.rows(); ++row)
+        if (kept.state(row) == KeptRows::State::missing || (retry_failed && kept.state(row) == KeptRows::State::failed))
+            lacks[row % lacks.size()] = true;
+    count = static_cast<int>(std::count(lacks.begin(), lacks.end(), true));
+    std::string text;
+    for (std::size_t i = 0; i < lacks.size();) {
+        if (!lacks[i]) {
+            ++i;
+            continue;
+        }
+        std::size_t end = i;
+        while (end < lacks.size() && lacks[end]) ++end;
+        text += fmt::format("{}{}", text.empty() ? "" : ",", i + 1);
+        if (end > i + 1) text += fmt::format("-{}", end);
+        i = end;
+    }
+    return text;
+}
+
+std::string script_of(const std::filesystem::path& folder, const SlurmOptions& how, int tasks, const std::string& array)
+{
+    std::string script = "#!/bin/sh\n";
+    script += "#SBATCH --job-name=hygroloom\n";
+    script += fmt::format("#SBATCH --array={}\n", array);
+    script += "#SBATCH --ntasks=1\n";
+    if (how.gpus) script += "#SBATCH --gres=gpu:1\n";
+    script += "# A task that is killed loses the runs under way; submitting again runs what is missing.\n";
+    script += fmt::format("exec {} sweep -o {} --task \"$SLURM_ARRAY_TASK_ID/{}\" --quiet --backend {}{}", quoted(how.program.string()),
+                          quoted(folder.string()), tasks, how.gpus ? "cuda" : how.backend, how.retry_failed ? " --retry-failed" : "");
+    if (!how.gpus) script += " --threads 1 --jobs \"${SLURM_CPUS_PER_TASK:-1}\"";
+    return script + "\n";
+}
+
+} // namespace
+
+std::vector<std::string> shell_words(const std::string& text)
+{
+    std::vector<std::string> words;
+    std::string word;
+    char quote = 0;
+    bool on = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quote != 0) {
+            if (c == quote)
+                quote = 0;
+            else
+                word += c;
+        } else if (c == '\'' || c == '"') {
+            quote = c;
+            on = true;
+        } else if (std::isspace(static_cast<unsigned char>(c)) != 0) {
+            if (on) words.push_back(std::exchange(word, {}));
+            on = false;
+        } else {
+            word += c == '\\' && i + 1 < text.size() ? text[++i] : c;
+            on = true;
+        }
+    }
+    if (quote != 0) throw Error(fmt::format("--sbatch: A quote is not closed in: {}", text));
+    if (on) words.push_back(word);
+    return words;
+}
+
+std::string why_no_slurm()
+{
+    for (const char* program : {"sbatch", "squeue", "scancel"}) try {
+            ask({program, "--version"});
+        } catch (const Error&) {
+            return fmt::format("Slurm is missing: the program {} is not here. Run this on a machine of the cluster, or install the package "
+                               "slurm-client.",
+                               program);
+        }
+    return {};
+}
+
+SlurmJob submit_study(const Design& design, const Study& study, const std::filesystem::path& given, const StudyOptions& options,
+                      const SlurmOptions& how)
+{
+    if (const std::string reason = why_no_slurm(); !reason.empty()) throw Error(reason);
+    const std::filesystem::path folder = std::filesystem::absolute(given);
+    const std::vector<std::string> own = shell_words(how.sbatch);
+    const StudyFolder all = folder_of(design, study);
+    const KeptRows kept = prepared_rows(all, folder, options);
+    if (const std::string before = job_id(folder); !before.empty() && !states_of(before).empty())
+        throw Error(fmt::format("Job {} of this study is still on; see --status, or end it with --cancel.", before));
+    SlurmJob job;
+    job.tasks = how.tasks > 0 ? how.tasks
+                              : static_cast<int>(std::clamp((kept.rows() + rows_of_task - 1) / rows_of_task, std::size_t{1}, most_tasks));
+    const std::string array = slices(kept, job.tasks, options.retry_failed, job.submitted);
+    if (array.empty()) throw Error(folder.string() + ": No row is missing; make the table with --merge.");
+    write_study_folder(all, folder);
+    std::filesystem::create_directories(folder / "slurm");
+    const std::filesystem::path script = folder / "slurm" / "job.sh";
+    write_file(script, script_of(folder, how, job.tasks, array));
+    std::vector<std::string> words{"sbatch", "--parsable", "--output", (folder / "slurm" / "task-%a.log").string()};
+    words.insert(words.end(), own.begin(), own.end());
+    words.push_back(script.string());
+    const Said said = ask(words);
+    const std::size_t digits = std::min(said.text.find_first_not_of("0123456789"), said.text.size());
+    if (said.code != 0 || digits == 0) throw Error("Slurm refuses the job: " + said.text);
+    job.id = said.text.substr(0, digits);
+    write_file(folder / "slurm" / "job", job.id + "\n");
+    return job;
+}
+
+SlurmStatus study_status(const std::filesystem::path& folder)
+{
+    const StudyFolder study = read_study_folder(folder);
+    const StudyFrame frame(study.study, study.design);
+    KeptRows kept(frame.rows(), frame.metrics().size());
+    kept.read_parts(folder, mark_of(study.project_text, study.study_text));
+    SlurmStatus status;
+    status.rows = frame.rows();
+    status.done = kept.count(KeptRows::State::done);
+    status.failed = kept.count(KeptRows::State::failed);
+    status.id = job_id(folder);
+    if (!status.id.empty()) status.states = states_of(status.id);
+    return status;
+}
+
+void cancel_study(const std::filesystem::path& folder)
+{
+    const std::string id = job_id(folder);
+    if (id.empty()) throw Error(folder.string() + ": No job of this study was submitted.");
+    if (const Said said = ask({"scancel", id}); said.code != 0) throw Error(fmt::format("Slurm does not end job {}: {}", id, said.text));
+}
+
+} // namespace hygroloom

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Runs a study in a folder: project.hygro and study.json say what it is, parts/ keeps each row as soon as it has ended, results.csv and
+// study.h5 are made from the parts. What a row holds depends neither on its order nor on who ran it.
+#pragma once
+
+#include "core/run/run_options.h"
+#include "core/solver/backend.h"
+#include "core/study/study_folder.h"
+
+#include <functional>
+#include <memory>
+
+namespace hygroloom {
+
+struct StudyProgress {
+    std::size_t rows = 0;   ///< of the slice
+    std::size_t kept = 0;   ///< that were there at the beginning
+    std::size_t ended = 0;  ///< with those kept
+    std::size_t failed = 0; ///< of those ended
+    double share = 0;       ///< of what was to be run, with what is under way
+    double wall = 0;        ///< s
+};
+
+/// From any thread, but never two at a time.
+struct StudyCallbacks {
+    std::function<void(const StudyRowResult&)> ended;
+    std::function<void(const StudyProgress&)> progress; ///< several times a second
+    std::function<void(const std::string&)> note;       ///< a sentence, as of a device that failed
+};
+
+struct StudyOutcome {
+    StudyProgress progress;
+    bool cancelled = false;
+    std::vector<std::pair<std::size_t, std::string>> failures; ///< row and reason, of the slice; the first 1000
+};
+
+/// How many runs a slice still has to do in the folder, and the memory (bytes) that each takes; to make backends by. Throws what
+/// run_study() throws.
+struct StudyNeeds {
+    std::size_t rows = 0;
+    std::size_t bytes_each = 0;
+};
+StudyNeeds study_needs(const Design& design, const Study& study, const std::filesystem::path& folder, const StudyOptions& options);
+
+/// Runs what the slice lacks, each run on one of the backends. Throws Error and FileError before the first run: the folder has another
+/// study or has rows and resume is not set, somebody else runs the slice. A run that fails is a row that failed.
+StudyOutcome run_study(const Design& design, const Study& study, const std::filesystem::path& folder, const StudyOptions& options,
+                       const std::vector<std::unique_ptr<Backend>>& backends, RunControl& control, const StudyCallbacks& callbacks);
+
+} // namespace hygroloom

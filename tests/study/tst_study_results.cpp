@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The table of a study: what is written is read, in either form, soon, and without trust.
+#include "core/base/error.h"
+#include "core/study/csv_rows.h"
+#include "core/study/results.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace hygroloom;
+using Role = StudyColumnRole;
+
+namespace {
+
+StudyColumn numbers(const char* name, Role role, std::vector<double> values) { return {name, role, true, std::move(values), {}, {}}; }
+
+StudyColumn words(const char* name, Role role, const std::vector<std::string>& values)
+{
+    StudyColumn column{name, role, false, {}, {}, {}};
+    WordList list;
+    for (const std::string& value : values) column.word_of.push_back(list.place_of(value));
+    column.words = list.words();
+    return column;
+}
+
+StudyTable table_of(std::size_t rows)
+{
+    const auto each = [rows](auto value) {
+        std::vector<decltype(value(std::size_t{0}))> all;
+        for (std::size_t i = 0; i < rows; ++i) all.push_back(value(i));
+        return all;
+    };
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    StudyTable table;
+    table.columns = {
+        numbers("point", Role::point, each([](std::size_t i) { return static_cast<double>(i / 2); })),
+        numbers("replicate", Role::replicate, each([](std::size_t i) { return static_cast<double>(i % 2); })),
+        words("fabric", Role::fabric, each([](std::size_t i) { return std::string(i % 3 ? "Twill, \"2/1\"" : "Plain"); })),
+        numbers("fabrics[0].ends_per_cm", Role::factor, each([](std::size_t i) { return 20 + 1.0 / (i + 3); })),
+        words("fabrics[0].warp.material", Role::factor, each([](std::size_t i) { return std::string(i % 2 ? "cotton" : "flax"); })),
+        words("status", Role::status, each([](std::size_t i) { return std::string(i == 4 ? row_failed : row_done); })),
+        numbers("absorbency_time_s", Role::metric, each([none](std::size_t i) { return i == 4 ? none : 1e-3 * static_cast<double>(i); })),
+        numbers("wall_s", Role::wall, each([](std::size_t) { return 0.25; })),
+        words("device", Role::device, each([](std::size_t) { return std::string("A processor"); })),
+        words("commit", Role::commit, each([](std::size_t) { return std::string("abc"); })),
+        words("reason", Role::reason, each([](std::size_t i) { return std::string(i == 4 ? "Too wet, it says" : ""); }))};
+    return table;
+}
+
+QString refusal(const std::string& text)
+{
+    try {
+        parse_results(text, "results.csv");
+        return "accepted";
+    } catch (const FileError& error) {
+        return error.what();
+    }
+}
+
+} // namespace
+
+class TestStudyResults : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void bothFormsGiveTheSameTable()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("study.h5").toStdString();
+        const StudyTable table = table_of(9);
+        const std::string text = format_results(table);
+        const StudyTable read = parse_results(text, "results.csv");
+        QCOMPARE(read.columns.size(), table.columns.size());
+        for (std::size_t k = 0; k < table.columns.size(); ++k) QVERIFY(read.columns[k].role == table.columns[k].role);
+        QCOMPARE(format_results(read), text);
+        QVERIFY(std::isnan(read.find("absorbency_time_s")->numbers[4]));
+        QCOMPARE(read.find("reason")->word(4), std::string("Too wet, it says"));
+        write_results_hdf5(table, "the project", "the study", file);
+        QCOMPARE(format_results(read_results_hdf5(file)), text);
+    }
+
+    void theSameTableHasTheSameBytes()
+    {
+        const QTemporaryDir folder;
+        QByteArray bytes[2];
+        for (int i = 0; i < 2; ++i) {
+            const QString file = folder.filePath(QString("study%1.h5").arg(i));
+            write_results_hdf5(table_of(5000), "p", "s", file.toStdString());
+            QFile read(file);
+            QVERIFY(read.open(QIODevice::ReadOnly));
+            bytes[i] = read.readAll();
+            QTest::qSleep(i == 0 ? 1100 : 0);
+        }
+        QVERIFY(bytes[0] == bytes[1]);
+    }
+
+    void manyRowsAreReadSoon()
+    {
+        const std::string text = format_results(table_of(100000));
+        QElapsedTimer timer;
+        timer.start();
+        QCOMPARE(parse_results(text, "results.csv").rows(), std::size_t{100000});
+        const qint64 took = timer.elapsed();
+        qInfo("100 000 rows of 11 columns, %.1f MB: %lld ms", static_cast<double>(text.size()) / 1e6, static_cast<long long>(took));
+        QVERIFY2(took < 2000, qPrintable(QString::number(took)));
+    }
+
+    void whatIsNoTableIsRefused()
+    {
+        QVERIFY(refusal("").contains("The header is missing."));
+        QVERIFY(refusal("a,b\n").contains("line 1: This is no table of a study"));
+        QVERIFY(refusal("point,replicate,status,m,device\n").contains("wall_s is missing"));
+        const std::string head = "point,replicate,x,status,m,wall_s,device,commit,reason\n";
+        QVERIFY(refusal(head + "0,0,1,done,2,0,d,c\n").contains("line 2: There are 8 fields; the header has 9."));
+        QVERIFY(refusal(head + "0,0,1,done,2,0,d,c,,\n").contains("line 2: There are more fields"));
+        QVERIFY(refusal(head + "0,0,1,done,wet,0,d,c,\n").contains("line 2: m must be a number; given is \"wet\"."));
+        QVERIFY(refusal(head + "0,0,1,do").contains("torn"));
+        QCOMPARE(refusal(head + "0,0,1,done,2,0,d,c,\n"), QString("accepted"));
+    }
+
+    void aFactorOfWordsAndNumbersIsWords()
+    {
+        const std::string head = "point,replicate,x,status,wall_s,device,commit,reason\n";
+        const StudyTable table = parse_results(head + "0,0,12,done,0,d,c,\n1,0,wide,done,0,d,c,\n", "t");
+        QVERIFY(!table.find("x")->is_number);
+        QCOMPARE(table.find("x")->word(0), std::string("12"));
+        QCOMPARE(table.find("x")->word(1), std::string("wide"));
+    }
+
+    void aTornHdf5FileIsRefused()
+    {
+        const QTemporaryDir folder;
+        const QString name = folder.filePath("study.h5");
+        write_results_hdf5(table_of(5000), "p", "s", name.toStdString());
+        QFile file(name);
+        QVERIFY(file.resize(file.size() / 2));
+        QVERIFY_EXCEPTION_THROWN(read_results_hdf5(name.toStdString()), FileError);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestStudyResults)
+#include "tst_study_results.moc"
