@@ -55,7 +55,7 @@ StudyOutcome run_in(const std::filesystem::path& folder, const Study& study, con
                     const StudyCallbacks& callbacks = {})
 {
     RunControl control;
-    return run_study(drop_design(35, 0.1), study, folder, options, cpus(jobs), control, callbacks);
+    return run_study(drop_design(35, 0.01), study, folder, options, cpus(jobs), control, callbacks);
 }
 
 } // namespace
@@ -95,7 +95,7 @@ private Q_SLOTS:
     {
         const QTemporaryDir place;
         const Design design = drop_design(35, 0.001);
-        Study study = study_of(60);
+        Study study = study_of(20);
         RunControl control;
         const StudyPoints points = study_points(study, design);
         const std::vector<std::unique_ptr<Backend>> backends = cpus(1);
@@ -104,7 +104,7 @@ private Q_SLOTS:
         how.knobs = study.knobs;
         how.threads = 1;
         QElapsedTimer timer;
-        double alone = 1e9, swept = 1e9;
+        double alone = INFINITY, swept = INFINITY;
         for (int i = 0; i < 3; ++i) { // the least of three, as others use this machine
             timer.start();
             for (std::size_t point = 0; point < points.size(); ++point) {
@@ -179,7 +179,7 @@ private Q_SLOTS:
         RunControl control;
         StudyCallbacks callbacks;
         callbacks.ended = [&](const StudyRowResult&) { control.cancel = true; };
-        const StudyOutcome outcome = run_study(drop_design(35, 0.1), study_of(5), folder, {}, cpus(1), control, callbacks);
+        const StudyOutcome outcome = run_study(drop_design(35, 0.01), study_of(5), folder, {}, cpus(1), control, callbacks);
         QVERIFY(outcome.cancelled);
         QCOMPARE(outcome.progress.ended, std::size_t{1});
         QCOMPARE(collect_rows(read_study_folder(folder), folder).rows(), std::size_t{1});
