@@ -23,8 +23,7 @@ double inner_reflection(double index) { return 1 - (1 - diffuse_reflection(index
 double wet_reflectance(double dry)
 {
     static const double back = inner_reflection(water_index);
-    constexpr double at_once = (water_index - 1) / (water_index + 1) * ((water_index - 1) / (water_index + 1));
-    return (1 - at_once) * (1 - back) * dry / (1 - back * dry);
+    return film_entry * (1 - back) * dry / (1 - back * dry);
 }
 
 double roughness_at(double wet_share) { return dry_roughness + wet_share * (wet_roughness - dry_roughness); }

@@ -7,6 +7,8 @@ namespace hygroloom {
 constexpr double water_index = 1.333;                      ///< refractive, of visible light at 20 C
 constexpr double dry_roughness = 0.9, wet_roughness = 0.4; ///< of renderers, 0 .. 1: assumptions, nobody measured them on cloth
 
+/// Share of light that gets through a smooth surface of water from above: Fresnel's formula.
+constexpr double film_entry = 1 - (water_index - 1) / (water_index + 1) * ((water_index - 1) / (water_index + 1));
 /// Share of diffuse light that a smooth surface of this refractive index throws back from outside: Fresnel's formulas over a half space.
 double diffuse_reflection(double index);
 /// Share of diffuse light that such a surface throws back from inside: 1 - (1 - diffuse_reflection) / index^2, by the law of cosines in

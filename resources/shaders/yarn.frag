@@ -60,7 +60,7 @@ void main()
     vec3 bent = normalize(n + (0.22 * blur * cos(wave) + 0.22 * fine * cos(fine_wave)) * around);
     float groove = 1.0 - 0.10 * blur * (0.5 - 0.5 * sin(wave)) - 0.10 * fine * (0.5 - 0.5 * sin(fine_wave));
 
-    float cover = smoothstep(0.25 * bare, 1.5 * bare, wet);
+    float cover = natural > 0.5 ? clamp(wet, 0.0, 1.0) : smoothstep(0.25 * bare, 1.5 * bare, wet);
     vec3 lamp = lamp_direction(to_eye);
     float reach = open * light_at_height(at.z);
     float shine = pow(max(dot(bent, normalize(lamp + to_eye)), 0.0), mix(12.0, 40.0, cover)) * mix(0.04, 0.28, cover);

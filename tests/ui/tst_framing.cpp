@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Scale and camera together: over all standard views, zooms and sizes a scale that is shown holds, and no view ends within the cloth.
+// Scale and camera together: over all standard views, zooms and sizes a scale that is shown holds, and no view ends within the cloth. How
+// finely yarns are drawn.
 #include "core/project/project_file.h"
 #include "ui/picture/framing.h"
+#include "ui/picture/preview_fabric.h"
 #include "ui/window/examples.h"
 
 #include <QTest>
@@ -24,6 +26,26 @@ class TestFraming : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
+    void aWiderPitchTakesAFinerLevel()
+    {
+        QCOMPARE(level_for(3), 0);
+        QCOMPARE(level_for(13), 1);
+        QCOMPARE(level_for(1000), fibre_level);
+        int before = 0;
+        for (double pixels = 1; pixels < 400; pixels *= 1.05) {
+            QVERIFY(level_for(pixels) >= before);
+            before = level_for(pixels);
+        }
+    }
+
+    void aLevelStaysALittleBeyondItsRange()
+    {
+        QCOMPARE(level_for(19), 1);
+        QCOMPARE(level_for(19, 2), 2);
+        QCOMPARE(level_for(21, 1), 1);
+        QCOMPARE(level_for(23, 1), 2);
+    }
+
     void everyViewShowsTheClothAndItsScale_data() { sizes(); }
     void everyViewShowsTheClothAndItsScale()
     {

@@ -83,26 +83,6 @@ private Q_SLOTS:
         canvas_->fit(Framing::few_repeats);
     }
 
-    void aWiderPitchTakesAFinerLevel()
-    {
-        QCOMPARE(level_for(3), 0);
-        QCOMPARE(level_for(13), 1);
-        QCOMPARE(level_for(1000), fibre_level);
-        int before = 0;
-        for (double pixels = 1; pixels < 400; pixels *= 1.05) {
-            QVERIFY(level_for(pixels) >= before);
-            before = level_for(pixels);
-        }
-    }
-
-    void aLevelStaysALittleBeyondItsRange()
-    {
-        QCOMPARE(level_for(19), 1);
-        QCOMPARE(level_for(19, 2), 2);
-        QCOMPARE(level_for(21, 1), 1);
-        QCOMPARE(level_for(23, 1), 2);
-    }
-
     void aSwatchIsWholeRepeatsOfAboutItsSize()
     {
         const PreviewFabric& fabric = *canvas_->fabric();
@@ -202,6 +182,29 @@ private Q_SLOTS:
         canvas_->setWater({}, 1);
         QVERIFY(dry[2] < dry[0]);
         QVERIFY2(wet[2] > wet[0] + 20, qPrintable(QString("%1 %2").arg(wet[0]).arg(wet[2])));
+    }
+
+    void naturallyWetYarnsDarkenAndKeepTheirHue_data()
+    {
+        QTest::addColumn<double>("pixels");
+        for (const double pixels : {4, 60, 400}) { QTest::addRow("a pitch of %g pixels", pixels) << pixels; }
+    }
+    void naturallyWetYarnsDarkenAndKeepTheirHue()
+    {
+        QFETCH(double, pixels);
+        zoom(pixels * canvas_->camera().millimetrePerPixel(QSizeF(canvas_->size())) / canvas_->fabric()->pitch().x());
+        const auto segments = static_cast<std::size_t>(canvas_->fabric()->textile.segments());
+        const auto look = [&](float saturation, double range) {
+            canvas_->setWater(std::vector<float>(segments, saturation), range);
+            return meanColor(window_->viewport().picture());
+        };
+        canvas_->setWaterColors(WaterColors::natural);
+        const auto dry = look(0, 1), half = look(0.5F, 1), wet = look(1, 1), ranged = look(0.5F, 0.5);
+        canvas_->setWater({}, 1);
+        canvas_->setWaterColors(WaterColors::blue);
+        QVERIFY2(half[1] < dry[1] && half[1] > wet[1] && wet[1] < 0.93 * dry[1], qPrintable(QString("%1 %2").arg(dry[1]).arg(wet[1])));
+        QVERIFY(wet[0] >= wet[1] && wet[1] > wet[2]); // no blue
+        QVERIFY(difference(half, ranged) < 0.5);      // how wet yarns look depends on no range of colours
     }
 
     void stripesHaveTheColoursOfTheDraft()

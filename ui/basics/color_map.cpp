@@ -77,7 +77,7 @@ int decimalsOf(double maximum) { return maximum >= 20 ? 0 : maximum >= 2 ? 1 : m
 
 } // namespace
 
-QColor waterColor(double share, WaterColors colors) { return colorAt(share, colors == WaterColors::blue ? blue_stops : cividis_stops); }
+QColor waterColor(double share, WaterColors colors) { return colorAt(share, colors == WaterColors::cividis ? cividis_stops : blue_stops); }
 
 QColor differenceColor(double share) { return colorAt(0.5 + 0.5 * share, difference_stops); }
 

@@ -12,7 +12,8 @@ class QPalette;
 
 namespace hygroloom {
 
-enum class WaterColors { blue, cividis };
+/// natural: wet cloth is darker, in three dimensions; maps stay blue.
+enum class WaterColors { blue, cividis, natural };
 
 /// 0..1, clamped; light is little, dark is much.
 QColor waterColor(double share, WaterColors colors = WaterColors::blue);

@@ -2,6 +2,7 @@
 #include "ui/picture/textile_renderer.h"
 
 #include "core/base/units.h"
+#include "core/project/wet_look.h"
 
 #include <QCoreApplication>
 #include <QOpenGLContext>
@@ -305,7 +306,12 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     program.setUniformValue("end_colors", end_unit);
     program.setUniformValue("pick_colors", pick_unit);
     program.setUniformValue("repeat_picture", repeat_unit);
-    program.setUniformValue("water_scale", water_maximum_ > 0 ? static_cast<float>(1 / water_maximum_) : 0.0F);
+    const bool natural = colors.water == WaterColors::natural;
+    program.setUniformValue("natural", natural ? 1.0F : 0.0F);
+    static const QVector2D film(static_cast<float>(film_entry), static_cast<float>(inner_reflection(water_index)));
+    program.setUniformValue("film", film);
+    const double full = natural && water_maximum_ > 0 ? 1 : water_maximum_; // how wet yarns look depends on no range of colours
+    program.setUniformValue("water_scale", full > 0 ? static_cast<float>(1 / full) : 0.0F);
     program.setUniformValue("bare", 0.02F);
     program.setUniformValue("background", rgb(colors.background));
     program.setUniformValue("marked_color", rgb(colors.marked));

@@ -137,12 +137,13 @@ void MainWindow::buildViewMenu()
     addChoices(menu->addMenu(tr("Colour &Range")), "view/range",
                {tr("Full: 0 to 100 %"), tr("Follow the run"), tr("Follow the time shown")},
                [this](int i) { viewport_->setWaterRange(static_cast<WaterRange>(i)); });
-    addChoices(menu->addMenu(tr("&Water Colours")), "view/colors", {tr("Blue"), tr("Cividis")}, [this](int i) {
-        viewport_->setWaterColors(static_cast<WaterColors>(i));
-        simulate_->maps().setWaterColors(static_cast<WaterColors>(i));
-        compare_->view().setWaterColors(static_cast<WaterColors>(i));
-        design_->live().setWaterColors(static_cast<WaterColors>(i));
-    });
+    addChoices(menu->addMenu(tr("&Water Colours")), "view/colors",
+               {tr("Blue"), tr("Cividis"), tr("Natural: wet yarns darken (maps stay blue)")}, [this](int i) {
+                   viewport_->setWaterColors(static_cast<WaterColors>(i));
+                   simulate_->maps().setWaterColors(static_cast<WaterColors>(i));
+                   compare_->view().setWaterColors(static_cast<WaterColors>(i));
+                   design_->live().setWaterColors(static_cast<WaterColors>(i));
+               });
     addAppearances(menu->addMenu(tr("&Appearance")));
     menu->addSeparator();
     QMenu* panels = menu->addMenu(tr("&Panels"));
