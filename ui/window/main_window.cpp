@@ -124,6 +124,9 @@ void MainWindow::restoreLayout()
     if (!states_[0].isEmpty()) { restoreState(states_[0], layout_version); }
     simulate_->maps().setVisible(false);
     showRunCommands();
+    // While panels were arranged, those of other workspaces took room, too.
+    layout()->activate();
+    if (!settings.contains("window/geometry")) { resize(QSize(1360, 860).boundedTo(room)); }
 }
 
 std::vector<QDockWidget*> MainWindow::docks() const
