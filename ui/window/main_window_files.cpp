@@ -7,6 +7,7 @@
 #include "ui/export/export_dialog.h"
 #include "ui/garment/garment_view.h"
 #include "ui/panels/candidates_panel.h"
+#include "ui/study/study_page.h"
 #include "ui/weave/import_dialog.h"
 #include "ui/window/confirm.h"
 #include "ui/window/design_workspace.h"
@@ -228,6 +229,7 @@ bool MainWindow::mayLeave()
     simulate_->stopRun();
     garment_->stopRun();
     compare_->stopRuns();
+    study_->stopRun();
     return copiesAreDone();
 }
 
@@ -236,7 +238,7 @@ bool MainWindow::agreesToLeave()
 {
     compare_->project().stay();
     return copiesAreDone() && simulate_->agreesToStopRun() && garment_->agreesToStopRun() && compare_->agreesToStopRuns(this) &&
-           mayDiscard() && mayDropRuns();
+           study_->agreesToLeave() && mayDiscard() && mayDropRuns();
 }
 
 /// Runs of a project that has a file stay with it.
@@ -328,6 +330,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     simulate_->stopRun();
     garment_->stopRun();
     compare_->stopRuns();
+    study_->stopRun();
     if (!copiesAreDone()) {
         compare_->project().stay();
         event->ignore();
@@ -344,6 +347,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     settings.setValue("window/simulate", states_[1]);
     settings.setValue("window/compare", states_[2]);
     settings.setValue("window/garment", states_[3]);
+    settings.setValue("window/study", states_[4]);
     garment_->view().saveSteps(settings);
     event->accept();
 }
