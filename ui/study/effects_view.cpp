@@ -118,13 +118,13 @@ EffectsView::EffectsView(QWidget* parent) : QWidget(parent), metric_(new QComboB
     connect(metric_, &QComboBox::currentIndexChanged, this, [this] { chart_->setMetric(chosenAxis(*metric_, data_.get())); });
 }
 
-void EffectsView::setStudy(const std::shared_ptr<const StudyData>& data)
+void EffectsView::setStudy(const std::shared_ptr<const StudyData>& study)
 {
     chart_->setMetric(nullptr); // it is of the study before
-    data_ = data;
-    fillAxes(*metric_, data.get(), false, true, 0);
-    chart_->setStudy(data);
-    chart_->setMetric(chosenAxis(*metric_, data.get()));
+    data_ = study;
+    fillAxes(*metric_, study.get(), false, true, 0);
+    chart_->setStudy(study);
+    chart_->setMetric(chosenAxis(*metric_, study.get()));
 }
 
 } // namespace hygroloom

@@ -28,7 +28,7 @@ class EffectsView : public QWidget {
     Q_OBJECT
 public:
     explicit EffectsView(QWidget* parent = nullptr);
-    void setStudy(const std::shared_ptr<const StudyData>& data);
+    void setStudy(const std::shared_ptr<const StudyData>& study);
 
 private:
     std::shared_ptr<const StudyData> data_;

@@ -104,24 +104,24 @@ IndicesView::IndicesView(QWidget* parent)
     connect(compute_, &QPushButton::clicked, this, &IndicesView::computeRequested);
 }
 
-void IndicesView::setStudy(const std::shared_ptr<const StudyData>& data)
+void IndicesView::setStudy(const std::shared_ptr<const StudyData>& study)
 {
     chart_->setIndices(nullptr);
-    data_ = data;
-    chart_->setStudy(data);
+    data_ = study;
+    chart_->setStudy(study);
     {
         const QSignalBlocker quiet(metric_);
         const QString before = metric_->currentText();
         metric_->clear();
-        if (data) {
-            for (const StudyIndices& indices : data->indices) { metric_->addItem(indices.title); }
+        if (study) {
+            for (const StudyIndices& indices : study->indices) { metric_->addItem(indices.title); }
         }
         metric_->setCurrentIndex(std::max(0, metric_->findText(before)));
         metric_->setEnabled(metric_->count() > 1);
     }
     choose();
-    compute_->setEnabled(data && data->of && data->table.rows() > 0 && !data->of->study.factors.empty());
-    compute_->setText(data && data->has_indices ? tr("Co&mpute Anew") : tr("Co&mpute"));
+    compute_->setEnabled(study && study->of && study->table.rows() > 0 && !study->of->study.factors.empty());
+    compute_->setText(study && study->has_indices ? tr("Co&mpute Anew") : tr("Co&mpute"));
 }
 
 void IndicesView::choose()

@@ -29,7 +29,7 @@ class IndicesView : public QWidget {
     Q_OBJECT
 public:
     explicit IndicesView(QWidget* parent = nullptr);
-    void setStudy(const std::shared_ptr<const StudyData>& data);
+    void setStudy(const std::shared_ptr<const StudyData>& study);
     /// While they are computed; why they cannot be; empty: neither.
     void say(const QString& sentence, bool busy);
     QString note() const;

@@ -162,16 +162,16 @@ PairsView::PairsView(QWidget* parent)
     layout->addWidget(note);
 }
 
-void PairsView::setStudy(const std::shared_ptr<const StudyData>& data)
+void PairsView::setStudy(const std::shared_ptr<const StudyData>& study)
 {
     chart_->setAxes(nullptr, nullptr, nullptr);
-    data_ = data;
+    data_ = study;
     std::size_t factors = 0;
-    for (std::size_t i = 0; data && i < data->axes.size(); ++i) { factors += data->axes[i].is_factor && !data->axes[i].empty; }
-    fillAxes(*across_, data.get(), true, true, 0);
-    fillAxes(*up_, data.get(), true, true, factors > 1 ? 1 : factors);
-    fillAxes(*color_, data.get(), true, true, factors);
-    chart_->setStudy(data);
+    for (std::size_t i = 0; study && i < study->axes.size(); ++i) { factors += study->axes[i].is_factor && !study->axes[i].empty; }
+    fillAxes(*across_, study.get(), true, true, 0);
+    fillAxes(*up_, study.get(), true, true, factors > 1 ? 1 : factors);
+    fillAxes(*color_, study.get(), true, true, factors);
+    chart_->setStudy(study);
     choose();
 }
 

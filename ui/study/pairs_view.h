@@ -36,7 +36,7 @@ class PairsView : public QWidget {
     Q_OBJECT
 public:
     explicit PairsView(QWidget* parent = nullptr);
-    void setStudy(const std::shared_ptr<const StudyData>& data);
+    void setStudy(const std::shared_ptr<const StudyData>& study);
     PairsChart& chart() { return *chart_; }
 
 private:

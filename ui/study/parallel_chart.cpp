@@ -28,17 +28,17 @@ ParallelChart::ParallelChart(QWidget* parent) : StudyChart(parent)
         tr("Left and Right choose an axis, Up and Down move its range, with Shift they widen it, Escape keeps all rows."));
 }
 
-void ParallelChart::setStudy(std::shared_ptr<const StudyData> data)
+void ParallelChart::setStudy(std::shared_ptr<const StudyData> study)
 {
     shown_.clear();
     brushes_.clear();
     drag_.reset();
     color_ = nullptr;
     at_ = 0;
-    for (std::size_t i = 0; data && i < data->axes.size(); ++i) {
-        if (!data->axes[i].empty && shown_.size() < most_axes) { shown_.push_back(i); }
+    for (std::size_t i = 0; study && i < study->axes.size(); ++i) {
+        if (!study->axes[i].empty && shown_.size() < most_axes) { shown_.push_back(i); }
     }
-    StudyChart::setStudy(std::move(data));
+    StudyChart::setStudy(std::move(study));
 }
 
 void ParallelChart::setColor(const StudyAxis* axis)

@@ -36,14 +36,14 @@ ParallelView::ParallelView(QWidget* parent) : QWidget(parent), color_(new QCombo
     connect(chart_, &ParallelChart::brushed, all, [this, all] { all->setEnabled(!chart_->brushes().empty()); });
 }
 
-void ParallelView::setStudy(const std::shared_ptr<const StudyData>& data)
+void ParallelView::setStudy(const std::shared_ptr<const StudyData>& study)
 {
-    data_ = data;
+    data_ = study;
     std::size_t factors = 0;
-    for (std::size_t i = 0; data && i < data->axes.size(); ++i) { factors += data->axes[i].is_factor && !data->axes[i].empty; }
-    fillAxes(*color_, data.get(), true, true, factors);
-    chart_->setStudy(data);
-    chart_->setColor(chosenAxis(*color_, data.get()));
+    for (std::size_t i = 0; study && i < study->axes.size(); ++i) { factors += study->axes[i].is_factor && !study->axes[i].empty; }
+    fillAxes(*color_, study.get(), true, true, factors);
+    chart_->setStudy(study);
+    chart_->setColor(chosenAxis(*color_, study.get()));
 }
 
 } // namespace hygroloom

@@ -11,7 +11,7 @@ class ParallelChart : public StudyChart {
 public:
     explicit ParallelChart(QWidget* parent = nullptr);
 
-    void setStudy(std::shared_ptr<const StudyData> data) override;
+    void setStudy(std::shared_ptr<const StudyData> study) override;
     /// By which lines are coloured; nullptr: none.
     void setColor(const StudyAxis* axis);
     const std::vector<AxisBrush>& brushes() const { return brushes_; }
@@ -59,7 +59,7 @@ class ParallelView : public QWidget {
     Q_OBJECT
 public:
     explicit ParallelView(QWidget* parent = nullptr);
-    void setStudy(const std::shared_ptr<const StudyData>& data);
+    void setStudy(const std::shared_ptr<const StudyData>& study);
     ParallelChart& chart() { return *chart_; }
 
 private:

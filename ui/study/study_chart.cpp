@@ -15,9 +15,9 @@ namespace hygroloom {
 
 StudyChart::StudyChart(QWidget* parent) : QWidget(parent) { setFocusPolicy(Qt::StrongFocus); }
 
-void StudyChart::setStudy(std::shared_ptr<const StudyData> data)
+void StudyChart::setStudy(std::shared_ptr<const StudyData> study)
 {
-    data_ = std::move(data);
+    data_ = std::move(study);
     kept_.clear();
     chosen_.reset();
     redraw();

@@ -17,7 +17,7 @@ class StudyChart : public QWidget {
 public:
     explicit StudyChart(QWidget* parent = nullptr);
 
-    virtual void setStudy(std::shared_ptr<const StudyData> data);
+    virtual void setStudy(std::shared_ptr<const StudyData> study);
     /// Rows that others brushed; the rest is drawn faint.
     void setKept(const KeptPoints& kept);
     /// The row that is marked.

@@ -64,7 +64,7 @@ QString takeUnit(std::string& key)
 {
     for (const Suffix& suffix : suffixes) {
         if (!key.ends_with(suffix.text)) { continue; }
-        key.resize(key.size() - std::string_view(suffix.text).size());
+        key = key.substr(0, key.size() - std::string_view(suffix.text).size());
         return QString::fromUtf8(suffix.unit);
     }
     return {};

@@ -65,6 +65,7 @@ StudyPage::~StudyPage() { job_.disconnect(this); }
 
 QString StudyPage::cost() const { return cost_->text(); }
 QString StudyPage::status() const { return status_->text(); }
+QImage StudyPage::picture() const { return tabs_->currentWidget()->grab().toImage(); }
 QString StudyPage::folder() const { return QDir::cleanPath(folder_->currentText().trimmed()); }
 void StudyPage::setFolder(const QString& folder) { folder_->setEditText(folder); }
 bool StudyPage::modified() const { return !(setup_->study() == saved_); }

@@ -46,6 +46,8 @@ public:
     double openingTime() const { return opening_time_; }
     QString cost() const;
     QString status() const;
+    /// The table or chart that is seen.
+    QImage picture() const;
 
     /// A study file. False after failed().
     bool openStudy(const QString& path);
@@ -95,7 +97,7 @@ private:
     // study_page_results.cpp
     void refreshRun();
     void endRun();
-    void showResults(const std::shared_ptr<const StudyData>& data);
+    void showResults(const std::shared_ptr<const StudyData>& study);
     void followRun();
     void takeBrush();
     void computeIndices();

@@ -28,15 +28,6 @@ namespace {
 
 constexpr int pause_ms = 300, follow_ms = 2000;
 
-QLabel* makeSentence(const QString& name)
-{
-    auto* label = new QLabel;
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::PlainText);
-    label->setAccessibleName(name);
-    return label;
-}
-
 } // namespace
 
 void StudyPage::build()

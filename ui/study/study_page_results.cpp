@@ -95,18 +95,18 @@ void StudyPage::openResults(const QString& path)
     QElapsedTimer clock;
     clock.start();
     reader_.run([this, path, clock](const NewestJob::Turn& turn) {
-        std::shared_ptr<const StudyData> data;
+        std::shared_ptr<const StudyData> study;
         QString why;
         try {
-            data = readStudyData(QDir::cleanPath(path));
+            study = readStudyData(QDir::cleanPath(path));
         } catch (const std::bad_alloc&) {
             why = tr("%1: The memory does not suffice for these results.").arg(path);
         } catch (const std::exception& error) {
             why = QString::fromStdString(error.what());
         }
-        turn.deliver([this, data, why, clock] {
-            if (data) {
-                showResults(data);
+        turn.deliver([this, study, why, clock] {
+            if (study) {
+                showResults(study);
                 opening_time_ = 1e-3 * static_cast<double>(clock.elapsed());
                 Q_EMIT shown();
             } else {
@@ -116,31 +116,32 @@ void StudyPage::openResults(const QString& path)
     });
 }
 
-void StudyPage::showResults(const std::shared_ptr<const StudyData>& data)
+void StudyPage::showResults(const std::shared_ptr<const StudyData>& study)
 {
-    const bool same = data && data_ && data->path == data_->path; // what has come meanwhile
+    const bool same = study && data_ && study->path == data_->path; // what has come meanwhile
     const std::optional<std::size_t> point = same ? chosen_ : std::nullopt;
-    data_ = data;
+    data_ = study;
     chosen_.reset();
-    model_->setStudy(data);
-    if (data && !same) {
+    model_->setStudy(study);
+    if (study && !same) {
         view_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
         view_->resizeColumnsToContents();
     }
-    effects_->setStudy(data);
-    pairs_->setStudy(data);
-    parallel_->setStudy(data);
-    indices_->setStudy(data);
-    if (data) {
-        QString text = data->rows == data->table.rows() ? tr("%1: %2 rows").arg(data->path).arg(data->rows)
-                                                        : tr("%1: %2 of %3 rows").arg(data->path).arg(data->table.rows()).arg(data->rows);
-        if (data->failed > 0) { text += tr(", %1 failed").arg(data->failed); }
+    effects_->setStudy(study);
+    pairs_->setStudy(study);
+    parallel_->setStudy(study);
+    indices_->setStudy(study);
+    if (study) {
+        QString text = study->rows == study->table.rows()
+                           ? tr("%1: %2 rows").arg(study->path).arg(study->rows)
+                           : tr("%1: %2 of %3 rows").arg(study->path).arg(study->table.rows()).arg(study->rows);
+        if (study->failed > 0) { text += tr(", %1 failed").arg(study->failed); }
         heading_->setText(text);
         heading_->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");
     } else {
         heading_->setText(tr("No results are open."));
     }
-    choose(point && *point < data->table.rows() && !job_.running() ? point : std::nullopt);
+    choose(point && *point < study->table.rows() && !job_.running() ? point : std::nullopt);
     refreshRun();
 }
 

@@ -146,8 +146,12 @@ bool MainWindow::saveAs()
 
 void MainWindow::saveScreenshot()
 {
-    const bool compares = workspace_ == Workspace::compare, worn = workspace_ == Workspace::garment;
-    const QImage picture = compares ? compare_->view().picture() : worn ? garment_->view().picture() : viewport_->picture();
+    const bool compares = workspace_ == Workspace::compare, worn = workspace_ == Workspace::garment,
+               studies = workspace_ == Workspace::study;
+    const QImage picture = studies    ? study_->picture()
+                           : compares ? compare_->view().picture()
+                           : worn     ? garment_->view().picture()
+                                      : viewport_->picture();
     if (picture.isNull()) {
         showProblem(worn       ? tr("There is no garment to save a picture of. Add one.")
                     : compares ? tr("No runs are compared, so there is no picture to save. Tick the runs in the list.")
@@ -156,7 +160,7 @@ void MainWindow::saveScreenshot()
     }
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
     const QString fabric = document_.fabric() ? QString::fromStdString(document_.fabric()->name) : QString("fabric");
-    const QString name = (compares ? tr("comparison") : worn ? tr("garment") : fabric) + ".png";
+    const QString name = (studies ? tr("study") : compares ? tr("comparison") : worn ? tr("garment") : fabric) + ".png";
     const QString chosen = QFileDialog::getSaveFileName(this, tr("Save Picture"), QDir(folder).filePath(name), tr("Pictures (*.png)"));
     if (chosen.isEmpty()) { return; }
     const QString path = withEnding(chosen, ".png");

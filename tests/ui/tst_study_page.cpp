@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The page of studies: what is set up is what runs, rows come to the table and the charts, and a row becomes a fabric of the project.
+#include "core/project/atomic_file.h"
+#include "core/study/slurm.h"
+#include "tests/support/drop_design.h"
+#include "ui/document/document.h"
+#include "ui/study/cluster_dialog.h"
+#include "ui/study/field_picker.h"
+#include "ui/study/indices_view.h"
+#include "ui/study/pairs_view.h"
+#include "ui/study/parallel_view.h"
+#include "ui/study/study_page.h"
+#include "ui/study/study_setup.h"
+#include "ui/study/study_table.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLineEdit>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+#include <random>
+
+using namespace hygroloom;
+
+namespace {
+
+constexpr int patience = 60000; // ms
+constexpr const char* ends = "fabrics[0].ends_per_cm";
+constexpr const char* angle = "fabrics[0].contact_angle_deg";
+constexpr const char* volume = "experiments[0].droplets[0].volume_ul";
+
+void type(QLineEdit* field, const QString& text)
+{
+    field->setFocus();
+    field->clear();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+/// A page with a small project, as it is seen.
+struct Scene {
+    explicit Scene(const Design& design = drop_design(35, 0.05)) : page(document)
+    {
+        document.take(design, "drops");
+        page.resize(1280, 700);
+        page.show();
+        page.setFolder(folder.filePath("out"));
+        QObject::connect(&page, &StudyPage::failed, [this](const QString& sentence) { sentences << sentence; });
+        QObject::connect(&page, &StudyPage::messageShown, [this](const QString& sentence) { messages << sentence; });
+    }
+    void addFactor(const std::string& path, double low, double high)
+    {
+        page.setup().addFactors({fieldAt(*document.design(), path)});
+        type(page.setup().form().field("low"), QString::number(low));
+        type(page.setup().form().field("high"), QString::number(high));
+    }
+    /// Two points of a Latin hypercube at live.
+    void makeSmall(int points = 2)
+    {
+        addFactor(ends, 26, 36);
+        addFactor(volume, 1, 2);
+        page.setup().setPoints(Sampling::latin_hypercube, points);
+        page.setup().setFidelity(Fidelity::live);
+    }
+    void runToTheEnd()
+    {
+        QSignalSpy shown(&page, &StudyPage::shown);
+        page.run();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !page.job().running() && !shown.isEmpty() && page.results() && page.results()->table.rows() == page.results()->rows, patience);
+    }
+
+    QTemporaryDir folder;
+    Document document;
+    StudyPage page;
+    QStringList sentences, messages;
+};
+
+/// A table as a study of three factors leaves it.
+void writeTable(const QString& path, int rows)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(0, 1);
+    QByteArray text = "point,replicate,fabrics[0].ends_per_cm,fabrics[0].picks_per_cm,fabrics[0].contact_angle_deg,status,"
+                      "maximum_wetted_radius_top_mm,absorbency_time_s,wall_s,device,commit,reason\n";
+    for (int row = 0; row < rows; ++row) {
+        const double x = 20 + 20 * share(random), y = 20 + 20 * share(random), z = 20 + 40 * share(random);
+        text += QByteArray::number(row) + ",0," + QByteArray::number(x, 'g', 10) + "," + QByteArray::number(y, 'g', 10) + "," +
+                QByteArray::number(z, 'g', 10) + ",done," + QByteArray::number(12 - 0.1 * (x + y) + share(random), 'g', 10) + "," +
+                QByteArray::number(0.02 * x * z / 10, 'g', 10) + ",0.61,CPU,abcdef,\n";
+    }
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(text);
+}
+
+} // namespace
+
+class TestStudyPage : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QCoreApplication::setOrganizationName("hygroloom-test");
+        QCoreApplication::setApplicationName("hygroloom-test");
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_.path());
+    }
+
+    void fieldsHaveNamesUnitsAndPresentValues()
+    {
+        const StudyField sett = fieldAt(drop_design(), ends);
+        QCOMPARE(sett.group, QString("cloth"));
+        QCOMPARE(fieldTitle(sett, true), QString("cloth: ends (/cm)"));
+        QCOMPARE(*sett.value, drop_design().fabrics[0].ends_per_cm);
+        QCOMPARE(fieldTitle(fieldAt(drop_design(), volume), false), QString("droplets 1, volume (µl)"));
+        // Every field that is offered is one that a study may have.
+        const Design design = drop_design();
+        for (const StudyField& field : studyFields(design)) {
+            if (!field.value || field.path.starts_with("fidelity.")) { continue; }
+            Study study;
+            study.points = 4;
+            study.factors.push_back(proposedFactor(field.path, field.value));
+            study.factors[0].distribution.low = *field.value;
+            study.factors[0].distribution.high = std::nextafter(*field.value, 1e9);
+            for (const Issue& issue : validate(study, design)) {
+                QVERIFY2(!QString::fromStdString(issue.where).endsWith("path") || issue.text.find("There is no") == std::string::npos,
+                         (field.path + ": " + issue.text).c_str());
+            }
+        }
+    }
+
+    void thePickerFindsByLettersAndKeepsFactorsFromBeingTakenTwice()
+    {
+        FieldPicker picker(drop_design(), {ends});
+        picker.setFilter("angle");
+        QVERIFY(picker.shownPaths().contains(angle));
+        QVERIFY(!picker.shownPaths().contains(ends));
+        picker.setFilter("WEFT twist");
+        QCOMPARE(picker.shownPaths().first(), QString("fabrics[0].weft.twist_per_m"));
+        picker.setFilter("");
+        picker.select({angle, ends});
+        QCOMPARE(picker.chosen().size(), std::size_t{1});
+        QCOMPARE(picker.chosen()[0].path, std::string(angle));
+    }
+
+    void whatIsSetUpIsInTheStudyFile()
+    {
+        Scene scene;
+        StudySetup& setup = scene.page.setup();
+        scene.addFactor(ends, 26, 36);
+        setup.addFactors({fieldAt(*scene.document.design(), angle)});
+        setup.form().setSpread(FactorForm::Spread::list);
+        type(setup.form().field("values"), "20, 40, 60");
+        setup.addFactors({fieldAt(*scene.document.design(), "fabrics[0].warp.twist_per_m")});
+        setup.form().setSpread(FactorForm::Spread::normal);
+        type(setup.form().field("mean"), "800");
+        type(setup.form().field("sd"), "40");
+        type(setup.form().field("low"), "");
+        type(setup.form().field("high"), "");
+        setup.setPoints(Sampling::sobol, 32);
+        setup.setFidelity(Fidelity::live);
+        QVERIFY2(setup.problems().isEmpty(), qPrintable(setup.problems().join('\n')));
+        QVERIFY(scene.page.modified());
+        const QString file = scene.folder.filePath("study.json");
+        QVERIFY(scene.page.saveStudy(file));
+        QVERIFY(!scene.page.modified());
+        const Study study = read_study(file.toStdString());
+        QCOMPARE(study.factors.size(), std::size_t{3});
+        QCOMPARE(*study.factors[0].distribution.low, 26.0);
+        QCOMPARE(*study.factors[0].distribution.high, 36.0);
+        QCOMPARE(study.factors[1].values.size(), std::size_t{3});
+        QCOMPARE(study.factors[1].values[1].number, 40.0);
+        QVERIFY(study.factors[2].distribution.type == FactorDistribution::Type::normal);
+        QCOMPARE(study.factors[2].distribution.sd, 40.0);
+        QVERIFY(!study.factors[2].distribution.low);
+        QVERIFY(study.sampling == Sampling::sobol && study.points == 32 && study.fidelity == Fidelity::live);
+        QCOMPARE(study.fabrics, std::vector<std::string>{"cloth"});
+        setup.removeFactor();
+        QVERIFY(scene.page.modified());
+        QVERIFY(scene.page.openStudy(file));
+        QVERIFY(scene.page.setup().study() == study);
+    }
+
+    void whatIsWrongIsSaidInPlace()
+    {
+        Scene scene;
+        StudySetup& setup = scene.page.setup();
+        scene.addFactor(ends, 26, 36);
+        QVERIFY(setup.problems().isEmpty());
+        type(setup.form().field("high"), "20");
+        QCOMPARE(setup.problems().size(), 1);
+        QVERIFY2(setup.problems()[0].startsWith("ends (/cm): ") && setup.problems()[0].contains("given is 20"),
+                 qPrintable(setup.problems()[0]));
+        type(setup.form().field("high"), "");
+        QVERIFY2(setup.problems()[0].contains("The highest value is missing"), qPrintable(setup.problems()[0]));
+        type(setup.form().field("high"), "3e9");
+        QVERIFY(!setup.problems().isEmpty()); // no such sett in the middle
+        type(setup.form().field("high"), "36");
+        QVERIFY(setup.problems().isEmpty());
+        setup.tick("cloth", false);
+        QCOMPARE(setup.problems(), QStringList{"Fabrics: Tick one at least."});
+        scene.page.run();
+        QVERIFY(!scene.page.job().running());
+    }
+
+    void itsCostIsForetold()
+    {
+        Scene scene;
+        scene.makeSmall(12);
+        QSignalSpy told(&scene.page, &StudyPage::costForetold);
+        QTRY_VERIFY_WITH_TIMEOUT(!told.isEmpty(), patience);
+        QVERIFY2(scene.page.cost().startsWith("12 runs (12 points), "), qPrintable(scene.page.cost()));
+    }
+
+    void aSmallStudyRunsToItsEnd()
+    {
+        Scene scene;
+        scene.makeSmall(3);
+        scene.runToTheEnd();
+        QVERIFY2(scene.sentences.isEmpty(), qPrintable(scene.sentences.join('\n')));
+        QCOMPARE(scene.page.table().rowCount(), 3);
+        QCOMPARE(scene.page.results()->failed, std::size_t{0});
+        QVERIFY(QFile::exists(scene.folder.filePath("out/results.csv")));
+        QVERIFY2(scene.page.status().startsWith("3 of 3 runs done"), qPrintable(scene.page.status()));
+        // Once more: nothing is left to do, and nothing is lost.
+        scene.runToTheEnd();
+        QCOMPARE(scene.page.table().rowCount(), 3);
+    }
+
+    void aStopIsQuickAndKeepsWhatHasEnded()
+    {
+        Scene scene(drop_design(35, 20));
+        scene.makeSmall(40);
+        QSignalSpy ended(&scene.page.job(), &StudyJob::ended);
+        scene.page.run();
+        QTRY_VERIFY_WITH_TIMEOUT(scene.page.job().progress().share > 0, patience);
+        QElapsedTimer clock;
+        clock.start();
+        scene.page.job().cancel();
+        QVERIFY(ended.wait(patience));
+        qInfo("stopped after %lld ms", clock.elapsed());
+        QVERIFY2(clock.elapsed() < 1500, "a stop takes long"); // 0.3 s on a machine that does nothing else
+        QVERIFY(scene.page.job().outcome().cancelled);
+        QVERIFY(scene.page.status().startsWith("Stopped."));
+    }
+
+    void aFolderOfAnotherStudyIsRefused()
+    {
+        Scene scene;
+        scene.makeSmall();
+        scene.runToTheEnd();
+        scene.page.setup().setPoints(Sampling::latin_hypercube, 3);
+        scene.page.run();
+        QTRY_VERIFY_WITH_TIMEOUT(!scene.page.job().running(), patience);
+        QVERIFY(!scene.sentences.isEmpty());
+        QVERIFY2(scene.sentences.last().contains("another study"), qPrintable(scene.sentences.last()));
+    }
+
+    void aRowBecomesACandidateAsOneStep()
+    {
+        Scene scene;
+        scene.makeSmall();
+        scene.runToTheEnd();
+        const double value = scene.page.results()->table.find(ends)->numbers[1];
+        QVERIFY(value != scene.document.design()->fabrics[0].ends_per_cm);
+        scene.page.choose(1);
+        scene.page.makeCandidate();
+        QVERIFY2(scene.sentences.isEmpty(), qPrintable(scene.sentences.join('\n')));
+        QCOMPARE(scene.document.design()->fabrics.size(), std::size_t{2});
+        const Fabric& made = scene.document.design()->fabrics[1];
+        QCOMPARE(made.name, std::string("cloth, study 1"));
+        QCOMPARE(made.ends_per_cm, value);
+        QCOMPARE(scene.document.fabricIndex(), 1);
+        QVERIFY2(scene.messages.last().contains("volume"), qPrintable(scene.messages.last())); // which is no part of a fabric
+        scene.document.history()->undo();
+        QCOMPARE(scene.document.design()->fabrics.size(), std::size_t{1});
+    }
+
+    void manyRowsOpenAtOnce()
+    {
+        Scene scene;
+        const QString file = scene.folder.filePath("results.csv");
+        writeTable(file, 100000);
+        for (int turn = 0; turn < 2; ++turn) { // the second with the pages of the disk in memory
+            QSignalSpy shown(&scene.page, &StudyPage::shown);
+            QElapsedTimer clock;
+            clock.start();
+            scene.page.openResults(file);
+            QVERIFY(shown.wait(patience));
+            scene.page.repaint();
+            qInfo("100 000 rows: %lld ms", clock.elapsed());
+            QVERIFY2(clock.elapsed() < 4000, "opening takes long"); // 2 s on a machine that does nothing else
+        }
+        QCOMPARE(scene.page.table().rowCount(), 100000);
+        QElapsedTimer clock;
+        for (QWidget* chart : {static_cast<QWidget*>(&scene.page.pairs().chart()), static_cast<QWidget*>(&scene.page.parallel().chart())}) {
+            clock.restart();
+            chart->grab();
+            qInfo("%s: %lld ms", chart->metaObject()->className(), clock.elapsed());
+            QVERIFY(clock.elapsed() < 4000);
+        }
+        clock.restart();
+        scene.page.table().sort(2, Qt::DescendingOrder);
+        qInfo("sorted: %lld ms", clock.elapsed());
+        const auto& numbers = scene.page.results()->table.columns[2].numbers;
+        QCOMPARE(numbers[scene.page.table().rowAt(0)], *std::max_element(numbers.begin(), numbers.end()));
+    }
+
+    void aDragAlongAnAxisKeepsItsRows()
+    {
+        Scene scene;
+        const QString file = scene.folder.filePath("results.csv");
+        writeTable(file, 500);
+        QSignalSpy shown(&scene.page, &StudyPage::shown);
+        scene.page.openResults(file);
+        QVERIFY(shown.wait(patience));
+        ParallelChart& chart = scene.page.parallel().chart();
+        chart.resize(900, 500);
+        const StudyAxis& axis = scene.page.results()->axes[1];
+        const QPoint from = chart.placeOf(1, axis.numberAt(0.25)).toPoint(), to = chart.placeOf(1, axis.numberAt(0.5)).toPoint();
+        QTest::mousePress(&chart, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&chart, (from + to) / 2);
+        QTest::mouseMove(&chart, to);
+        QTest::mouseRelease(&chart, Qt::LeftButton, {}, to);
+        QCOMPARE(chart.brushes().size(), std::size_t{1});
+        const AxisBrush brush = chart.brushes()[0];
+        QVERIFY(std::abs(axis.placeOf(brush.low) - 0.25) < 0.01 && std::abs(axis.placeOf(brush.high) - 0.5) < 0.01);
+        const auto inside = [&brush](double number) { return number >= brush.low && number <= brush.high; };
+        const auto expected = std::count_if(axis.numbers.begin(), axis.numbers.end(), inside);
+        QVERIFY(expected > 50 && expected < 250);
+        QCOMPARE(scene.page.table().rowCount(), static_cast<int>(expected));
+        for (int row = 0; row < scene.page.table().rowCount(); ++row) { QVERIFY(inside(axis.numbers[scene.page.table().rowAt(row)])); }
+        QTest::mouseClick(&chart, Qt::LeftButton, {}, to);
+        QCOMPARE(scene.page.table().rowCount(), 500);
+    }
+
+    void aClickOnAPointChoosesItsRow()
+    {
+        Scene scene;
+        const QString file = scene.folder.filePath("results.csv");
+        writeTable(file, 20);
+        QSignalSpy shown(&scene.page, &StudyPage::shown);
+        scene.page.openResults(file);
+        QVERIFY(shown.wait(patience));
+        PairsChart& chart = scene.page.pairs().chart();
+        chart.resize(800, 500);
+        QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.placeOf(7)->toPoint());
+        QVERIFY(scene.page.chosen().has_value());
+        QCOMPARE(*scene.page.chosen(), std::size_t{7});
+    }
+
+    void effectsAreMeansOverBins()
+    {
+        StudyAxis factor, metric;
+        factor.numbers = {1, 1, 2, 2, NAN};
+        metric.numbers = {3, 5, 10, NAN, 8};
+        const std::vector<EffectBin> bins = effectBins(factor, metric);
+        QCOMPARE(bins.size(), std::size_t{2});
+        QCOMPARE(bins[0].mean, 4.0);
+        QCOMPARE(bins[0].sd, 1.0);
+        QCOMPARE(bins[1].mean, 10.0);
+        QCOMPARE(bins[1].count, std::size_t{1});
+    }
+
+    void theFolderForAClusterIsOneThatTheCommandLineReads()
+    {
+        Scene scene;
+        scene.makeSmall();
+        const QString folder = scene.folder.filePath("for a cluster");
+        ClusterDialog dialog(scene.document.design(), scene.page.setup().study(), folder);
+        QVERIFY2(dialog.write(), qPrintable(dialog.said()));
+        QVERIFY(read_study_folder(folder.toStdString()).study == scene.page.setup().study());
+        const std::string line = dialog.command().section('\n', 0, 0).toStdString();
+        QCOMPARE(shell_words(line)[3], folder.toStdString());
+        QVERIFY(dialog.command().contains("--slurm"));
+    }
+
+    void indicesAreComputedOrTheSentenceSaysWhatIsMissing()
+    {
+        Scene scene;
+        scene.makeSmall(4);
+        scene.runToTheEnd();
+        Q_EMIT scene.page.indices().computeRequested();
+        const QString reason = QString::fromStdString(why_no_analysis());
+        if (!reason.isEmpty()) {
+            QTRY_COMPARE_WITH_TIMEOUT(scene.page.indices().note(), reason, patience);
+            return;
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(scene.page.results()->has_indices, patience);
+        QVERIFY(!scene.page.results()->indices.empty());
+    }
+
+private:
+    QTemporaryDir settings_;
+};
+
+QTEST_MAIN(TestStudyPage)
+#include "tst_study_page.moc"
