@@ -18,9 +18,33 @@ namespace {
 
 constexpr std::size_t most_factors = 16;
 
+/// Over the bands of all factors, so that their effects can be compared.
+StudyAxis commonAxis(const std::vector<std::vector<EffectBin>>& effects)
+{
+    StudyAxis up;
+    up.low = std::numeric_limits<double>::infinity();
+    up.high = -up.low;
+    for (const std::vector<EffectBin>& effect : effects) {
+        for (const EffectBin& bin : effect) {
+            up.low = std::min(up.low, bin.mean - bin.sd);
+            up.high = std::max(up.high, bin.mean + bin.sd);
+        }
+    }
+    up.empty = !(up.low <= up.high);
+    if (up.low == up.high) {
+        up.low -= 0.5;
+        up.high += 0.5;
+    }
+    return up;
+}
+
 } // namespace
 
-EffectsChart::EffectsChart(QWidget* parent) : StudyChart(parent) { setAccessibleName(tr("Main effects of the factors")); }
+EffectsChart::EffectsChart(QWidget* parent) : StudyChart(parent)
+{
+    setAccessibleName(tr("Main effects of the factors"));
+    setFocusPolicy(Qt::NoFocus);
+}
 
 void EffectsChart::setMetric(const StudyAxis* metric)
 {
@@ -37,20 +61,9 @@ void EffectsChart::drawPicture(QPainter& painter)
         if (axis.is_factor && !axis.empty && factors.size() < most_factors) { factors.push_back(&axis); }
     }
     std::vector<std::vector<EffectBin>> effects;
-    StudyAxis up = {metric_->title, 0, false, {}, {}, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
-                    false};
-    for (const StudyAxis* factor : factors) {
-        effects.push_back(effectBins(*factor, *metric_));
-        for (const EffectBin& bin : effects.back()) {
-            up.low = std::min(up.low, bin.mean - bin.sd);
-            up.high = std::max(up.high, bin.mean + bin.sd);
-        }
-    }
-    if (!(up.low <= up.high)) { return; }
-    if (up.low == up.high) {
-        up.low -= 0.5;
-        up.high += 0.5;
-    }
+    for (const StudyAxis* factor : factors) { effects.push_back(effectBins(*factor, *metric_)); }
+    const StudyAxis up = commonAxis(effects);
+    if (up.empty) { return; }
     const int count = static_cast<int>(factors.size());
     const int columns = std::max(1, std::min(count, static_cast<int>(std::ceil(std::sqrt(count * 1.2)))));
     const int rows = (count + columns - 1) / columns;

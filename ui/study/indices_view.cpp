@@ -16,7 +16,11 @@
 
 namespace hygroloom {
 
-IndicesChart::IndicesChart(QWidget* parent) : StudyChart(parent) { setAccessibleName(tr("Sensitivity indices")); }
+IndicesChart::IndicesChart(QWidget* parent) : StudyChart(parent)
+{
+    setAccessibleName(tr("Sensitivity indices"));
+    setFocusPolicy(Qt::NoFocus);
+}
 
 void IndicesChart::setIndices(const StudyIndices* indices)
 {

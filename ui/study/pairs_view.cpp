@@ -6,6 +6,7 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
@@ -22,7 +23,11 @@ constexpr std::size_t many_rows = 5000;
 
 } // namespace
 
-PairsChart::PairsChart(QWidget* parent) : StudyChart(parent) { setAccessibleName(tr("Two columns against each other")); }
+PairsChart::PairsChart(QWidget* parent) : StudyChart(parent)
+{
+    setAccessibleName(tr("Two columns against each other"));
+    setAccessibleDescription(tr("Left and Right choose the next row across."));
+}
 
 void PairsChart::setAxes(const StudyAxis* across, const StudyAxis* up, const StudyAxis* color)
 {
@@ -125,6 +130,23 @@ void PairsChart::mousePressEvent(QMouseEvent* event)
 {
     if (event->button() != Qt::LeftButton) { return; }
     if (const auto row = rowAt(event->position())) { Q_EMIT rowChosen(*row); }
+}
+
+/// The next row to the left or right.
+void PairsChart::keyPressEvent(QKeyEvent* event)
+{
+    const bool right = event->key() == Qt::Key_Right;
+    if (!hasRows() || !across_ || !(right || event->key() == Qt::Key_Left)) { return StudyChart::keyPressEvent(event); }
+    const std::vector<double>& numbers = across_->numbers;
+    const auto before = [&](std::size_t a, std::size_t b) { // rows with the same number follow each other
+        return right ? std::pair(numbers[a], a) < std::pair(numbers[b], b) : std::pair(numbers[b], b) < std::pair(numbers[a], a);
+    };
+    std::optional<std::size_t> next;
+    for (std::size_t row = 0; row < numbers.size(); ++row) {
+        if (!isKept(row) || !placeOf(row) || (chosen_ && !before(*chosen_, row))) { continue; }
+        if (!next || before(row, *next)) { next = row; }
+    }
+    if (next) { Q_EMIT rowChosen(*next); }
 }
 
 bool PairsChart::event(QEvent* event)

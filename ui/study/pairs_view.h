@@ -21,6 +21,7 @@ protected:
     void drawPicture(QPainter& painter) override;
     void drawMarks(QPainter& painter) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
 
 private:

@@ -15,6 +15,7 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QEvent>
 #include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -68,7 +69,24 @@ QString StudyPage::status() const { return status_->text(); }
 QImage StudyPage::picture() const { return tabs_->currentWidget()->grab().toImage(); }
 QString StudyPage::folder() const { return QDir::cleanPath(folder_->currentText().trimmed()); }
 void StudyPage::setFolder(const QString& folder) { folder_->setEditText(folder); }
-bool StudyPage::modified() const { return !(setup_->study() == saved_); }
+/// A study without factors that was never saved is none yet.
+bool StudyPage::modified() const
+{
+    const Study study = setup_->study();
+    return !(study == saved_) && !(path_.isEmpty() && study.factors.empty());
+}
+
+void StudyPage::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    refreshSetup();
+}
+
+void StudyPage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && isVisible()) { refreshSetup(); } // the red of the problems
+}
 
 void StudyPage::refreshSetup()
 {
@@ -97,7 +115,7 @@ void StudyPage::refreshSetup()
 
 void StudyPage::foretell()
 {
-    if (!setup_->problems().isEmpty()) { return; }
+    if (!setup_->problems().isEmpty() || !isVisible()) { return; }
     const auto design = document_.design();
     foreteller_.run([this, design, study = setup_->study()](const NewestJob::Turn& turn) {
         QString text;

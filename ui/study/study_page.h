@@ -75,6 +75,10 @@ Q_SIGNALS:
     void shown();
     void costForetold();
 
+protected:
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
 private:
     // study_page_build.cpp
     void build();

@@ -40,10 +40,16 @@ void addItem(QListWidget& list, const QString& key, const QString& text, bool on
     item->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");
 }
 
-/// The project's members, and those ticked that it does not have.
+/// The project's members, and of those ticked also the ones that it does not have.
 template <typename Member>
-void fillNames(QListWidget& list, const std::vector<Member>& members, std::vector<std::string> on, std::size_t otherwise)
+void fillNames(QListWidget& list, const std::vector<Member>& members, std::vector<std::string> on, std::size_t otherwise, bool keep_others)
 {
+    const auto is_there = [&members](const std::string& name) {
+        return std::any_of(members.begin(), members.end(), [&name](const Member& member) { return member.name == name; });
+    };
+    if (!keep_others) {
+        std::erase_if(on, [&](const std::string& name) { return !is_there(name); });
+    }
     if (on.empty() && !members.empty()) { on.push_back(members[std::min(otherwise, members.size() - 1)].name); }
     list.clear();
     for (const Member& member : members) {
@@ -64,9 +70,11 @@ void StudySetup::refreshLists()
     const QScopedValueRollback filling(filling_, true);
     const Design& design = *document_.design();
     const bool fresh = fabrics_->count() == 0 && experiments_->count() == 0;
-    fillNames(*fabrics_, design.fabrics, fresh ? kept_.fabrics : ticked(*fabrics_), static_cast<std::size_t>(document_.fabricIndex()));
+    const bool is_one = !drafts_.empty() || !kept_.fabrics.empty(); // until then it follows the project
+    fillNames(*fabrics_, design.fabrics, fresh ? kept_.fabrics : ticked(*fabrics_), static_cast<std::size_t>(document_.fabricIndex()),
+              is_one);
     fillNames(*experiments_, design.experiments, fresh ? kept_.experiments : ticked(*experiments_),
-              static_cast<std::size_t>(document_.experimentIndex()));
+              static_cast<std::size_t>(document_.experimentIndex()), is_one);
     refreshMetrics();
     refreshFactors();
     refreshProblems();
