@@ -5,6 +5,9 @@
 #include "core/study/points.h"
 #include "tests/support/drop_design.h"
 
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 using namespace hygroloom;
@@ -111,6 +114,28 @@ private Q_SLOTS:
         QVERIFY(issues_of(file_with(R"({ "path": "fabrics[1].ends_per_cm", "low": 1, "high": 2 })", sobol))
                     .contains("factors[0].path: fabrics[1]"));
         QVERIFY(issues_of(file_with(R"({ "path": "fidelity.nothing", "low": 1, "high": 2 })", sobol)).contains("factors[0].path"));
+    }
+
+    void theSchemaHasTheKeysThatAreRead()
+    {
+        QFile file(HYGROLOOM_SOURCE_DIR "/resources/schema/hygroloom-study-1.schema.json");
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QJsonObject schema = QJsonDocument::fromJson(file.readAll()).object(), parts = schema["$defs"].toObject();
+        const QString range_and = QString::fromStdString(range).chopped(1);
+        const std::vector<std::tuple<QJsonObject, std::string, QStringList>> objects{
+            {schema, file_with(range, sobol, R"("zzzzzzzz": 1)"), {}},
+            {parts["design"].toObject(), file_with(range, R"({ "type": "grid", "zzzzzzzz": 1 })"), {}},
+            {parts["factor"].toObject(), file_with(range_and.toStdString() + R"(, "zzzzzzzz": 1 })", sobol), {}},
+            {parts["distribution"].toObject(),
+             file_with(R"({ "path": "a", "distribution": { "type": "normal", "mean": 1, "sd": 1, "zzzzzzzz": 1 } })", sobol),
+             {"mode"}}};
+        for (const auto& [object, text, others] : objects) {
+            QStringList known = refusal(text).section("Known are: ", 1).chopped(1).split(", ") + others;
+            QStringList keys = object["properties"].toObject().keys();
+            known.sort();
+            keys.sort();
+            QCOMPARE(known, keys);
+        }
     }
 
     void bytesByChanceAreRefusedOrMakeFewPoints()
