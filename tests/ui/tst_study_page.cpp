@@ -236,7 +236,7 @@ private Q_SLOTS:
     {
         Scene scene(drop_design(35, 20));
         scene.makeSmall(40);
-        QSignalSpy ended(&scene.page.job(), &StudyJob::ended);
+        QSignalSpy ended(&scene.page.job(), &StudyTask::ended);
         scene.page.run();
         QTRY_VERIFY_WITH_TIMEOUT(scene.page.job().progress().share > 0, patience);
         QElapsedTimer clock;

@@ -225,7 +225,7 @@ void StudyPage::stopRun()
 {
     if (!job_.running()) { return; }
     QEventLoop end;
-    connect(&job_, &StudyJob::ended, &end, &QEventLoop::quit);
+    connect(&job_, &StudyTask::ended, &end, &QEventLoop::quit);
     job_.cancel();
     end.exec(QEventLoop::ExcludeUserInputEvents);
 }

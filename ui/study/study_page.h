@@ -5,7 +5,7 @@
 #include "ui/basics/newest_job.h"
 #include "ui/study/study_cost.h"
 #include "ui/study/study_data.h"
-#include "ui/study/study_job.h"
+#include "ui/study/study_task.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -35,7 +35,7 @@ public:
     ~StudyPage() override;
 
     StudySetup& setup() { return *setup_; }
-    StudyJob& job() { return job_; }
+    StudyTask& job() { return job_; }
     ParallelView& parallel() { return *parallel_; }
     PairsView& pairs() { return *pairs_; }
     IndicesView& indices() { return *indices_; }
@@ -136,7 +136,7 @@ private:
     QLabel* status_;
     QTimer pause_;     ///< after an edit, until the cost is foretold
     QTimer following_; ///< while a study runs
-    StudyJob job_;
+    StudyTask job_;
     NewestJob foreteller_, reader_, analyst_; // last: they end before the rest goes
 };
 

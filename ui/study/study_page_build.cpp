@@ -178,13 +178,13 @@ void StudyPage::connectParts()
     connect(&pause_, &QTimer::timeout, this, &StudyPage::foretell);
     connect(run_, &QPushButton::clicked, this, [this] { run(); });
     connect(retry_, &QPushButton::clicked, this, [this] { run(true); });
-    connect(stop_, &QPushButton::clicked, &job_, &StudyJob::cancel);
+    connect(stop_, &QPushButton::clicked, &job_, &StudyTask::cancel);
     connect(stop_, &QPushButton::clicked, this, [this] { status_->setText(tr("Stopping.")); });
     connect(cluster_, &QPushButton::clicked, this, &StudyPage::showCluster);
     connect(failures_, &QPushButton::clicked, this, &StudyPage::showFailures);
-    connect(&job_, &StudyJob::progressed, this, &StudyPage::refreshRun);
-    connect(&job_, &StudyJob::noted, this, &StudyPage::messageShown);
-    connect(&job_, &StudyJob::ended, this, &StudyPage::endRun);
+    connect(&job_, &StudyTask::progressed, this, &StudyPage::refreshRun);
+    connect(&job_, &StudyTask::noted, this, &StudyPage::messageShown);
+    connect(&job_, &StudyTask::ended, this, &StudyPage::endRun);
     connect(&following_, &QTimer::timeout, this, &StudyPage::followRun);
     connect(&parallel_->chart(), &ParallelChart::brushed, this, &StudyPage::takeBrush);
     connect(&pairs_->chart(), &StudyChart::rowChosen, this, [this](std::size_t row) { choose(row); });

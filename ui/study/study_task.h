@@ -12,12 +12,12 @@
 
 namespace hygroloom {
 
-class StudyJob : public QObject {
+class StudyTask : public QObject {
     Q_OBJECT
 public:
-    explicit StudyJob(QObject* parent = nullptr);
+    explicit StudyTask(QObject* parent = nullptr);
     /// Cancels and waits, 0.2 s or so.
-    ~StudyJob() override;
+    ~StudyTask() override;
 
     /// Runs what the folder lacks of the study, with retry also what failed there. Preconditions: none runs; validate() found no error.
     void start(const std::shared_ptr<const Design>& design, const Study& study, const QString& folder, bool retry_failed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/study/study_job.h"
+#include "ui/study/study_task.h"
 
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -9,17 +9,17 @@
 
 namespace hygroloom {
 
-StudyJob::StudyJob(QObject* parent) : QObject(parent) {}
+StudyTask::StudyTask(QObject* parent) : QObject(parent) {}
 
-StudyJob::~StudyJob()
+StudyTask::~StudyTask()
 {
     control_.cancel = true;
     if (thread_.joinable()) { thread_.join(); }
 }
 
-void StudyJob::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
+void StudyTask::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
 
-void StudyJob::start(const std::shared_ptr<const Design>& design, const Study& study, const QString& folder, bool retry_failed)
+void StudyTask::start(const std::shared_ptr<const Design>& design, const Study& study, const QString& folder, bool retry_failed)
 {
     control_.cancel = false;
     folder_ = folder;
@@ -40,7 +40,7 @@ void StudyJob::start(const std::shared_ptr<const Design>& design, const Study& s
     Q_EMIT progressed();
 }
 
-StudyJob::Result StudyJob::run(const Design& design, const Study& study, const QString& folder, bool retry_failed)
+StudyTask::Result StudyTask::run(const Design& design, const Study& study, const QString& folder, bool retry_failed)
 {
     Result result;
     const std::filesystem::path path = folder.toStdString();
@@ -75,9 +75,9 @@ StudyJob::Result StudyJob::run(const Design& design, const Study& study, const Q
     return result;
 }
 
-void StudyJob::cancel() { control_.cancel = true; }
+void StudyTask::cancel() { control_.cancel = true; }
 
-QString StudyJob::progressText() const
+QString StudyTask::progressText() const
 {
     if (progress_.rows == 0) { return tr("Preparing the runs."); }
     QString text = tr("%1 of %2 runs").arg(progress_.ended).arg(progress_.rows);
