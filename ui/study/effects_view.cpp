@@ -65,7 +65,7 @@ void EffectsChart::drawPicture(QPainter& painter)
     const StudyAxis up = commonAxis(effects);
     if (up.empty) { return; }
     const int count = static_cast<int>(factors.size());
-    const int columns = std::max(1, std::min(count, static_cast<int>(std::ceil(std::sqrt(count * 1.2)))));
+    const int columns = std::max(1, std::min(count, static_cast<int>(std::ceil(std::sqrt(count)))));
     const int rows = (count + columns - 1) / columns;
     const double line = QFontMetricsF(font()).height(), wide = double(width()) / columns, high = double(height()) / rows;
     for (int i = 0; i < count; ++i) {

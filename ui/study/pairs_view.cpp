@@ -78,7 +78,7 @@ void PairsChart::drawPicture(QPainter& painter)
     painter.drawText(QRectF(on.left(), on.bottom() + line + 4, on.width(), line + 2), Qt::AlignCenter, across_->title);
     painter.drawText(QRectF(8, 4, on.right() - 8, line + 2), Qt::AlignLeft, up_->title);
     const bool many = data_->table.rows() > many_rows;
-    const double radius = many ? 1 : 3.5;
+    const double radius = many ? 1 : 4.5;
     painter.setRenderHint(QPainter::Antialiasing, !many);
     const QColor plain = strokeOf(0, palette()).color(), faint = gridColor(palette());
     for (const bool kept : {false, true}) { // what a brush keeps lies on top

@@ -73,7 +73,7 @@ void ParallelChart::clearBrushes()
 QRectF ParallelChart::area() const
 {
     const double line = QFontMetricsF(font()).height();
-    return QRectF(rect()).adjusted(56, 3 * line + 10, -56, -line - 12);
+    return QRectF(rect()).adjusted(76, 3 * line + 10, -76, -line - 12);
 }
 
 double ParallelChart::xOf(std::size_t shown) const
@@ -183,7 +183,7 @@ void ParallelChart::drawAxis(QPainter& painter, std::size_t shown) const
     painter.setPen(QPen(ink, 1.2));
     painter.drawLine(QPointF(x, on.top()), QPointF(x, on.bottom()));
     const double room = shown_.size() < 2 ? on.width() : on.width() / static_cast<double>(shown_.size() - 1);
-    const double wide = std::min(room - 6, 150.0);
+    const double wide = std::min(room - 8, 148.0);
     double left = std::clamp(x - wide / 2, 2.0, std::max(2.0, width() - wide - 2));
     painter.drawText(QRectF(left, 4, wide, 3 * line), Qt::AlignHCenter | Qt::AlignBottom | Qt::TextWordWrap, axis.title);
     for (const double tick : axis.ticks(std::max(2, static_cast<int>(on.height() / 60)))) {

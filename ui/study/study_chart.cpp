@@ -107,7 +107,7 @@ void drawAxes(QPainter& painter, const QRectF& area, const StudyAxis& across, co
     const QFontMetricsF metrics(painter.font());
     const QColor ink = palette.color(QPalette::Text), grid = gridColor(palette);
     double free_from = area.left() - 40;
-    for (const double tick : across.ticks(std::max(2, static_cast<int>(area.width() / 70)))) {
+    for (const double tick : across.ticks(std::max(3, static_cast<int>(area.width() / 50)))) {
         const double x = area.left() + across.placeOf(tick) * area.width();
         painter.setPen(grid);
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));

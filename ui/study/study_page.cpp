@@ -251,7 +251,17 @@ void StudyPage::showRecent()
     const QString at = folder_->currentText();
     folder_->clear();
     folder_->addItems(QSettings().value(recent_setting).toStringList());
-    folder_->setEditText(at.isEmpty() ? QDir(document_.folder().isEmpty() ? QDir::homePath() : document_.folder()).filePath("study") : at);
+    folder_->setEditText(at);
+    if (at.isEmpty()) { proposeFolder(); }
+}
+
+/// Beside the project, unless the user has chosen another.
+void StudyPage::proposeFolder()
+{
+    if (folder_->currentText() != proposed_) { return; }
+    const QString name = document_.title().isEmpty() ? QString("study") : document_.title() + "-study";
+    proposed_ = QDir(document_.folder().isEmpty() ? QDir::homePath() : document_.folder()).filePath(QString(name).replace(' ', '-'));
+    folder_->setEditText(proposed_);
 }
 
 void StudyPage::remember(const QString& folder)

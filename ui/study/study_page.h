@@ -96,6 +96,7 @@ private:
     void chooseFolder();
     void chooseResults();
     void showRecent();
+    void proposeFolder();
     void remember(const QString& folder);
     void showCluster();
     // study_page_results.cpp
@@ -115,8 +116,9 @@ private:
     ParallelView* parallel_;
     IndicesView* indices_;
 
-    QString path_; ///< of the study file; empty: it has none
-    Study saved_;  ///< as the file has it
+    QString proposed_; ///< folder for the results
+    QString path_;     ///< of the study file; empty: it has none
+    Study saved_;      ///< as the file has it
     std::shared_ptr<const StudyData> data_;
     std::optional<std::size_t> chosen_;
     double opening_time_ = 0;

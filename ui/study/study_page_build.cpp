@@ -198,6 +198,7 @@ void StudyPage::connectParts()
         if (shown >= 0) { view_->selectRow(shown); } // sorted anew
     });
     connect(folder_, &QComboBox::editTextChanged, this, &StudyPage::refreshSetup);
+    connect(&document_, &Document::pathChanged, this, &StudyPage::proposeFolder);
     connect(&document_, &Document::replaced, this, [this] {
         path_.clear();
         Study fresh;

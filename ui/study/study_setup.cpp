@@ -60,7 +60,9 @@ void StudySetup::build()
     for (const auto& [title, list] : {std::pair(tr("Fabrics"), fabrics_), std::pair(tr("Experiments"), experiments_)}) {
         auto* column = new QVBoxLayout;
         column->setSpacing(2);
-        column->addWidget(new QLabel(title));
+        auto* label = new QLabel(title);
+        label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+        column->addWidget(label);
         column->addWidget(list);
         runs->addLayout(column);
     }
@@ -81,7 +83,7 @@ QWidget* StudySetup::buildFactors()
     factors_->setHeaderLabels({tr("Factor"), tr("Spread")});
     factors_->setRootIsDecorated(false);
     factors_->setUniformRowHeights(true);
-    factors_->setMinimumHeight(110);
+    factors_->setFixedHeight(130);
     factors_->setTextElideMode(Qt::ElideMiddle);
     factors_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     factors_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
