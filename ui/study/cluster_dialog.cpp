@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QFormLayout>
@@ -97,6 +98,7 @@ QString ClusterDialog::said() const { return said_->text(); }
 void ClusterDialog::refresh()
 {
     QString line = "hygroloom-cli sweep -o " + quoted(folder_) + " --slurm";
+    if (!QDir(folder_ + "/parts").isEmpty()) { line += " --resume"; } // it has rows
     if (!options_->text().trimmed().isEmpty()) { line += " --sbatch " + quoted(options_->text().trimmed()); }
     if (tasks_->value() > 0) { line += QString(" --tasks %1").arg(tasks_->value()); }
     if (gpus_->isChecked()) { line += " --gpus"; }

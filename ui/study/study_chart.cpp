@@ -99,7 +99,7 @@ QColor gridColor(const QPalette& palette)
 
 QColor studyColor(double share, const QPalette& palette)
 {
-    return waterColor(isDark(palette) ? 0.65 * (1 - share) : 1 - 0.85 * share, WaterColors::cividis);
+    return waterColor(isDark(palette) ? 0.78 * (1 - share) : 1 - 0.85 * share, WaterColors::cividis);
 }
 
 void drawAxes(QPainter& painter, const QRectF& area, const StudyAxis& across, const StudyAxis& up, const QPalette& palette)
