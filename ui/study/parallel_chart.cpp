@@ -16,7 +16,7 @@ namespace hygroloom {
 namespace {
 
 constexpr std::size_t most_axes = 14, many_rows = 3000;
-constexpr int cells = 96;   // of an axis, where there are many rows
+constexpr int cells = 72;   // of an axis, where there are many rows
 constexpr double click = 4; // pixels
 
 } // namespace
