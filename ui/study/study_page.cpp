@@ -259,7 +259,8 @@ void StudyPage::showRecent()
 void StudyPage::proposeFolder()
 {
     if (folder_->currentText() != proposed_) { return; }
-    const QString name = document_.title().isEmpty() ? QString("study") : document_.title() + "-study";
+    const QString base = document_.path().isEmpty() ? document_.title() : QFileInfo(document_.path()).completeBaseName();
+    const QString name = base.isEmpty() ? QString("study") : base + "-study";
     proposed_ = QDir(document_.folder().isEmpty() ? QDir::homePath() : document_.folder()).filePath(QString(name).replace(' ', '-'));
     folder_->setEditText(proposed_);
 }
