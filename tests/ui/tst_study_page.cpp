@@ -395,6 +395,7 @@ private Q_SLOTS:
         Bench bench;
         bench.makeSmall(4);
         bench.runToTheEnd();
+        QVERIFY(bench.page.indices().note().isEmpty()); // the study does not ask for them
         Q_EMIT bench.page.indices().computeRequested();
         const QString reason = QString::fromStdString(why_no_analysis());
         if (!reason.isEmpty()) {

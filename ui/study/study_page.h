@@ -122,7 +122,8 @@ private:
     std::shared_ptr<const StudyData> data_;
     std::optional<std::size_t> chosen_;
     double opening_time_ = 0;
-    std::size_t followed_ = 0; ///< rows that had ended when the table was last read
+    bool asks_indices_ = false; ///< of the results that are being read, once they are there
+    std::size_t followed_ = 0;  ///< rows that had ended when the table was last read
 
     QLabel* name_;
     QLabel* problems_;

@@ -75,6 +75,7 @@ void StudyPage::endRun()
             tr("%1 of %2 runs done, %3 failed").arg(progress.ended - progress.failed).arg(progress.rows).arg(progress.failed);
         status_->setText(job_.outcome().cancelled ? tr("Stopped. %1. Run goes on with those that are missing.").arg(text)
                                                   : tr("%1.").arg(text));
+        asks_indices_ = !job_.outcome().cancelled;
         openResults(job_.folder());
     }
     refreshRun();
@@ -108,6 +109,8 @@ void StudyPage::openResults(const QString& path)
             if (study) {
                 showResults(study);
                 opening_time_ = 1e-3 * static_cast<double>(clock.elapsed());
+                const bool wanted = std::exchange(asks_indices_, false) && data_->of && data_->of->study.sensitivity != Sensitivity::none;
+                if (wanted && !data_->has_indices) { computeIndices(); }
                 Q_EMIT shown();
             } else {
                 Q_EMIT failed(why);
