@@ -176,7 +176,7 @@ int suggest_points(const SweepOptions& options)
     Json all = Json::array();
     for (const std::string& fabric : fabrics_of(study.study, study.design))
         for (const std::string& experiment : experiments_of(study.study, study.design))
-            for (const Suggestion& one : suggest(study, table, surfaces, goal, fabric, experiment, options.count))
+            for (const SuggestedPoint& one : suggest(study, table, surfaces, goal, fabric, experiment, options.count))
                 all.push_back({{"fabric", fabric},
                                {"experiment", experiment},
                                {"point", values_json(study.study, one.values)},

@@ -64,15 +64,15 @@ struct StudyGoal {
 /// Throws Error: what is not understood, and an example.
 StudyGoal parse_goal(const std::string& text, const std::vector<std::string>& metrics);
 
-struct Suggestion {
+struct SuggestedPoint {
     std::vector<FactorValue> values;
     Prediction goal;
     double feasible = 1;    ///< probability that all limits hold
     double improvement = 0; ///< expected beyond the best that there is, in the metric's unit, times feasible
 };
 /// The points that are most worth computing next, the best first. fabric and experiment: of several. Throws Error.
-std::vector<Suggestion> suggest(const StudyFolder& study, const StudyTable& table, const std::vector<Surface>& surfaces,
-                                const StudyGoal& goal, const std::string& fabric, const std::string& experiment, int count);
+std::vector<SuggestedPoint> suggest(const StudyFolder& study, const StudyTable& table, const std::vector<Surface>& surfaces,
+                                    const StudyGoal& goal, const std::string& fabric, const std::string& experiment, int count);
 
 /// Writes sensitivity.json and surface.json. Throws Error.
 void analyse_study(const std::filesystem::path& folder);

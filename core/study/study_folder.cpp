@@ -115,9 +115,9 @@ StudyFrame::StudyFrame(const Study& study, const Design& design)
 {
 }
 
-StudyRow StudyFrame::row(std::size_t number) const
+StudyRun StudyFrame::row(std::size_t number) const
 {
-    StudyRow row;
+    StudyRun row;
     row.replicate = static_cast<int>(number % replicates_);
     number /= replicates_;
     row.experiment = number % experiments_.size();

@@ -37,7 +37,7 @@ public:
     /// Precondition: validate() found no error. Throws Error when there are too many rows.
     StudyFrame(const Study& study, const Design& design);
     std::size_t rows() const { return rows_; }
-    StudyRow row(std::size_t number) const;
+    StudyRun row(std::size_t number) const;
     const std::vector<std::string>& fabrics() const { return fabrics_; }
     const std::vector<std::string>& experiments() const { return experiments_; }
     const std::vector<std::string>& metrics() const { return metrics_; }

@@ -9,7 +9,7 @@
 namespace hygroloom {
 
 /// One run of a study.
-struct StudyRow {
+struct StudyRun {
     std::size_t point = 0;
     int replicate = 0;
     std::size_t fabric = 0, experiment = 0; ///< places in fabrics_of() and experiments_of()

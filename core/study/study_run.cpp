@@ -56,7 +56,7 @@ FidelityChoice fidelity_of(const StudyFrame& frame, const Design& design, const 
 }
 
 /// The first error of a design that is part of another one, where its places are those of that one.
-std::string first_error(const Design& part, const Design& whole, const StudyRow& row, const std::vector<std::string>& fabrics,
+std::string first_error(const Design& part, const Design& whole, const StudyRun& row, const std::vector<std::string>& fabrics,
                         const std::vector<std::string>& experiments)
 {
     for (const Issue& issue : validate(part)) {
@@ -145,7 +145,7 @@ private:
         for (char& letter : result.reason)
             if (letter == '\n' || letter == '\r') letter = ' ';
     }
-    bool run_point(const StudyRow& of, std::size_t row, Backend& backend, StudyRowResult& result)
+    bool run_point(const StudyRun& of, std::size_t row, Backend& backend, StudyRowResult& result)
     {
         const std::string &fabric = frame_.fabrics()[of.fabric], &experiment = frame_.experiments()[of.experiment];
         const PointSetting setting = with_point(study_.study, project_, points_, of.point);

@@ -109,8 +109,8 @@ StudyGoal parse_goal(const std::string& text, const std::vector<std::string>& me
     return goal;
 }
 
-std::vector<Suggestion> suggest(const StudyFolder& study, const StudyTable& table, const std::vector<Surface>& surfaces,
-                                const StudyGoal& goal, const std::string& fabric, const std::string& experiment, int count)
+std::vector<SuggestedPoint> suggest(const StudyFolder& study, const StudyTable& table, const std::vector<Surface>& surfaces,
+                                    const StudyGoal& goal, const std::string& fabric, const std::string& experiment, int count)
 {
     Surface aim = surface_of(surfaces, goal.metric, fabric, experiment);
     Study spread = study.study;
@@ -131,19 +131,20 @@ std::vector<Suggestion> suggest(const StudyFolder& study, const StudyTable& tabl
     }
     const std::vector<Prediction> aims = predict(study, aim, candidates);
     const double sign = goal.minimise ? 1 : -1;
-    std::vector<Suggestion> all;
+    std::vector<SuggestedPoint> all;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         const double gain = best ? expected_improvement(sign * aims[i].value, deviation_of(aims[i]), *best) : 1.0;
         all.push_back({candidates[i], aims[i], feasible[i], gain * feasible[i]});
     }
-    std::stable_sort(all.begin(), all.end(), [](const Suggestion& a, const Suggestion& b) { return a.improvement > b.improvement; });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const SuggestedPoint& a, const SuggestedPoint& b) { return a.improvement > b.improvement; });
 
     // Those that lie near one that is taken would tell the same.
     const FactorCube cube(study.study.factors);
-    std::vector<Suggestion> taken;
+    std::vector<SuggestedPoint> taken;
     std::vector<std::vector<double>> places;
     const double apart = 0.15 * std::sqrt(static_cast<double>(std::max<std::size_t>(1, spread.factors.size())));
-    for (const Suggestion& one : all) {
+    for (const SuggestedPoint& one : all) {
         if (static_cast<int>(taken.size()) == count) break;
         const std::vector<double> place = cube.place(one.values);
         const bool near = std::any_of(places.begin(), places.end(), [&](const std::vector<double>& other) {

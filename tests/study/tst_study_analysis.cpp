@@ -145,12 +145,12 @@ private Q_SLOTS:
         StudyTable table = table_of(folder, bowl);
         const std::vector<Surface> surfaces = fit_surfaces(folder, table);
         const StudyGoal goal = parse_goal("minimise absorbency_time_s", folder.study.metrics);
-        const std::vector<Suggestion> found = suggest(folder, table, surfaces, goal, "cloth", folder.design.experiments[0].name, 3);
+        const std::vector<SuggestedPoint> found = suggest(folder, table, surfaces, goal, "cloth", folder.design.experiments[0].name, 3);
         QCOMPARE(found.size(), std::size_t{3});
         QVERIFY(std::abs(found[0].values[0].number - 0.3) < 0.15 && std::abs(found[0].values[1].number - 0.7) < 0.15);
         // At least 0.1: the circle about the minimum is left out.
         const StudyGoal limited = parse_goal("minimise absorbency_time_s subject to absorbency_time_s >= 0.1", folder.study.metrics);
-        const Suggestion there = suggest(folder, table, surfaces, limited, "cloth", folder.design.experiments[0].name, 1)[0];
+        const SuggestedPoint there = suggest(folder, table, surfaces, limited, "cloth", folder.design.experiments[0].name, 1)[0];
         QVERIFY2(there.feasible > 0.5, qPrintable(QString::number(there.feasible)));
         QVERIFY(bowl({there.values[0].number, there.values[1].number}) > 0.09);
     }

@@ -11,6 +11,7 @@
 #include "ui/results/simulation_panel.h"
 #include "ui/results/timeline.h"
 #include "ui/results/water_map_view.h"
+#include "ui/study/study_page.h"
 #include "ui/window/design_workspace.h"
 #include "ui/window/docks.h"
 #include "ui/window/recent_files.h"
@@ -67,6 +68,7 @@ MainWindow::~MainWindow()
     // The parts report their end, when this window is half gone.
     simulate_->disconnect(this);
     garment_->disconnect(this);
+    study_->disconnect(this);
     document_.disconnect(this);
 }
 
@@ -91,8 +93,11 @@ void MainWindow::buildPanels()
     middle_->addWidget(fabric);
     middle_->addWidget(&compare_->view());
     middle_->addWidget(&garment_->view());
+    study_ = new StudyPage(document_);
+    middle_->addWidget(study_);
     takeRoom(compare_->view(), false);
     takeRoom(garment_->view(), false);
+    takeRoom(*study_, false);
     setCentralWidget(middle_);
 
     issue_count_ = new QToolButton;
@@ -110,7 +115,7 @@ void MainWindow::restoreLayout()
     // With its frame the window fits the screen it opens on.
     const QSize room = screen()->availableSize() - QSize(16, 48);
     resize(QSize(1360, 860).boundedTo(room));
-    for (const Workspace workspace : {Workspace::garment, Workspace::compare, Workspace::simulate, Workspace::design}) {
+    for (const Workspace workspace : {Workspace::study, Workspace::garment, Workspace::compare, Workspace::simulate, Workspace::design}) {
         arrange(workspace);
         first_states_[static_cast<int>(workspace)] = saveState(layout_version);
     }
@@ -120,6 +125,7 @@ void MainWindow::restoreLayout()
     states_[1] = settings.value("window/simulate").toByteArray();
     states_[2] = settings.value("window/compare").toByteArray();
     states_[3] = settings.value("window/garment").toByteArray();
+    states_[4] = settings.value("window/study").toByteArray();
     garment_->view().restoreSteps(settings);
     if (!states_[0].isEmpty()) { restoreState(states_[0], layout_version); }
     simulate_->maps().setVisible(false);
@@ -218,15 +224,18 @@ void MainWindow::setWorkspace(Workspace workspace)
     workspace_ = workspace;
     if (workspace != Workspace::compare) { takeRoom(compare_->view(), false); }
     if (workspace != Workspace::garment) { takeRoom(garment_->view(), false); }
+    if (workspace != Workspace::study) { takeRoom(*study_, false); }
     const QByteArray& state = states_[static_cast<int>(workspace)];
     restoreState(state.isEmpty() ? first_states_[static_cast<int>(workspace)] : state, layout_version);
     simulate_->maps().setVisible(workspace == Workspace::simulate);
     simulate_->setShown(workspace == Workspace::simulate);
     showRunCommands();
     compare_->project().setCompared(workspace == Workspace::compare);
-    middle_->setCurrentIndex(workspace == Workspace::garment ? 2 : workspace == Workspace::compare ? 1 : 0);
+    constexpr int pages[] = {0, 0, 1, 2, 3};
+    middle_->setCurrentIndex(pages[static_cast<int>(workspace)]);
     if (workspace == Workspace::compare) { takeRoom(compare_->view(), true); }
     if (workspace == Workspace::garment) { takeRoom(garment_->view(), true); }
+    if (workspace == Workspace::study) { takeRoom(*study_, true); }
     workspaces_->actions().at(static_cast<int>(workspace))->setChecked(true);
     for (const QAction* action : workspaces_->actions()) // the sentence of the command that led here
         if (statusBar()->currentMessage() == action->statusTip()) { statusBar()->clearMessage(); }
@@ -283,6 +292,8 @@ void MainWindow::connectParts()
     connect(qApp, &QGuiApplication::commitDataRequest, this, [this](auto& session) {
         if (session.allowsInteraction() && !close()) { session.cancel(); }
     });
+    connect(study_, &StudyPage::failed, this, &MainWindow::showProblem);
+    connect(study_, &StudyPage::messageShown, this, [this](const QString& sentence) { showMessage(sentence, 8000); });
     connect(issues_, &IssuesPanel::issueActivated, this, &MainWindow::showIssue);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The window: the document, the four workspaces round one picture, menus and files.
+// The window: the document, the five workspaces round one picture, menus and files.
 #pragma once
 
 #include "ui/document/document.h"
@@ -23,8 +23,9 @@ class ExportDialog;
 class HelpWindow;
 class IssuesPanel;
 class RecentFiles;
+class StudyPage;
 
-enum class Workspace { design, simulate, compare, garment };
+enum class Workspace { design, simulate, compare, garment, study };
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -47,6 +48,7 @@ public:
     SimulateWorkspace& simulate() { return *simulate_; }
     CompareWorkspace& compare() { return *compare_; }
     GarmentWorkspace& garment() { return *garment_; }
+    StudyPage& study() { return *study_; }
     /// nullptr until the user's guide has been opened.
     HelpWindow* guide() { return guide_; }
     Workspace workspace() const { return workspace_; }
@@ -120,12 +122,13 @@ private:
     std::unique_ptr<SimulateWorkspace> simulate_; ///< reads the runs of compare_
     std::unique_ptr<GarmentWorkspace> garment_;
     Workspace workspace_ = Workspace::design;
-    QByteArray states_[4]; ///< by workspace
-    QByteArray first_states_[4];
+    QByteArray states_[5]; ///< by workspace
+    QByteArray first_states_[5];
     bool closing_ = false; ///< a question is open, or an export is ending
 
     Viewport* viewport_ = nullptr;
-    QStackedWidget* middle_ = nullptr; ///< the fabric with its maps, runs side by side, or a garment
+    QStackedWidget* middle_ = nullptr; ///< the fabric with its maps, runs side by side, a garment, or a study
+    StudyPage* study_ = nullptr;
     IssuesPanel* issues_ = nullptr;
     QDockWidget* issues_dock_ = nullptr;
     QToolButton* issue_count_ = nullptr;

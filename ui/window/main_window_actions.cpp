@@ -160,7 +160,8 @@ void MainWindow::addWorkspaces(QMenu* menu)
     QAction* compare =
         addCommand(menu, {}, tr("Co&mpare"), QKeySequence("Ctrl+3"), tr("Compare runs of the same experiment side by side."));
     QAction* garment = addCommand(menu, {}, tr("&Garment"), QKeySequence("Ctrl+4"), tr("Cut a garment from fabrics, and wear it."));
-    for (QAction* action : {design, simulate, compare, garment}) {
+    QAction* study = addCommand(menu, {}, tr("S&tudy"), QKeySequence("Ctrl+5"), tr("Run many points, and see what matters."));
+    for (QAction* action : {design, simulate, compare, garment, study}) {
         action->setCheckable(true);
         workspaces_->addAction(action);
     }
@@ -169,6 +170,7 @@ void MainWindow::addWorkspaces(QMenu* menu)
     connect(simulate, &QAction::triggered, this, [this] { setWorkspace(Workspace::simulate); });
     connect(compare, &QAction::triggered, this, [this] { setWorkspace(Workspace::compare); });
     connect(garment, &QAction::triggered, this, [this] { setWorkspace(Workspace::garment); });
+    connect(study, &QAction::triggered, this, [this] { setWorkspace(Workspace::study); });
 }
 
 void MainWindow::addAppearances(QMenu* menu)
@@ -259,7 +261,7 @@ QString MainWindow::guidePage() const
     const QWidget* focus = QApplication::focusWidget() ? QApplication::focusWidget() : focusWidget();
     const Experiment* experiment = document_.experiment();
     if (experiment && focus && simulate_->experiment().isAncestorOf(focus)) { return name_of(experiment->type); }
-    const char* pages[] = {"design", "simulate", "compare", "garment"};
+    const char* pages[] = {"design", "simulate", "compare", "garment", "studies"};
     return pages[static_cast<int>(workspace_)];
 }
 

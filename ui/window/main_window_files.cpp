@@ -7,6 +7,7 @@
 #include "ui/export/export_dialog.h"
 #include "ui/garment/garment_view.h"
 #include "ui/panels/candidates_panel.h"
+#include "ui/study/study_page.h"
 #include "ui/weave/import_dialog.h"
 #include "ui/window/confirm.h"
 #include "ui/window/design_workspace.h"
@@ -145,8 +146,12 @@ bool MainWindow::saveAs()
 
 void MainWindow::saveScreenshot()
 {
-    const bool compares = workspace_ == Workspace::compare, worn = workspace_ == Workspace::garment;
-    const QImage picture = compares ? compare_->view().picture() : worn ? garment_->view().picture() : viewport_->picture();
+    const bool compares = workspace_ == Workspace::compare, worn = workspace_ == Workspace::garment,
+               studies = workspace_ == Workspace::study;
+    const QImage picture = studies    ? study_->picture()
+                           : compares ? compare_->view().picture()
+                           : worn     ? garment_->view().picture()
+                                      : viewport_->picture();
     if (picture.isNull()) {
         showProblem(worn       ? tr("There is no garment to save a picture of. Add one.")
                     : compares ? tr("No runs are compared, so there is no picture to save. Tick the runs in the list.")
@@ -155,7 +160,7 @@ void MainWindow::saveScreenshot()
     }
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
     const QString fabric = document_.fabric() ? QString::fromStdString(document_.fabric()->name) : QString("fabric");
-    const QString name = (compares ? tr("comparison") : worn ? tr("garment") : fabric) + ".png";
+    const QString name = (studies ? tr("study") : compares ? tr("comparison") : worn ? tr("garment") : fabric) + ".png";
     const QString chosen = QFileDialog::getSaveFileName(this, tr("Save Picture"), QDir(folder).filePath(name), tr("Pictures (*.png)"));
     if (chosen.isEmpty()) { return; }
     const QString path = withEnding(chosen, ".png");
@@ -228,6 +233,7 @@ bool MainWindow::mayLeave()
     simulate_->stopRun();
     garment_->stopRun();
     compare_->stopRuns();
+    study_->stopRun();
     return copiesAreDone();
 }
 
@@ -236,7 +242,7 @@ bool MainWindow::agreesToLeave()
 {
     compare_->project().stay();
     return copiesAreDone() && simulate_->agreesToStopRun() && garment_->agreesToStopRun() && compare_->agreesToStopRuns(this) &&
-           mayDiscard() && mayDropRuns();
+           study_->agreesToLeave() && mayDiscard() && mayDropRuns();
 }
 
 /// Runs of a project that has a file stay with it.
@@ -328,6 +334,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     simulate_->stopRun();
     garment_->stopRun();
     compare_->stopRuns();
+    study_->stopRun();
     if (!copiesAreDone()) {
         compare_->project().stay();
         event->ignore();
@@ -344,6 +351,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     settings.setValue("window/simulate", states_[1]);
     settings.setValue("window/compare", states_[2]);
     settings.setValue("window/garment", states_[3]);
+    settings.setValue("window/study", states_[4]);
     garment_->view().saveSteps(settings);
     event->accept();
 }

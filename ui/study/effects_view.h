@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Main effects: the mean of a metric over each factor, and how far its rows spread.
+#pragma once
+
+#include "ui/study/study_chart.h"
+
+namespace hygroloom {
+
+class EffectsChart : public StudyChart {
+    Q_OBJECT
+public:
+    explicit EffectsChart(QWidget* parent = nullptr);
+    /// Of the axes; nullptr: none.
+    void setMetric(const StudyAxis* metric);
+
+protected:
+    void drawPicture(QPainter& painter) override;
+
+private:
+    void drawEffect(QPainter& painter, const QRectF& area, const StudyAxis& factor, const StudyAxis& up,
+                    const std::vector<EffectBin>& effect) const;
+
+    const StudyAxis* metric_ = nullptr;
+};
+
+/// The chart with the choice of its metric.
+class EffectsView : public QWidget {
+    Q_OBJECT
+public:
+    explicit EffectsView(QWidget* parent = nullptr);
+    void setStudy(const std::shared_ptr<const StudyData>& study);
+
+private:
+    std::shared_ptr<const StudyData> data_;
+    QComboBox* metric_;
+    EffectsChart* chart_;
+};
+
+} // namespace hygroloom

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/study/study_fields.h"
+
+#include "core/analysis/outcomes.h"
+#include "core/base/error.h"
+#include "core/plan/fidelity.h"
+#include "core/project/project_json.h"
+#include "core/project/project_value.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+struct Suffix {
+    const char* text;
+    const char* unit;
+};
+
+/// How keys end in their units; the longer first.
+constexpr Suffix suffixes[] = {{"_g_m2_h", "g/(m² h)"},
+                               {"_kg_m3", "kg/m³"},
+                               {"_j_kgk", "J/(kg K)"},
+                               {"_w_mk", "W/(m K)"},
+                               {"_g_m2", "g/m²"},
+                               {"_m2_s", "m²/s"},
+                               {"_mpa_s", "mPa s"},
+                               {"_mn_m", "mN/m"},
+                               {"_j_g", "J/g"},
+                               {"_m_s", "m/s"},
+                               {"_per_cm", "/cm"},
+                               {"_per_mm", "/mm"},
+                               {"_per_m", "/m"},
+                               {"_percent", "%"},
+                               {"_deg", "°"},
+                               {"_tex", "tex"},
+                               {"_mm", "mm"},
+                               {"_um", "µm"},
+                               {"_ul", "µl"},
+                               {"_cv", ""},
+                               {"_s", "s"},
+                               {"_c", "°C"}};
+
+/// What a project may leave out of a fabric, and a study may set all the same.
+constexpr const char* optional_fields[] = {"contact_angle_deg",   "thickness_mm",        "warp_crimp_percent",   "weft_crimp_percent",
+                                           "warp.packing_factor", "weft.packing_factor", "warp.irregularity_cv", "weft.irregularity_cv"};
+
+/// Objects and lists in which nothing is for a study.
+bool isPassedOver(const std::string& key)
+{
+    for (const char* each : {"weave", "uncertainty", "calibrated", "warp_order", "weft_order", "color"}) {
+        if (key == each) { return true; }
+    }
+    return false;
+}
+
+/// Takes the unit off the end of a key.
+QString takeUnit(std::string& key)
+{
+    for (const Suffix& suffix : suffixes) {
+        if (!key.ends_with(suffix.text)) { continue; }
+        key = key.substr(0, key.size() - std::string_view(suffix.text).size());
+        return QString::fromUtf8(suffix.unit);
+    }
+    return {};
+}
+
+/// "warp.twist_per_m" -> "warp, twist" and "/m"; "droplets[0].volume_ul" -> "droplets 1, volume" and "µl".
+void nameField(StudyField& field, const QString& below)
+{
+    QStringList words;
+    for (const QString& piece : below.split('.', Qt::SkipEmptyParts)) {
+        static const QRegularExpression form(R"(^([^\[]*)(?:\[(\d+)\])?)");
+        const auto match = form.match(piece);
+        std::string key = match.captured(1).toStdString();
+        field.unit = takeUnit(key);
+        QString word = QString::fromStdString(key).replace('_', ' ');
+        if (!match.captured(2).isEmpty()) { word += QString(" %1").arg(match.captured(2).toInt() + 1); }
+        words << word;
+    }
+    field.name = words.join(", ");
+}
+
+class FieldList {
+public:
+    explicit FieldList(const Design& design) : project_(json_from_design(design)) {}
+
+    std::vector<StudyField> make()
+    {
+        for (const char* list : {"fabrics", "experiments", "materials", "liquids"}) {
+            if (!project_.contains(list)) { continue; }
+            const ProjectJson& members = project_[list];
+            for (std::size_t i = 0; i < members.size(); ++i) {
+                if (std::string_view(list) == "experiments" && is_wear(members[i])) { continue; }
+                start_ = std::string(list) + "[" + std::to_string(i) + "]";
+                group_ = QString::fromStdString(members[i].value("name", start_));
+                add(members[i], "");
+                if (std::string_view(list) == "fabrics") { addOptional(); }
+            }
+        }
+        addKnobs();
+        return std::move(fields_);
+    }
+
+private:
+    void add(const ProjectJson& at, const std::string& below)
+    {
+        if (at.is_number()) {
+            put(below, at.get<double>());
+        } else if (at.is_object()) {
+            for (const auto& [key, value] : at.items()) {
+                if (!isPassedOver(key)) { add(value, below.empty() ? key : below + "." + key); }
+            }
+        } else if (at.is_array() && at.size() <= 8) { // longer ones are curves
+            for (std::size_t i = 0; i < at.size(); ++i) { add(at[i], below + "[" + std::to_string(i) + "]"); }
+        }
+    }
+    void put(const std::string& below, std::optional<double> value)
+    {
+        StudyField field{start_ + "." + below, group_, {}, {}, value};
+        nameField(field, QString::fromStdString(below));
+        fields_.push_back(std::move(field));
+    }
+    void addOptional()
+    {
+        for (const char* below : optional_fields) {
+            const std::string path = start_ + "." + below;
+            const auto is_it = [&path](const StudyField& field) { return field.path == path; };
+            if (std::none_of(fields_.begin(), fields_.end(), is_it)) { put(below, std::nullopt); }
+        }
+    }
+    void addKnobs()
+    {
+        for (const KnobInfo& knob : knob_table()) {
+            if (!knob.words.empty()) { continue; }
+            const QString group = QCoreApplication::translate("StudyFields", "Fidelity");
+            fields_.push_back({std::string("fidelity.") + knob.name, group, QString(knob.name).replace('_', ' '), knob.unit, {}});
+        }
+    }
+
+    ProjectJson project_;
+    std::string start_;
+    QString group_;
+    std::vector<StudyField> fields_;
+};
+
+/// The name of the member of a list that a path leads into.
+QString groupOf(const Design& design, const QString& list, std::size_t index)
+{
+    const auto name = [index](const auto& members) {
+        return index < members.size() ? QString::fromStdString(members[index].name) : QString();
+    };
+    if (list == "fabrics") { return name(design.fabrics); }
+    if (list == "experiments") { return name(design.experiments); }
+    if (list == "materials") { return name(design.materials); }
+    return list == "liquids" ? name(design.liquids) : QString();
+}
+
+} // namespace
+
+std::vector<StudyField> studyFields(const Design& design) { return FieldList(design).make(); }
+
+StudyField fieldAt(const Design& design, const std::string& path)
+{
+    StudyField field{path, {}, {}, {}, {}};
+    const QString whole = QString::fromStdString(path);
+    static const QRegularExpression form(R"(^(\w+)\[(\d+)\]\.(.*)$)");
+    const auto match = form.match(whole);
+    field.group = match.hasMatch() ? groupOf(design, match.captured(1), match.captured(2).toULong()) : QString();
+    if (!field.group.isEmpty()) {
+        nameField(field, match.captured(3));
+    } else {
+        field.group = whole.section('.', 0, 0);
+        nameField(field, whole.section('.', 1));
+    }
+    try {
+        const ProjectJson value = value_at(design, path);
+        if (value.is_number()) { field.value = value.get<double>(); }
+    } catch (const Error&) { // as of a knob
+    }
+    return field;
+}
+
+QString fieldTitle(const StudyField& field, bool with_group)
+{
+    const QString name = field.unit.isEmpty() ? field.name : QString("%1 (%2)").arg(field.name, field.unit);
+    return with_group ? QString("%1: %2").arg(field.group, name) : name;
+}
+
+QString metricTitle(const std::string& key)
+{
+    for (int type = 0; type <= static_cast<int>(ExperimentType::sweat); ++type) {
+        for (const OutcomeInfo& info : reported_by(static_cast<ExperimentType>(type))) {
+            if (info.key != key) { continue; }
+            const QString title = QString::fromStdString(full_title(info));
+            return info.unit.empty() ? title : QString("%1 (%2)").arg(title, QString::fromStdString(info.unit));
+        }
+    }
+    std::string name = key;
+    const QString unit = takeUnit(name);
+    const QString title = QString::fromStdString(name).replace('_', ' ');
+    return unit.isEmpty() ? title : QString("%1 (%2)").arg(title, unit);
+}
+
+QString studyNumber(double number)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(number, 'g', 6);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The numbers of a project that a study may change, with their paths, names, units and present values.
+#pragma once
+
+#include "core/design/design.h"
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace hygroloom {
+
+struct StudyField {
+    std::string path;            ///< as a factor has it
+    QString group;               ///< "Textile F", "one drop", "Fidelity"
+    QString name;                ///< "warp, twist"
+    QString unit;                ///< empty for a plain number
+    std::optional<double> value; ///< none: the project leaves it out
+};
+
+/// Fabrics first, then experiments, materials, liquids and the knobs of the fidelity.
+std::vector<StudyField> studyFields(const Design& design);
+
+/// Of any path; where the project has no such member the group is the path's own.
+StudyField fieldAt(const Design& design, const std::string& path);
+/// "ends (/cm)"; with the group before it where a study has factors of several.
+QString fieldTitle(const StudyField& field, bool with_group);
+
+/// "maximum wetted radius, top (mm)".
+QString metricTitle(const std::string& key);
+
+/// A number as it is read in tables and on axes, at most 6 digits.
+QString studyNumber(double number);
+
+} // namespace hygroloom

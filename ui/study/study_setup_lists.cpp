@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What the form of a study shows of the project, and what it makes of the fields.
+#include "ui/study/study_setup.h"
+
+#include "core/analysis/outcomes.h"
+#include "core/base/error.h"
+#include "ui/document/document.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QRegularExpression>
+#include <QScopedValueRollback>
+#include <QSpinBox>
+#include <QTreeWidget>
+
+#include <algorithm>
+
+namespace hygroloom {
+
+namespace {
+
+std::vector<std::string> ticked(const QListWidget& list)
+{
+    std::vector<std::string> names;
+    for (int i = 0; i < list.count(); ++i) {
+        if (list.item(i)->checkState() == Qt::Checked) { names.push_back(list.item(i)->data(Qt::UserRole).toString().toStdString()); }
+    }
+    return names;
+}
+
+void addItem(QListWidget& list, const QString& key, const QString& text, bool on)
+{
+    auto* item = new QListWidgetItem(text, &list);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setData(Qt::UserRole, key);
+    item->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+    item->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");
+}
+
+/// The project's members, and of those ticked also the ones that it does not have.
+template <typename Member>
+void fillNames(QListWidget& list, const std::vector<Member>& members, std::vector<std::string> on, std::size_t otherwise, bool keep_others)
+{
+    const auto is_there = [&members](const std::string& name) {
+        return std::any_of(members.begin(), members.end(), [&name](const Member& member) { return member.name == name; });
+    };
+    if (!keep_others) {
+        std::erase_if(on, [&](const std::string& name) { return !is_there(name); });
+    }
+    if (on.empty() && !members.empty()) { on.push_back(members[std::min(otherwise, members.size() - 1)].name); }
+    list.clear();
+    for (const Member& member : members) {
+        const auto found = std::find(on.begin(), on.end(), member.name);
+        addItem(list, QString::fromStdString(member.name), QString::fromStdString(member.name), found != on.end());
+        if (found != on.end()) { on.erase(found); }
+    }
+    for (const std::string& name : on) {
+        const QString text = QString::fromStdString(name);
+        addItem(list, text, StudySetup::tr("%1 (not in this project)").arg(text), true);
+    }
+}
+
+} // namespace
+
+void StudySetup::refreshLists()
+{
+    const QScopedValueRollback filling(filling_, true);
+    const Design& design = *document_.design();
+    const bool fresh = fabrics_->count() == 0 && experiments_->count() == 0;
+    const bool is_one = !drafts_.empty() || !kept_.fabrics.empty(); // until then it follows the project
+    fillNames(*fabrics_, design.fabrics, fresh ? kept_.fabrics : ticked(*fabrics_), static_cast<std::size_t>(document_.fabricIndex()),
+              is_one);
+    fillNames(*experiments_, design.experiments, fresh ? kept_.experiments : ticked(*experiments_),
+              static_cast<std::size_t>(document_.experimentIndex()), is_one);
+    refreshMetrics();
+    refreshFactors();
+    refreshProblems();
+}
+
+/// Those of the ticked experiments. Of a new list those that fabrics are compared by are ticked, unless the study says others.
+void StudySetup::refreshMetrics()
+{
+    std::vector<std::string> known, compared;
+    for (const std::string& name : ticked(*experiments_)) {
+        const Experiment* experiment = find_experiment(*document_.design(), name);
+        if (!experiment) { continue; }
+        for (const auto& [infos, into] :
+             {std::pair(compared_by(experiment->type), &compared), std::pair(reported_by(experiment->type), &known)}) {
+            for (const OutcomeInfo& info : infos) {
+                if (std::find(into->begin(), into->end(), info.key) == into->end()) { into->push_back(info.key); }
+            }
+        }
+    }
+    if (known == known_metrics_ && metrics_->count() > 0) { return; }
+    const bool fresh = metrics_->count() == 0;
+    std::vector<std::string> on = fresh ? kept_.metrics : ticked(*metrics_);
+    const auto is_known = [&known](const std::string& key) { return std::find(known.begin(), known.end(), key) != known.end(); };
+    if (!fresh) {
+        std::erase_if(on, [&](const std::string& key) { return !is_known(key); });
+    }
+    if (on.empty()) { on = compared; }
+    for (const std::string& key : on) {
+        if (!is_known(key)) { known.push_back(key); } // the study file has it; what is wrong is said below
+    }
+    known_metrics_ = known;
+    metrics_->clear();
+    for (const std::string& key : known) {
+        addItem(*metrics_, QString::fromStdString(key), metricTitle(key), std::find(on.begin(), on.end(), key) != on.end());
+    }
+}
+
+void StudySetup::refreshFactors()
+{
+    const QScopedValueRollback filling(filling_, true);
+    const int at = factors_->indexOfTopLevelItem(factors_->currentItem());
+    while (factors_->topLevelItemCount() > static_cast<int>(drafts_.size())) { delete factors_->takeTopLevelItem(0); }
+    while (factors_->topLevelItemCount() < static_cast<int>(drafts_.size())) { new QTreeWidgetItem(factors_); }
+    for (int i = 0; i < factors_->topLevelItemCount(); ++i) {
+        const DraftFactor& draft = drafts_[static_cast<std::size_t>(i)];
+        const StudyField field = fieldAt(*document_.design(), draft.factor.path);
+        QTreeWidgetItem* item = factors_->topLevelItem(i);
+        item->setText(0, fieldTitle(field, true));
+        item->setText(1, draft.complaint.isEmpty() ? spreadText(draft.factor) : tr("incomplete"));
+        const QString now = field.value ? tr("Now %1.").arg(studyNumber(*field.value)) : QString();
+        item->setToolTip(0, "<p>" + QString::fromStdString(draft.factor.path).toHtmlEscaped() + ". " + now + "</p>");
+    }
+    if (at >= 0) { factors_->setCurrentItem(factors_->topLevelItem(std::min(at, factors_->topLevelItemCount() - 1))); }
+}
+
+Study StudySetup::read() const
+{
+    Study study = kept_;
+    study.fabrics = ticked(*fabrics_);
+    study.experiments = ticked(*experiments_);
+    study.metrics = ticked(*metrics_);
+    study.factors.clear();
+    for (const DraftFactor& draft : drafts_) { study.factors.push_back(draft.factor); }
+    study.sampling = static_cast<Sampling>(sampling_->currentIndex());
+    study.points = study.sampling == Sampling::one_at_a_time ? 0 : static_cast<std::size_t>(points_->value());
+    study.replicates = replicates_->value();
+    const int fidelity = fidelity_->currentIndex();
+    study.fidelity = fidelity < static_cast<int>(all_fidelities.size()) ? std::optional(static_cast<Fidelity>(fidelity)) : std::nullopt;
+    study.error = study.fidelity ? 0 : error_->value() / 100;
+    study.sensitivity = static_cast<Sensitivity>(sensitivity_->currentIndex());
+    study.seed = seed_->text().trimmed().toULongLong();
+    return study;
+}
+
+Study StudySetup::study() const
+{
+    const Study as_shown = read();
+    const auto incomplete = [](const DraftFactor& draft) { return !draft.complaint.isEmpty(); };
+    if (std::any_of(drafts_.begin(), drafts_.end(), incomplete)) { return as_shown; }
+    try {
+        return parse_study(format_study(as_shown), "study");
+    } catch (const Error&) {
+        return as_shown;
+    }
+}
+
+/// "factors[1].path" -> the title of that factor.
+QString StudySetup::placeInWords(const std::string& where) const
+{
+    static const QRegularExpression form(R"(^factors\[(\d+)\])");
+    const auto match = form.match(QString::fromStdString(where));
+    const std::size_t at = match.captured(1).toULong();
+    if (match.hasMatch() && at < drafts_.size()) { return fieldTitle(fieldAt(*document_.design(), drafts_[at].factor.path), false); }
+    return QString::fromStdString(where);
+}
+
+void StudySetup::refreshProblems()
+{
+    numbers_->setRowVisible(error_, fidelity_->currentIndex() == static_cast<int>(all_fidelities.size()));
+    points_->setEnabled(static_cast<Sampling>(sampling_->currentIndex()) != Sampling::one_at_a_time);
+    problems_.clear();
+    for (const DraftFactor& draft : drafts_) {
+        const QString title = fieldTitle(fieldAt(*document_.design(), draft.factor.path), false);
+        if (!draft.complaint.isEmpty()) { problems_ << tr("%1: %2").arg(title, draft.complaint); }
+    }
+    bool is_number = false;
+    seed_->text().trimmed().toULongLong(&is_number);
+    if (!is_number) {
+        problems_ << tr("Seed: This must be a whole number from 0 to 18446744073709551615; given is “%1”.").arg(seed_->text());
+    }
+    if (ticked(*fabrics_).empty()) { problems_ << tr("Fabrics: Tick one at least."); }
+    if (ticked(*experiments_).empty()) { problems_ << tr("Experiments: Tick one at least."); }
+    if (document_.hasError()) { problems_ << tr("The project has an error; the Issues panel says which."); }
+    if (!problems_.isEmpty()) { return; }
+    try {
+        const Study study = parse_study(format_study(read()), "study");
+        for (const Issue& issue : validate(study, *document_.design())) {
+            if (issue.severity == Severity::error) {
+                problems_ << tr("%1: %2").arg(placeInWords(issue.where), QString::fromStdString(issue.text));
+            }
+        }
+    } catch (const Error& error) {
+        const QString sentence = QString::fromStdString(error.what()).remove(0, QString("study: ").size());
+        const qsizetype colon = sentence.indexOf(": ");
+        problems_ << tr("%1: %2").arg(placeInWords(sentence.left(colon).toStdString()), sentence.mid(colon + 2));
+    }
+}
+
+} // namespace hygroloom
