@@ -9,6 +9,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <csignal>
+#include <sys/resource.h>
+
 using namespace hygroloom;
 using Role = StudyColumnRole;
 
@@ -136,6 +139,29 @@ private Q_SLOTS:
         QFile file(name);
         QVERIFY(file.resize(file.size() / 2));
         QVERIFY_EXCEPTION_THROWN(read_results_hdf5(name.toStdString()), FileError);
+    }
+
+    /// A limit on the size of files stands for a disk that is full; the program used to end when HDF5 closed the file.
+    void aFullDiskIsAnError()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path file = place.filePath("study.h5").toStdString();
+        rlimit before{};
+        getrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit tight{2000, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &tight);
+        QString said;
+        try {
+            write_results_hdf5(table_of(500), "{}", "{}", file);
+        } catch (const FileError& error) {
+            said = error.what();
+        }
+        setrlimit(RLIMIT_FSIZE, &before);
+        QVERIFY2(said.contains("study.h5: The file cannot be written"), qPrintable(said));
+        QVERIFY(!std::filesystem::exists(file));
+        write_results_hdf5(table_of(500), "{}", "{}", file);
+        QCOMPARE(read_results_hdf5(file).rows(), std::size_t{500});
     }
 };
 
