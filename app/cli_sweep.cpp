@@ -196,6 +196,7 @@ int run_sweep(const SweepOptions& options)
 
 int sweep(const SweepOptions& options)
 {
+    if (options.folder.empty()) throw Stop(exit_usage, "--output: This must be the name of a folder; given is an empty text.");
     if (options.slurm) return submit_to_slurm(options);
     if (options.status) return slurm_status(options);
     if (options.cancel) return slurm_cancel(options);

@@ -54,7 +54,7 @@ public:
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// Throws FileError.
+    /// Back once the row is on the disk. Throws FileError; the file then ends as before.
     void add(const StudyRowResult& result);
 
 private:
@@ -63,6 +63,7 @@ private:
     std::mutex mutex_;
     std::filesystem::path path_;
     int file_ = -1;
+    bool torn_ = false; ///< its last line is not whole, and cannot be taken off
 };
 
 /// The commit that this program was built from.
