@@ -46,6 +46,7 @@ int submit_to_slurm(const SweepOptions& options)
 
 int slurm_status(const SweepOptions& options)
 {
+    study_folder(options); // says what is wrong with it
     const SlurmStatus status = study_status(options.folder);
     if (options.json) {
         print_json({{"job", status.id.empty() ? Json() : Json(status.id)},

@@ -20,7 +20,7 @@ namespace hygroloom {
 namespace {
 
 constexpr std::size_t largest_part_bytes = std::size_t{4} << 30U, most_distinct_words = 2'000'000;
-constexpr std::string_view first_word = "hygroloom-study-part 1 ";
+constexpr std::string_view first_word = "hygroloom-study-part 2 "; // a program that places points differently has another number
 
 [[noreturn]] void fail(const std::filesystem::path& path, int code)
 {
@@ -29,7 +29,9 @@ constexpr std::string_view first_word = "hygroloom-study-part 1 ";
 
 [[noreturn]] void refuse_mark(const std::filesystem::path& file)
 {
-    throw FileError(file.string() + ": These rows are of another study or project. Give another folder, or remove this file.");
+    throw FileError(file.string() +
+                    ": These rows are of another study or project, or of a version of the program that has other points. Give "
+                    "another folder, or remove this file.");
 }
 
 /// Whole lines of a part, without its torn end.

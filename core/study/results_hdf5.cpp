@@ -116,6 +116,19 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
     column.words = words.words();
 }
 
+/// As the table of results.csv has it.
+bool has_type_of_role(const StudyColumn& column)
+{
+    switch (column.role) {
+    case Role::point:
+    case Role::replicate:
+    case Role::metric:
+    case Role::wall: return column.is_number;
+    case Role::factor: return true;
+    default: return !column.is_number;
+    }
+}
+
 /// Looks at each block before the library does.
 std::unique_ptr<RecordingSource> opened(const std::filesystem::path& path)
 {
@@ -168,7 +181,12 @@ StudyTable read_results_hdf5(const std::filesystem::path& path)
             throw FileError(path.string() + ": columns: This is no table of a study.");
         table.columns.push_back({name[0].get<std::string>(), static_cast<Role>(name[1].get<int>()), true, {}, {}, {}});
         read_column(rows.get(), table.columns.back(), count, path.string());
+        if (!has_type_of_role(table.columns.back()))
+            throw FileError(
+                fmt::format("{}: rows/{}: This has words for numbers, or numbers for words.", path.string(), table.columns.back().name));
     }
+    for (const Role role : {Role::point, Role::replicate, Role::status})
+        if (!table.find(role)) throw FileError(path.string() + ": columns: The point, the replicate or the status is missing.");
     return table;
 }
 

@@ -244,13 +244,13 @@ private Q_SLOTS:
         const std::filesystem::path folder = place.path().toStdString(), file = folder / "parts" / "1.csv";
         std::filesystem::create_directories(folder / "parts");
         for (const char* line : {"0,done,1.5,0.2,cpu,abc,", "0,failed,,0.2,cpu,abc,why"}) {
-            std::ofstream(file) << "hygroloom-study-part 1 abc\n" << line << "\n";
+            std::ofstream(file) << "hygroloom-study-part 2 abc\n" << line << "\n";
             KeptRows(3, 1).read_parts(folder, "abc");
         }
         for (const char* line :
              {"", "3,done,1.5,0.2,cpu,abc,", "-1,done,1.5,0.2,cpu,abc,", "0,don,1.5,0.2,cpu,abc,", "0,done,x,0.2,cpu,abc,",
               "0,done,1.5,,cpu,abc,", "0,done,1.5,0.2,cpu,abc", "0,done,1.5,0.2,cpu,abc,,", "0,done,1.2,done,1.5,0.2,cpu,abc,"}) {
-            std::ofstream(file) << "hygroloom-study-part 1 abc\n" << line << "\n";
+            std::ofstream(file) << "hygroloom-study-part 2 abc\n" << line << "\n";
             KeptRows kept(3, 1);
             QVERIFY_EXCEPTION_THROWN(kept.read_parts(folder, "abc"), FileError);
         }

@@ -101,8 +101,9 @@ def json_text(value: Any, name: str) -> str:
         return json.dumps(value, default=_plain, allow_nan=False)
     except TypeError:
         raise TypeError(f"{name}: This must be a number, a text, a list or a dictionary; given is {value!r}.") from None
-    except ValueError:
-        raise ValueError(f"{name}: This must be of finite numbers, and not within itself; given is {value!r}.") from None
+    except ValueError as error:
+        wrong = "not hold itself" if "ircular" in str(error) else "be a finite number"
+        raise ValueError(f"{name}: This must {wrong}; given is {value!r}.") from None
     except RecursionError:
         raise ValueError(f"{name}: This is nested too deeply.") from None
 
