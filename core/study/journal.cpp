@@ -154,7 +154,11 @@ Journal::Journal(const std::filesystem::path& file, const std::string& mark) : p
     }
 }
 
-Journal::~Journal() { ::close(file_); }
+Journal::~Journal()
+{
+    ::fdatasync(file_);
+    ::close(file_);
+}
 
 /// What is written of a line that does not fit is taken off again, so that the next one does not run into it.
 void Journal::write_line(const std::string& line)
@@ -180,8 +184,12 @@ void Journal::add(const StudyRowResult& result)
     for (const double metric : result.metrics) line += std::isnan(metric) ? "," : fmt::format(",{}", metric);
     line += fmt::format(",{:.3f},{},{},{}\n", result.wall, csv_field(result.device), csv_field(program_commit()), csv_field(result.reason));
     {
+        constexpr auto often = std::chrono::milliseconds(500); // each time takes some milliseconds
         const std::lock_guard lock(mutex_);
         write_line(line);
+        const auto now = std::chrono::steady_clock::now();
+        if (now - synced_ < often) return;
+        synced_ = now;
     }
     if (::fdatasync(file_) != 0 && errno != EINVAL && errno != ENOSYS) fail(path_, errno); // some file systems cannot
 }

@@ -228,8 +228,8 @@ MergeResult merge_study(const std::filesystem::path& folder)
     kept.read_parts(folder, mark_of(study.project_text, study.study_text));
     const StudyTable table = TableMaker(study, kept).make();
     if (table.rows() == 0) require_parts_of(folder / "results.csv");
-    write_results_hdf5(table, study.project_text, study.study_text, folder / "study.h5");
     write_file(folder / "results.csv", format_results(table));
+    write_results_hdf5(table, study.project_text, study.study_text, folder / "study.h5");
     return {frame.rows(), table.rows(), kept.count(KeptRows::State::failed), missing_points(frame, kept)};
 }
 

@@ -73,12 +73,15 @@ std::string first_error(const Design& part, const Design& whole, const StudyRow&
     return {};
 }
 
-/// Others that begin a study in the folder wait for it, so that the folder never has the study of one and the rows of another.
+/// Others that begin a study in the folder wait for it, so that the folder never has the study of one and the rows of another. None where
+/// the folder has a part: its study stays as it is from then on, and a thousand tasks need not wait for each other.
 std::unique_ptr<ChangeLock> lock_of(const std::filesystem::path& folder)
 {
     std::error_code none; // write_study_folder() says it
     std::filesystem::create_directories(folder, none);
-    return std::make_unique<ChangeLock>(folder / "study.json");
+    const auto has_part = [&] { return !std::filesystem::is_empty(folder / "parts", none) && !none; };
+    auto lock = has_part() ? nullptr : std::make_unique<ChangeLock>(folder / "study.json");
+    return has_part() ? nullptr : std::move(lock);
 }
 
 /// The runs of a study, side by side.

@@ -11,9 +11,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <atomic>
 #include <csignal>
 #include <fstream>
 #include <sys/resource.h>
+#include <thread>
 
 using namespace hygroloom;
 
@@ -265,6 +267,28 @@ private Q_SLOTS:
             QVERIFY_EXCEPTION_THROWN(run_in(folder, study_of(2), {}), Error);
             std::ifstream file(folder / name);
             QCOMPARE(std::string(std::istreambuf_iterator<char>(file), {}), std::string("the user's"));
+        }
+    }
+
+    void ofTwoStudiesThatBeginInOneFolderOneIsRefused()
+    {
+        for (int trial = 0; trial < 20; ++trial) {
+            const QTemporaryDir place;
+            const std::filesystem::path folder = place.filePath("out").toStdString();
+            std::atomic<int> refused{0};
+            {
+                std::vector<std::jthread> both;
+                for (const std::size_t points : {2, 3})
+                    both.emplace_back([&, points] {
+                        try {
+                            run_in(folder, study_of(points), {});
+                        } catch (const Error&) {
+                            ++refused;
+                        }
+                    });
+            }
+            QCOMPARE(refused.load(), 1);
+            QCOMPARE(merge_study(folder).missing, std::string());
         }
     }
 
