@@ -73,7 +73,8 @@ private Q_SLOTS:
         QTest::newRow("format") << std::string(R"({"format": "hygroloom-project"})") << R"(s.json: format: This must be "hygroloom-study")";
         QTest::newRow("version") << std::string(R"({"format": "hygroloom-study", "version": 2})")
                                  << "version: This program reads version 1; given is 2.";
-        QTest::newRow("unknown key") << file_with(range, sobol, R"("replicats": 2)") << R"(did you mean "replicates"?)";
+        QTest::newRow("unknown key") << file_with(range, sobol, R"("replicats": 2)")
+                                     << R"(s.json: The key "replicats" is not known here; did you mean "replicates"?)";
         QTest::newRow("no kind of factor") << file_with(R"({ "path": "a" })", sobol) << "factors[0].path: A factor needs one of";
         QTest::newRow("two kinds") << file_with(R"({ "path": "a", "low": 1, "high": 2, "values": [1] })", sobol) << "A factor needs one of";
         QTest::newRow("turned") << file_with(R"({ "path": "a", "low": 3, "high": 2 })", sobol)
