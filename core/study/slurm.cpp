@@ -244,7 +244,11 @@ SlurmStatus study_status(const std::filesystem::path& folder)
     status.done = kept.count(KeptRows::State::done);
     status.failed = kept.count(KeptRows::State::failed);
     status.id = job_id(folder);
-    if (!status.id.empty()) status.states = states_of(status.id);
+    try {
+        if (!status.id.empty()) status.states = states_of(status.id);
+    } catch (const Error& error) {
+        status.problem = error.what();
+    }
     return status;
 }
 

@@ -328,6 +328,8 @@ private Q_SLOTS:
         write("squeue", "echo Be nice >&2\necho RUNNING\necho PENDING");
         QCOMPARE(study_status(folder).states, (std::map<std::string, int>{{"PENDING", 1}, {"RUNNING", 1}}));
         write("squeue", "echo Unable to contact slurm controller >&2\nexit 1"); // the job may well be on
+        QVERIFY(study_status(folder).problem.find("Unable to contact") != std::string::npos);
+        QCOMPARE(study_status(folder).rows, std::size_t{4});
         StudyOptions resume;
         resume.resume = true;
         QVERIFY_EXCEPTION_THROWN(submit_study(quick_design(0.01), study_of(4), folder, resume, {}), Error);
