@@ -196,6 +196,7 @@ int run_sweep(const SweepOptions& options)
 
 int sweep(const SweepOptions& options)
 {
+    if (options.folder.empty()) throw Stop(exit_usage, "--output: This must be the name of a folder; given is an empty text.");
     if (options.slurm) return submit_to_slurm(options);
     if (options.status) return slurm_status(options);
     if (options.cancel) return slurm_cancel(options);
@@ -219,7 +220,11 @@ StudyFolder study_folder(const SweepOptions& options)
 
 StudyFolder given_study(const SweepOptions& options)
 {
-    if (options.project.empty() && options.study.empty()) return study_folder(options);
+    if (options.project.empty() && options.study.empty()) {
+        if (!options.sets.empty())
+            throw Stop(exit_usage, "--set: A folder's study stays as it is; give a project and --study to run another one.");
+        return study_folder(options);
+    }
     if (options.project.empty()) throw Stop(exit_usage, "A project is missing; give its file before the options.");
     if (options.study.empty()) throw Stop(exit_usage, "--study: The study file is missing.");
     return read_given(options);
@@ -227,7 +232,8 @@ StudyFolder given_study(const SweepOptions& options)
 
 int merge_rows(const SweepOptions& options)
 {
-    const MergeResult merged = as_usage([&] { return merge_study(options.folder); });
+    study_folder(options); // says what is wrong with it
+    const MergeResult merged = merge_study(options.folder);
     if (options.json)
         print_result("{}\n", Json{{"format", "hygroloom-sweep"},
                                   {"version", 1},

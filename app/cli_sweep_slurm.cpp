@@ -46,18 +46,21 @@ int submit_to_slurm(const SweepOptions& options)
 
 int slurm_status(const SweepOptions& options)
 {
+    study_folder(options); // says what is wrong with it
     const SlurmStatus status = study_status(options.folder);
+    if (!status.problem.empty()) print_note("{}\n", status.problem);
+    const int code = status.problem.empty() ? exit_ok : exit_failed;
     if (options.json) {
         print_json({{"job", status.id.empty() ? Json() : Json(status.id)},
-                    {"states", status.states},
+                    {"states", status.problem.empty() ? Json(status.states) : Json()},
                     {"rows", status.rows},
                     {"done", status.done},
                     {"failed", status.failed},
                     {"missing", status.rows - status.done - status.failed}});
-        return exit_ok;
+        return code;
     }
     print_result("{} of {} runs done, {} failed\n", status.done, status.rows, status.failed);
-    if (status.id.empty()) return exit_ok;
+    if (status.id.empty() || code != exit_ok) return code;
     std::string states;
     for (const auto& [state, tasks] : status.states) states += fmt::format("{}{} {}", states.empty() ? "" : ", ", tasks, state);
     print_result("job {}: {}\n", status.id, states.empty() ? "no task is in the queue" : states);

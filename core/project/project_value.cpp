@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <map>
 
 namespace hygroloom {
 
@@ -216,6 +217,20 @@ ProjectJson value_at(const Design& design, const std::string& path)
     if (key.empty()) return walk.here();
     const auto found = walk.here().find(key);
     return found == walk.here().end() ? ProjectJson() : *found;
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> same_place(const Design& design, const std::vector<std::string>& paths)
+{
+    ProjectJson project = json_from_design(design);
+    for (const std::string& path : paths) PathWalk(project, path).walk(); // makes what is left out, which moves what is there
+    std::map<std::pair<const void*, std::string>, std::size_t> places;
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+        PathWalk walk(project, paths[i]);
+        const std::string key = walk.walk();
+        const auto [at, fresh] = places.try_emplace({&walk.here(), key}, i);
+        if (!fresh) return std::pair{at->second, i};
+    }
+    return std::nullopt;
 }
 
 } // namespace hygroloom

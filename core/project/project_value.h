@@ -5,6 +5,7 @@
 #include "core/design/design.h"
 #include "core/project/migrations.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,5 +19,9 @@ Design with_values(ProjectJson project, const std::vector<std::pair<std::string,
 
 /// What stands at a path; null where the project leaves it out. Throws Error where there is no such path.
 ProjectJson value_at(const Design& design, const std::string& path);
+
+/// The first two of the paths, by their numbers, that are two ways to write one place; none: each has its own. Throws Error where there is
+/// no such path.
+std::optional<std::pair<std::size_t, std::size_t>> same_place(const Design& design, const std::vector<std::string>& paths);
 
 } // namespace hygroloom

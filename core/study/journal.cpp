@@ -20,7 +20,7 @@ namespace hygroloom {
 namespace {
 
 constexpr std::size_t largest_part_bytes = std::size_t{4} << 30U, most_distinct_words = 2'000'000;
-constexpr std::string_view first_word = "hygroloom-study-part 1 ";
+constexpr std::string_view first_word = "hygroloom-study-part 2 "; // a program that places points differently has another number
 
 [[noreturn]] void fail(const std::filesystem::path& path, int code)
 {
@@ -29,14 +29,18 @@ constexpr std::string_view first_word = "hygroloom-study-part 1 ";
 
 [[noreturn]] void refuse_mark(const std::filesystem::path& file)
 {
-    throw FileError(file.string() + ": These rows are of another study or project. Give another folder, or remove this file.");
+    throw FileError(file.string() +
+                    ": These rows are of another study or project, or of a version of the program that has other points. Give "
+                    "another folder, or remove this file.");
 }
 
 /// Whole lines of a part, without its torn end.
 std::string whole_lines(const std::filesystem::path& file)
 {
-    std::error_code none;
-    if (std::filesystem::file_size(file, none) == 0 || none) return {};
+    std::error_code failure;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, failure);
+    if (failure) throw FileError(fmt::format("{}: The file cannot be read: {}.", file.string(), failure.message()));
+    if (bytes == 0) return {};
     std::string text = read_file(file, largest_part_bytes);
     text.resize(text.rfind('\n') + 1); // npos + 1 is 0
     return text;
@@ -95,15 +99,22 @@ void KeptRows::read_part(const std::filesystem::path& file, const std::string& m
         };
         const auto row = number_of<std::size_t>(field());
         if (!row || *row >= rows()) refuse();
-        result.failed = field() == row_failed;
+        const std::string_view status = field();
+        if (status != row_done && status != row_failed) refuse();
+        result.failed = status == row_failed;
         for (double& metric : result.metrics) {
-            const std::string_view number = field();
-            metric = number_of(number).value_or(std::numeric_limits<double>::quiet_NaN());
+            const std::string_view text = field();
+            const std::optional<double> number = text.empty() ? std::numeric_limits<double>::quiet_NaN() : number_of(text);
+            if (!number) refuse();
+            metric = *number;
         }
-        result.wall = number_of(field()).value_or(0);
+        const std::optional<double> wall = number_of(field());
+        if (!wall) refuse();
+        result.wall = *wall;
         result.device = field();
         const std::string commit(field());
         result.reason = field();
+        if (lines.next_field()) refuse();
         keep(*row, result, commit);
     }
 }
@@ -111,9 +122,14 @@ void KeptRows::read_part(const std::filesystem::path& file, const std::string& m
 void KeptRows::read_parts(const std::filesystem::path& folder, const std::string& mark)
 {
     std::vector<std::filesystem::path> files;
-    std::error_code none;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / "parts", none))
-        if (entry.path().extension() == ".csv") files.push_back(entry.path());
+    std::error_code failure;
+    if (std::filesystem::directory_iterator at(folder / "parts", failure); !failure) {
+        for (; !failure && at != std::filesystem::directory_iterator(); at.increment(failure))
+            if (at->path().extension() == ".csv") files.push_back(at->path());
+    } else if (failure == std::errc::no_such_file_or_directory) {
+        failure.clear();
+    }
+    if (failure) throw FileError(fmt::format("{}: The folder cannot be read: {}.", (folder / "parts").string(), failure.message()));
     std::sort(files.begin(), files.end());
     for (const auto& file : files) read_part(file, mark);
 }
@@ -138,15 +154,26 @@ Journal::Journal(const std::filesystem::path& file, const std::string& mark) : p
     }
 }
 
-Journal::~Journal() { ::close(file_); }
+Journal::~Journal()
+{
+    ::fdatasync(file_);
+    ::close(file_);
+}
 
+/// What is written of a line that does not fit is taken off again, so that the next one does not run into it.
 void Journal::write_line(const std::string& line)
 {
+    const off_t before = torn_ ? -1 : ::lseek(file_, 0, SEEK_END);
+    if (before < 0) fail(path_, torn_ ? EIO : errno);
     std::size_t done = 0;
     while (done < line.size()) {
         const ssize_t written = ::write(file_, line.data() + done, line.size() - done);
         if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) fail(path_, written < 0 ? errno : ENOSPC);
+        if (written <= 0) {
+            const int code = written < 0 ? errno : ENOSPC;
+            torn_ = done > 0 && ::ftruncate(file_, before) != 0;
+            fail(path_, code);
+        }
         done += static_cast<std::size_t>(written);
     }
 }
@@ -156,8 +183,15 @@ void Journal::add(const StudyRowResult& result)
     std::string line = fmt::format("{},{}", result.row, result.failed ? row_failed : row_done);
     for (const double metric : result.metrics) line += std::isnan(metric) ? "," : fmt::format(",{}", metric);
     line += fmt::format(",{:.3f},{},{},{}\n", result.wall, csv_field(result.device), csv_field(program_commit()), csv_field(result.reason));
-    const std::lock_guard lock(mutex_);
-    write_line(line);
+    {
+        constexpr auto often = std::chrono::milliseconds(500); // each time takes some milliseconds
+        const std::lock_guard lock(mutex_);
+        write_line(line);
+        const auto now = std::chrono::steady_clock::now();
+        if (now - synced_ < often) return;
+        synced_ = now;
+    }
+    if (::fdatasync(file_) != 0 && errno != EINVAL && errno != ENOSYS) fail(path_, errno); // some file systems cannot
 }
 
 } // namespace hygroloom

@@ -5,6 +5,7 @@
 
 #include "core/study/study_rows.h"
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -54,7 +55,7 @@ public:
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
-    /// Throws FileError.
+    /// It is on the disk within half a second, or once the next row is. Throws FileError; the file then ends as before.
     void add(const StudyRowResult& result);
 
 private:
@@ -63,6 +64,8 @@ private:
     std::mutex mutex_;
     std::filesystem::path path_;
     int file_ = -1;
+    std::chrono::steady_clock::time_point synced_{}; ///< the last time
+    bool torn_ = false;                              ///< its last line is not whole, and cannot be taken off
 };
 
 /// The commit that this program was built from.

@@ -23,8 +23,9 @@ std::vector<double> means_by_point(const StudyTable& table, std::size_t points, 
         if (fabrics && fabrics->word(row) != fabric) continue;
         if (experiments && experiments->word(row) != experiment) continue;
         if (status.word(row) != row_done || std::isnan(values.numbers[row])) continue;
-        const auto at = static_cast<std::size_t>(point.numbers[row]);
-        if (at >= points) throw Error("The table has points that the study does not have.");
+        const double number = point.numbers[row];
+        if (!(number >= 0 && number < static_cast<double>(points))) throw Error("The table has points that the study does not have.");
+        const auto at = static_cast<std::size_t>(number);
         sums[at] += values.numbers[row];
         ++counts[at];
     }

@@ -138,14 +138,14 @@ std::vector<double> hypercube(std::size_t count, std::size_t dimensions, std::ui
     return places;
 }
 
-/// Sobol's sequence, each dimension shifted digit by digit by bits of the seed.
+/// Sobol's sequence from its origin, each dimension shifted digit by digit by bits of the seed.
 std::vector<double> sobol_points(std::size_t count, std::size_t dimensions, std::uint64_t seed)
 {
     boost::random::sobol sequence(dimensions);
     std::vector<double> places(count * dimensions);
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t k = 0; k < dimensions; ++k) {
-            const std::uint64_t bits = sequence() ^ random_bits(seed, shift_stream, k);
+            const std::uint64_t bits = (i == 0 ? 0 : sequence()) ^ random_bits(seed, shift_stream, k);
             places[i * dimensions + k] = (static_cast<double>(bits >> 11U) + 0.5) * 0x1.0p-53;
         }
     return places;
@@ -180,23 +180,12 @@ std::vector<double> saltelli_numbers(const Study& study)
     return numbers;
 }
 
-/// The value that others change beside: as told, as the project has it, or the middle.
+/// The value that others change beside: as told, as the project has it, or the middle, of a list the first.
 double base_entry(const Study& study, const Factor& factor, const Design& design)
 {
-    FactorValue base = quantile(factor, 0.5);
-    if (factor.base) {
-        base = *factor.base;
-    } else if (factor.path.starts_with(knob_prefix)) {
-        const KnobInfo& knob = knob_named(factor.path.substr(knob_prefix.size()));
-        base = factor_value(knobs_of(study.fidelity.value_or(Fidelity::standard)).*knob.value);
-    } else {
-        const ProjectJson there = value_at(design, factor.path);
-        if (there.is_number()) base = factor_value(there.get<double>());
-        if (there.is_boolean()) base = factor_value(std::string(there.get<bool>() ? "true" : "false"));
-        if (there.is_string()) base = factor_value(there.get<std::string>());
-    }
-    if (!factor.is_list()) return base.is_number ? base.number : quantile(factor, 0.5).number;
-    const auto found = std::find(factor.values.begin(), factor.values.end(), base);
+    const std::optional<FactorValue> base = factor.base ? factor.base : own_value(study, factor, design);
+    if (!factor.is_list()) return base && base->is_number ? base->number : quantile(factor, 0.5).number;
+    const auto found = base ? std::find(factor.values.begin(), factor.values.end(), *base) : factor.values.end();
     return found == factor.values.end() ? 0.0 : static_cast<double>(found - factor.values.begin());
 }
 
@@ -242,6 +231,22 @@ FactorValue quantile(const Factor& factor, double probability)
         return factor_value(rounded_for_all(*factor.distribution.low + place * *factor.step));
     }
     return factor_value(rounded_for_all(quantile(factor.distribution, probability)));
+}
+
+std::optional<FactorValue> own_value(const Study& study, const Factor& factor, const Design& design)
+{
+    if (factor.path.starts_with(knob_prefix)) {
+        const KnobInfo& knob = knob_named(factor.path.substr(knob_prefix.size()));
+        const auto set = study.knobs.find(knob.name);
+        const double number = set != study.knobs.end() ? set->second : knobs_of(study.fidelity.value_or(Fidelity::standard)).*knob.value;
+        const auto place = static_cast<std::size_t>(number);
+        return place < knob.words.size() ? factor_value(std::string(knob.words[place])) : factor_value(number);
+    }
+    const ProjectJson there = value_at(design, factor.path);
+    if (there.is_number()) return factor_value(there.get<double>());
+    if (there.is_boolean()) return factor_value(std::string(there.get<bool>() ? "true" : "false"));
+    if (there.is_string()) return factor_value(there.get<std::string>());
+    return std::nullopt;
 }
 
 FactorValue StudyPoints::value(std::size_t point, std::size_t factor) const

@@ -31,6 +31,9 @@ StudyPoints study_points(const Study& study, const Design& design);
 /// are the same on any machine.
 FactorValue quantile(const Factor& factor, double probability);
 
+/// What the project, or the fidelity's knob, has at the factor's path; none: the project leaves it open.
+std::optional<FactorValue> own_value(const Study& study, const Factor& factor, const Design& design);
+
 /// The base samples of a Saltelli design: its points are N of one sample, N of another, and N for each factor where that is from the other.
 std::size_t saltelli_base(const Study& study);
 

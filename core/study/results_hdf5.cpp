@@ -116,6 +116,19 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
     column.words = words.words();
 }
 
+/// As the table of results.csv has it.
+bool has_type_of_role(const StudyColumn& column)
+{
+    switch (column.role) {
+    case Role::point:
+    case Role::replicate:
+    case Role::metric:
+    case Role::wall: return column.is_number;
+    case Role::factor: return true;
+    default: return !column.is_number;
+    }
+}
+
 /// Looks at each block before the library does.
 std::unique_ptr<RecordingSource> opened(const std::filesystem::path& path)
 {
@@ -133,16 +146,24 @@ void write_results_hdf5(const StudyTable& table, const std::string& project, con
     hdf5::silence();
     ProjectJson names = ProjectJson::array();
     for (const StudyColumn& column : table.columns) names.push_back({column.name, static_cast<int>(column.role)});
-    write_file_with(path, [&](const std::filesystem::path& temporary) {
-        const Handle file(H5Fcreate(temporary.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-                          path.string() + ": The file cannot be created.");
-        hdf5::write_text(file.get(), "project", project);
-        hdf5::write_text(file.get(), "study", study);
-        hdf5::write_text(file.get(), "columns", names.dump());
+    // In memory first: where the disk is full, the library ends the program when it closes the file.
+    const Handle in_memory(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "properties");
+    constexpr std::size_t more = std::size_t{1} << 20U;
+    H5Pset_fapl_core(in_memory.get(), more, 0);
+    const Handle file(H5Fcreate("a study in memory", H5F_ACC_TRUNC, H5P_DEFAULT, in_memory.get()), H5Fclose,
+                      path.string() + ": The file cannot be created.");
+    hdf5::write_text(file.get(), "project", project);
+    hdf5::write_text(file.get(), "study", study);
+    hdf5::write_text(file.get(), "columns", names.dump());
+    {
         const Handle rows = hdf5::create_group(file.get(), "rows");
         for (const StudyColumn& column : table.columns) write_column(rows.get(), column);
-        if (H5Fflush(file.get(), H5F_SCOPE_LOCAL) < 0) throw FileError(path.string() + ": The file cannot be written; is the disk full?");
-    });
+    }
+    if (H5Fflush(file.get(), H5F_SCOPE_LOCAL) < 0) throw FileError(path.string() + ": The memory does not suffice for the file.");
+    std::string image(static_cast<std::size_t>(std::max<ssize_t>(0, H5Fget_file_image(file.get(), nullptr, 0))), '\0');
+    if (H5Fget_file_image(file.get(), image.data(), image.size()) < 0)
+        throw FileError(path.string() + ": The memory does not suffice for the file.");
+    write_file(path, image);
 }
 
 StudyTable read_results_hdf5(const std::filesystem::path& path)
@@ -160,7 +181,12 @@ StudyTable read_results_hdf5(const std::filesystem::path& path)
             throw FileError(path.string() + ": columns: This is no table of a study.");
         table.columns.push_back({name[0].get<std::string>(), static_cast<Role>(name[1].get<int>()), true, {}, {}, {}});
         read_column(rows.get(), table.columns.back(), count, path.string());
+        if (!has_type_of_role(table.columns.back()))
+            throw FileError(
+                fmt::format("{}: rows/{}: This has words for numbers, or numbers for words.", path.string(), table.columns.back().name));
     }
+    for (const Role role : {Role::point, Role::replicate, Role::status})
+        if (!table.find(role)) throw FileError(path.string() + ": columns: The point, the replicate or the status is missing.");
     return table;
 }
 

@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sstream>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,21 +22,38 @@ namespace {
 
 constexpr std::size_t rows_of_task = 16, most_tasks = 1000; // a task takes a second or two to begin; Slurm's usual limit is 1001
 
-/// What a program printed, both streams, and how it ended.
+/// What a program printed, and how it ended. What a cluster tells its users goes to the errors, also where all is well.
 struct Said {
     int code = -1;
-    std::string text;
+    std::string text, errors;
 };
+
+void take_off_spaces(std::string& text)
+{
+    while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
+}
+
+/// What was written to a file that has no name.
+std::string written_to(int file)
+{
+    constexpr std::size_t most = 4096; // it is shown
+    std::string text(most, '\0');
+    text.resize(static_cast<std::size_t>(std::max<ssize_t>(0, ::pread(file, text.data(), most, 0))));
+    take_off_spaces(text);
+    return text;
+}
 
 Said ask(std::vector<std::string> words)
 {
     int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) throw Error(fmt::format("{} cannot be started: {}.", words.front(), std::strerror(errno)));
+    const int errors = ::memfd_create("errors", MFD_CLOEXEC);
+    if (errors < 0 || ::pipe2(ends, O_CLOEXEC) != 0)
+        throw Error(fmt::format("{} cannot be started: {}.", words.front(), std::strerror(errno)));
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -48,11 +66,14 @@ Said ask(std::vector<std::string> words)
     for (ssize_t got = 0; failure == 0 && ((got = ::read(ends[0], block, sizeof block)) > 0 || (got < 0 && errno == EINTR));)
         if (got > 0) said.text.append(block, static_cast<std::size_t>(got));
     ::close(ends[0]);
+    if (failure != 0) ::close(errors);
     if (failure != 0) throw Error(fmt::format("{} cannot be started: {}.", words.front(), std::strerror(failure)));
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
     said.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    while (!said.text.empty() && std::isspace(static_cast<unsigned char>(said.text.back())) != 0) said.text.pop_back();
+    take_off_spaces(said.text);
+    said.errors = written_to(errors);
+    ::close(errors);
     return said;
 }
 
@@ -78,6 +99,8 @@ std::map<std::string, int> states_of(const std::string& id)
 {
     const Said said = ask({"squeue", "--noheader", "--array", "--jobs", id, "--format", "%T"});
     std::map<std::string, int> states;
+    if (said.code != 0 && said.errors.find("Invalid job id") == std::string::npos)
+        throw Error(fmt::format("Slurm does not say what has become of job {}: {}", id, said.errors));
     if (said.code != 0) return states; // it has forgotten the job
     std::istringstream words(said.text);
     for (std::string word; words >> word;) ++states[word];
@@ -119,6 +142,22 @@ std::string script_of(const std::filesystem::path& folder, const SlurmOptions& h
                           quoted(folder.string()), tasks, how.gpus ? "cuda" : how.backend, how.retry_failed ? " --retry-failed" : "");
     if (!how.gpus) script += " --threads 1 --jobs \"${SLURM_CPUS_PER_TASK:-1}\"";
     return script + "\n";
+}
+
+/// Where its tasks write: Slurm puts other things for what begins with %.
+std::string log_pattern(const std::filesystem::path& folder)
+{
+    std::string pattern;
+    for (const char c : (folder / "slurm" / "task-").string()) pattern += c == '%' ? std::string("%%") : std::string(1, c);
+    return pattern + "%a.log";
+}
+
+/// What sbatch --parsable prints: "1234" or "1234;cluster", below what a cluster may tell its users.
+std::string submitted_id(const std::string& text)
+{
+    const std::string last = text.substr(text.rfind('\n') + 1); // npos + 1 is 0
+    const std::size_t digits = std::min(last.find_first_not_of("0123456789"), last.size());
+    return digits > 0 && (digits == last.size() || last[digits] == ';') ? last.substr(0, digits) : "";
 }
 
 } // namespace
@@ -183,13 +222,13 @@ SlurmJob submit_study(const Design& design, const Study& study, const std::files
     std::filesystem::create_directories(folder / "slurm");
     const std::filesystem::path script = folder / "slurm" / "job.sh";
     write_file(script, script_of(folder, how, job.tasks, array));
-    std::vector<std::string> words{"sbatch", "--parsable", "--output", (folder / "slurm" / "task-%a.log").string()};
+    std::vector<std::string> words{"sbatch", "--parsable", "--output", log_pattern(folder)};
     words.insert(words.end(), own.begin(), own.end());
     words.push_back(script.string());
     const Said said = ask(words);
-    const std::size_t digits = std::min(said.text.find_first_not_of("0123456789"), said.text.size());
-    if (said.code != 0 || digits == 0) throw Error("Slurm refuses the job: " + said.text);
-    job.id = said.text.substr(0, digits);
+    if (said.code != 0) throw Error("Slurm refuses the job: " + said.errors);
+    job.id = submitted_id(said.text);
+    if (job.id.empty()) throw Error(fmt::format("Slurm took the job, but does not say its number; see squeue. It says: {}", said.text));
     write_file(folder / "slurm" / "job", job.id + "\n");
     return job;
 }
@@ -205,7 +244,11 @@ SlurmStatus study_status(const std::filesystem::path& folder)
     status.done = kept.count(KeptRows::State::done);
     status.failed = kept.count(KeptRows::State::failed);
     status.id = job_id(folder);
-    if (!status.id.empty()) status.states = states_of(status.id);
+    try {
+        if (!status.id.empty()) status.states = states_of(status.id);
+    } catch (const Error& error) {
+        status.problem = error.what();
+    }
     return status;
 }
 
@@ -213,7 +256,7 @@ void cancel_study(const std::filesystem::path& folder)
 {
     const std::string id = job_id(folder);
     if (id.empty()) throw Error(folder.string() + ": No job of this study was submitted.");
-    if (const Said said = ask({"scancel", id}); said.code != 0) throw Error(fmt::format("Slurm does not end job {}: {}", id, said.text));
+    if (const Said said = ask({"scancel", id}); said.code != 0) throw Error(fmt::format("Slurm does not end job {}: {}", id, said.errors));
 }
 
 } // namespace hygroloom

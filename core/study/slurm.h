@@ -35,6 +35,7 @@ SlurmJob submit_study(const Design& design, const Study& study, const std::files
 struct SlurmStatus {
     std::string id;                    ///< empty: nothing was submitted
     std::map<std::string, int> states; ///< of Slurm -> tasks in the queue; empty: all have ended
+    std::string problem;               ///< why the states are not known, in a sentence; empty: they are
     std::size_t rows = 0, done = 0, failed = 0;
 };
 SlurmStatus study_status(const std::filesystem::path& folder);

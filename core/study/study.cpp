@@ -304,7 +304,7 @@ const char* name_of(Sampling sampling) { return sampling_names[static_cast<int>(
 const char* name_of(FactorDistribution::Type type) { return distribution_names[static_cast<int>(type)]; }
 
 Study parse_study(std::string_view text, const std::string& name)
-{
+try {
     const ProjectJson json = parse_json(text, name);
     ObjectReader reader(json, name, "");
     const ProjectJson& format = reader.require("format");
@@ -324,6 +324,10 @@ Study parse_study(std::string_view text, const std::string& name)
     read_seed(reader, study);
     reader.finish();
     return study;
+} catch (const FileError& error) { // which calls the whole of a file a project
+    const std::string_view sentence = error.what(), whole = ": the project: ";
+    if (!sentence.starts_with(name) || !sentence.substr(name.size()).starts_with(whole)) throw;
+    throw FileError(fmt::format("{}: {}", name, sentence.substr(name.size() + whole.size())));
 }
 
 Study read_study(const std::filesystem::path& path) { return parse_study(read_file(path, largest_study_bytes), path.string()); }

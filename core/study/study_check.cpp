@@ -6,10 +6,12 @@
 #include "core/project/project_json.h"
 #include "core/project/project_value.h"
 #include "core/study/points.h"
+#include "core/study/quantiles.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 namespace {
@@ -26,6 +28,7 @@ public:
         check_names("experiments", "experiment", study_.experiments, design_.experiments);
         if (issues_.empty()) check_metrics();
         for (std::size_t k = 0; k < study_.factors.size(); ++k) check_factor(k);
+        if (issues_.empty()) check_places();
         if (issues_.empty()) check_size();
         return std::move(issues_);
     }
@@ -77,9 +80,60 @@ private:
             } else {
                 with_values(design_, {{factor.path, value.text}});
             }
+            check_base(k);
+            check_bounds(k);
         } catch (const Error& error) {
             add(fmt::format("factors[{}].path", k), error.what());
         }
+    }
+    /// Between bounds out in a tail there is nothing to draw.
+    void check_bounds(std::size_t k)
+    {
+        using Type = FactorDistribution::Type;
+        FactorDistribution whole = study_.factors[k].distribution;
+        if (study_.factors[k].is_list() || (whole.type != Type::normal && whole.type != Type::lognormal)) return;
+        const std::optional<double> low = std::exchange(whole.low, {}), high = std::exchange(whole.high, {});
+        constexpr double least = 1e-9;
+        const double lowest = quantile(whole, least), highest = quantile(whole, 1 - least);
+        if (low && !(*low < highest))
+            add(fmt::format("factors[{}].distribution.low", k),
+                fmt::format("The distribution ends at about {:.6g}, below which this must be; given is {}.", highest, *low));
+        if (high && !(*high > lowest))
+            add(fmt::format("factors[{}].distribution.high", k),
+                fmt::format("The distribution begins at about {:.6g}, above which this must be; given is {}.", lowest, *high));
+    }
+    /// One factor would undo what another sets.
+    void check_places()
+    {
+        std::vector<std::string> paths;
+        std::vector<std::size_t> factors;
+        for (std::size_t k = 0; k < study_.factors.size(); ++k) {
+            if (study_.factors[k].path.starts_with(knob_prefix)) continue;
+            paths.push_back(study_.factors[k].path);
+            factors.push_back(k);
+        }
+        if (const auto same = same_place(design_, paths))
+            add(fmt::format("factors[{}].path", factors[same->second]),
+                fmt::format("This is the same value as factors[{}], \"{}\"; leave one.", factors[same->first], paths[same->first]));
+    }
+    /// Beside which others change one at a time.
+    void check_base(std::size_t k)
+    {
+        const Factor& factor = study_.factors[k];
+        const auto in_list = [&](const FactorValue& value) {
+            return std::find(factor.values.begin(), factor.values.end(), value) != factor.values.end();
+        };
+        if (factor.base && factor.is_list() && !in_list(*factor.base))
+            add(fmt::format("factors[{}].base", k), fmt::format("This must be one of \"values\"; given is {}.", factor.base->text));
+        if (factor.base && !factor.is_list() && !factor.base->is_number)
+            add(fmt::format("factors[{}].base", k), fmt::format("This must be a number; given is \"{}\".", factor.base->text));
+        if (factor.base || !factor.is_list() || study_.sampling != Sampling::one_at_a_time) return;
+        const std::optional<FactorValue> own = own_value(study_, factor, design_);
+        if (own && !in_list(*own))
+            add(fmt::format("factors[{}].values", k),
+                fmt::format("One at a time the others change beside the project's own value, {}, which is not in the list; add it, or give "
+                            "\"base\".",
+                            own->text));
     }
     void check_size()
     {

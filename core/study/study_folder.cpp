@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace hygroloom {
 namespace {
@@ -21,6 +22,30 @@ bool is_there(const std::filesystem::path& file)
 {
     std::error_code none;
     return std::filesystem::exists(file, none);
+}
+
+/// Whether a table has more than its header.
+bool has_rows(const std::filesystem::path& table)
+{
+    std::ifstream file(table);
+    std::string line;
+    return std::getline(file, line) && file.peek() != std::ifstream::traits_type::eof();
+}
+
+/// A table is made of its parts: without them it would become an empty one.
+void require_parts_of(const std::filesystem::path& table)
+{
+    if (has_rows(table))
+        throw Error(table.string() + ": The table has rows whose parts are gone, and would be lost. Move it, or give another folder.");
+}
+
+/// A folder that no study has run in may hold files of the user's with the names that a study gives its own.
+void require_not_the_users(const StudyFolder& study, const std::filesystem::path& folder)
+{
+    if (is_there(folder / "parts")) return;
+    for (const auto& [name, text] : {std::pair{"project.hygro", &study.project_text}, std::pair{"study.json", &study.study_text}})
+        if (is_there(folder / name) && read_file(folder / name, largest_project_bytes) != *text)
+            throw Error((folder / name).string() + ": The results would replace this file, which is not theirs. Give another folder.");
 }
 
 /// Column after column of the rows that have ended.
@@ -166,6 +191,8 @@ KeptRows prepared_rows(const StudyFolder& study, const std::filesystem::path& fo
     if (has_parts && !same)
         throw Error(folder.string() + ": The folder has the rows of another study or project (see study.json and project.hygro there). "
                                       "Give another folder.");
+    require_not_the_users(study, folder);
+    if (!has_parts) require_parts_of(folder / "results.csv");
     KeptRows kept(frame.rows(), frame.metrics().size());
     if (!same) return kept;
     kept.read_parts(folder, mark_of(study.project_text, study.study_text));
@@ -200,8 +227,9 @@ MergeResult merge_study(const std::filesystem::path& folder)
     KeptRows kept(frame.rows(), frame.metrics().size());
     kept.read_parts(folder, mark_of(study.project_text, study.study_text));
     const StudyTable table = TableMaker(study, kept).make();
-    write_results_hdf5(table, study.project_text, study.study_text, folder / "study.h5");
+    if (table.rows() == 0) require_parts_of(folder / "results.csv");
     write_file(folder / "results.csv", format_results(table));
+    write_results_hdf5(table, study.project_text, study.study_text, folder / "study.h5");
     return {frame.rows(), table.rows(), kept.count(KeptRows::State::failed), missing_points(frame, kept)};
 }
 

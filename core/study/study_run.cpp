@@ -8,6 +8,7 @@
 #include "core/design/unknowns.h"
 #include "core/design/validate.h"
 #include "core/plan/expectation.h"
+#include "core/project/atomic_file.h"
 #include "core/project/project_json.h"
 #include "core/run/plan_run.h"
 #include "core/run/side_by_side.h"
@@ -72,6 +73,17 @@ std::string first_error(const Design& part, const Design& whole, const StudyRun&
     return {};
 }
 
+/// Others that begin a study in the folder wait for it, so that the folder never has the study of one and the rows of another. None where
+/// the folder has a part: its study stays as it is from then on, and a thousand tasks need not wait for each other.
+std::unique_ptr<ChangeLock> lock_of(const std::filesystem::path& folder)
+{
+    std::error_code none; // write_study_folder() says it
+    std::filesystem::create_directories(folder, none);
+    const auto has_part = [&] { return !std::filesystem::is_empty(folder / "parts", none) && !none; };
+    auto lock = has_part() ? nullptr : std::make_unique<ChangeLock>(folder / "study.json");
+    return has_part() ? nullptr : std::move(lock);
+}
+
 /// The runs of a study, side by side.
 class StudyWork {
 public:
@@ -79,7 +91,7 @@ public:
               const StudyCallbacks& callbacks)
         : study_(study), options_(options), control_(control), callbacks_(callbacks), frame_(study.study, study.design),
           points_(study_points(study.study, study.design)), project_(json_from_design(study.design)),
-          fidelity_(fidelity_of(frame_, study.design, study.study)), kept_(prepared_rows(study, folder, options))
+          fidelity_(fidelity_of(frame_, study.design, study.study)), alone_(lock_of(folder)), kept_(prepared_rows(study, folder, options))
     {
         for (auto row = static_cast<std::size_t>(options.task - 1); row < frame_.rows(); row += static_cast<std::size_t>(options.tasks)) {
             ++outcome_.progress.rows;
@@ -95,6 +107,7 @@ public:
         write_study_folder(study, folder);
         journal_.emplace(folder / "parts" / fmt::format("{:06}-of-{:06}.csv", options.task, options.tasks),
                          mark_of(study.project_text, study.study_text));
+        alone_.reset();
     }
 
     StudyOutcome run(const std::vector<std::unique_ptr<Backend>>& backends)
@@ -214,6 +227,7 @@ private:
     const StudyPoints points_;
     const ProjectJson project_;
     const FidelityChoice fidelity_;
+    std::unique_ptr<ChangeLock> alone_; ///< until the folder has the study and a part of it
     const KeptRows kept_;
     std::optional<Journal> journal_;
     std::vector<std::size_t> rows_; ///< to run

@@ -120,7 +120,7 @@ private Q_SLOTS:
         QCOMPARE(answer.code, 3);
         QVERIFY(answer.json()["error"].toString().contains("did you mean \"sobol\"?"));
         QCOMPARE(run_cli({"sweep", drop, "-o", out}).code, 2);
-        QCOMPARE(run_cli({"sweep", "-o", out, "--status"}).code, 1);
+        QCOMPARE(run_cli({"sweep", "-o", out, "--status"}).code, 3);
         QCOMPARE(run_cli({"sweep", drop, "--study", study_in(folder, ends, grid), "-o", out, "--task", "4/3"}).code, 2);
         QVERIFY(!QFile::exists(out));
     }
@@ -161,6 +161,25 @@ private Q_SLOTS:
         const QJsonArray found = answer.json()["suggestions"].toArray();
         QCOMPARE(found.size(), 2);
         QVERIFY(found[0].toObject()["point"].toObject()["fabrics[0].ends_per_cm"].toDouble() > 33);
+    }
+
+    void whatWouldBeLostOrIgnoredIsRefused()
+    {
+        const QTemporaryDir folder;
+        const QString study = study_in(folder, ends, grid); // study.json in the very folder
+        const QByteArray before = contents(study);
+        const Answer here = run_cli({"sweep", drop, "--study", study, "-o", folder.path(), "--quiet"});
+        QCOMPARE(here.code, 2);
+        QVERIFY2(here.err.contains("study.json: The results would replace this file"), here.err);
+        QCOMPARE(contents(study), before);
+        const QString out = folder.filePath("out");
+        QCOMPARE(run_cli({"sweep", drop, "--study", study, "-o", out, "--set", soon, "--quiet"}).code, 0);
+        const Answer set = run_cli({"sweep", "-o", out, "--resume", "--set", soon, "--quiet"});
+        QCOMPARE(set.code, 2);
+        QVERIFY2(set.err.contains("--set: A folder's study stays as it is"), set.err);
+        QCOMPARE(run_cli({"sweep", drop, "--study", study, "-o", "", "--quiet"}).code, 2);
+        QCOMPARE(run_cli({"sweep", "-o", folder.filePath("none"), "--merge"}).code, 3);
+        QCOMPARE(run_cli({"sweep", "-o", folder.filePath("none"), "--status"}).code, 3);
     }
 };
 

@@ -73,6 +73,13 @@ def test_wrong_arguments_are_named(examples, tmp_path):
     for wrong, error in ((float("nan"), ValueError), (object(), TypeError), ({1, 2}, TypeError)):
         with pytest.raises(error, match="fabrics.0..ends_per_cm: This must be a"):
             project.set("fabrics[0].ends_per_cm", wrong)
+    within = []
+    within.append(within)
+    with pytest.raises(ValueError, match="must not hold itself"):
+        project.set("fabrics[0].ends_per_cm", within)
+    for wrong in ({"knobs": {"fibre_shells": 10**400}}, {"cell_mm": 10**400}, {"fidelity": np.array(["draft", "live"])}):
+        with pytest.raises(ValueError, match=f"{next(iter(wrong))}.*: This must be"):
+            hygroloom.simulate(project, "a", "b", **wrong)
     with pytest.raises(TypeError, match="path: This must be a text; given is 3"):
         project.set(3, 3)
     with pytest.raises(hygroloom.Error, match="There is no .fabrcs. here"):

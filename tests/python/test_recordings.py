@@ -162,7 +162,7 @@ def test_damaged_files_are_refused(recording, tmp_path):
         hygroloom.read_recording(recording, cells=0)
     file = hygroloom.Recording(recording)
     for use in (lambda: file.frame(10**6), lambda: file.water_map(-(10**6))):
-        with pytest.raises(ValueError, match="index: "):
+        with pytest.raises(IndexError, match="index: "):
             use()
     with pytest.raises(hygroloom.Error, match="no field .colour."):
         file.frame(0, "colour")

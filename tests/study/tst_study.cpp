@@ -2,6 +2,7 @@
 // The study file: what it says is read, what is wrong with it is said.
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/project/project_value.h"
 #include "core/study/points.h"
 #include "tests/support/drop_design.h"
 
@@ -72,7 +73,8 @@ private Q_SLOTS:
         QTest::newRow("format") << std::string(R"({"format": "hygroloom-project"})") << R"(s.json: format: This must be "hygroloom-study")";
         QTest::newRow("version") << std::string(R"({"format": "hygroloom-study", "version": 2})")
                                  << "version: This program reads version 1; given is 2.";
-        QTest::newRow("unknown key") << file_with(range, sobol, R"("replicats": 2)") << R"(did you mean "replicates"?)";
+        QTest::newRow("unknown key") << file_with(range, sobol, R"("replicats": 2)")
+                                     << R"(s.json: The key "replicats" is not known here; did you mean "replicates"?)";
         QTest::newRow("no kind of factor") << file_with(R"({ "path": "a" })", sobol) << "factors[0].path: A factor needs one of";
         QTest::newRow("two kinds") << file_with(R"({ "path": "a", "low": 1, "high": 2, "values": [1] })", sobol) << "A factor needs one of";
         QTest::newRow("turned") << file_with(R"({ "path": "a", "low": 3, "high": 2 })", sobol)
@@ -173,6 +175,30 @@ private Q_SLOTS:
              {R"({ "path": "fabrics[0].ends_per_cm", "low": -1.7e308, "high": 1.7e308 })",
               R"({ "path": "fabrics[0].ends_per_cm", "distribution": { "type": "lognormal", "mean": 1, "sd": 1e200 } })"})
             QVERIFY(issues_of(file_with(wide, sobol)).contains("factors[0].path"));
+    }
+
+    void boundsBeyondTheDistributionAreAnIssue()
+    {
+        const auto issue = [](const char* distribution) {
+            return issues_of(
+                file_with(R"({ "path": "fabrics[0].contact_angle_deg", "distribution": )" + std::string(distribution) + "}", sobol));
+        };
+        QVERIFY(issue(R"({ "type": "normal", "mean": 40, "sd": 1, "low": 41, "high": 60 })").isEmpty());
+        QCOMPARE(issue(R"({ "type": "normal", "mean": 40, "sd": 1, "low": 60, "high": 70 })"),
+                 QString("factors[0].distribution.low: The distribution ends at about 45.9978, below which this must be; given is 60.\n"));
+        QVERIFY(issue(R"({ "type": "lognormal", "mean": 5, "sd": 1, "high": 1 })")
+                    .startsWith("factors[0].distribution.high: The distribution "));
+    }
+
+    void twoPathsToOneValueAreAnIssue()
+    {
+        const std::string both = range + R"(, { "path": "fabrics.cloth.ends_per_cm", "low": 20, "high": 30 })";
+        QVERIFY2(
+            issues_of(file_with(both, sobol)).contains("factors[1].path: This is the same value as factors[0], \"fabrics[0].ends_per_cm\""),
+            qPrintable(issues_of(file_with(both, sobol))));
+        const std::string a = "fabrics[0].uncertainty.a"; // whose object the project lacks
+        QVERIFY(!same_place(drop_design(), {"fabrics[0].ends_per_cm", a, "fabrics[0].picks_per_cm"}));
+        QCOMPARE(same_place(drop_design(), {a, "fabrics[0].picks_per_cm", "fabrics.cloth.uncertainty.a"}).value().second, std::size_t{2});
     }
 
     void aHugeStudyIsRefusedWithoutBeingMade()

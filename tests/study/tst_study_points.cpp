@@ -59,14 +59,14 @@ private Q_SLOTS:
         }
     }
 
-    void sobolPointsFillEachQuarterAlike()
+    void sobolPointsFillEqualSharesAlike()
     {
         const StudyPoints points = study_points(study_of(Sampling::sobol, 64), drop_design());
-        int quarters[2][2] = {};
-        for (std::size_t i = 0; i < 64; ++i) ++quarters[number(points, i, 0) > 25][number(points, i, 1) > 40];
-        for (const auto& row : quarters)
-            for (const int count : row)
-                QVERIFY2(std::abs(count - 16) <= 1, qPrintable(QString::number(count))); // the sequence begins after its 0
+        int shares[8][8] = {}; // a number of points that is a power of 2 has one in each
+        for (std::size_t i = 0; i < 64; ++i)
+            ++shares[static_cast<int>((number(points, i, 0) - 20) / 10 * 8)][static_cast<int>((number(points, i, 1) - 10) / 60 * 8)];
+        for (const auto& row : shares)
+            for (const int count : row) QCOMPARE(count, 1);
     }
 
     void anotherSeedGivesOtherPoints()
@@ -108,6 +108,26 @@ private Q_SLOTS:
         QCOMPARE(number(points, 2, 0), 30.0);
         QCOMPARE(number(points, 3, 0), 24.0);
         QCOMPARE(number(points, 6, 2), 30.0);
+    }
+
+    void whatOthersChangeBesideMustBeInTheList()
+    {
+        Design design = drop_design();
+        design.fabrics[0].ends_per_cm = 24;
+        Study study = study_of(Sampling::one_at_a_time, 0);
+        study.factors = {list("fabrics[0].ends_per_cm", {20, 22})};
+        const auto first = [&] {
+            const std::vector<Issue> issues = validate(study, design);
+            return issues.empty() ? std::string() : issues[0].where + ": " + issues[0].text;
+        };
+        QVERIFY2(first().find("factors[0].values: One at a time") == 0 && first().find(", 24,") != std::string::npos, first().c_str());
+        study.factors[0].base = factor_value(23.0);
+        QVERIFY2(first().find("factors[0].base: This must be one of \"values\"; given is 23.") == 0, first().c_str());
+        study.factors[0].base = factor_value(22.0);
+        QCOMPARE(first(), std::string());
+        study.factors = {range("fabrics[0].ends_per_cm", 20, 30)};
+        study.factors[0].base = factor_value(std::string("many"));
+        QVERIFY2(first().find("factors[0].base: This must be a number; given is \"many\".") == 0, first().c_str());
     }
 
     void aDesignForIndicesHasBlocksThatShareColumns()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The table of a study: what is written is read, in either form, soon, and without trust.
 #include "core/base/error.h"
+#include "core/base/random.h"
 #include "core/study/csv_rows.h"
 #include "core/study/results.h"
 
@@ -8,6 +9,9 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <csignal>
+#include <sys/resource.h>
 
 using namespace hygroloom;
 using Role = StudyColumnRole;
@@ -136,6 +140,83 @@ private Q_SLOTS:
         QFile file(name);
         QVERIFY(file.resize(file.size() / 2));
         QVERIFY_EXCEPTION_THROWN(read_results_hdf5(name.toStdString()), FileError);
+    }
+
+    void columnsOfOtherTypesAreRefused()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path file = place.filePath("study.h5").toStdString();
+        const auto accepted = [&](const StudyTable& table) {
+            write_results_hdf5(table, "{}", "{}", file);
+            try {
+                return read_results_hdf5(file).rows() == 5;
+            } catch (const FileError&) {
+                return false;
+            }
+        };
+        QVERIFY(accepted(table_of(5)));
+        for (std::size_t k : {0, 1, 2, 5, 6, 7, 8, 9, 10}) { // all but the factors
+            StudyTable table = table_of(5);
+            StudyColumn& column = table.columns[k];
+            column = column.is_number ? words(column.name.c_str(), column.role, std::vector<std::string>(5, "x"))
+                                      : numbers(column.name.c_str(), column.role, std::vector<double>(5, 1.0));
+            QVERIFY(!accepted(table));
+        }
+        for (std::size_t k : {0, 1, 5}) {
+            StudyTable table = table_of(5);
+            table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(k));
+            QVERIFY(!accepted(table));
+        }
+    }
+
+    void aHurtHdf5FileIsReadOrRefused()
+    {
+        const QTemporaryDir place;
+        const QString name = place.filePath("study.h5");
+        write_results_hdf5(table_of(20), "{}", "{}", name.toStdString());
+        QFile file(name);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray whole = file.readAll();
+        int refused = 0;
+        for (std::uint64_t trial = 0; trial < 1500; ++trial) {
+            QByteArray bytes = whole;
+            for (std::uint64_t k = 0; k < 1 + trial % 4; ++k)
+                bytes[static_cast<int>(random_bits(trial, 1, k) % static_cast<std::uint64_t>(bytes.size()))] =
+                    static_cast<char>(random_bits(trial, 2, k));
+            QFile hurt(place.filePath("hurt.h5"));
+            QVERIFY(hurt.open(QIODevice::WriteOnly));
+            hurt.write(bytes);
+            hurt.close();
+            try {
+                read_results_hdf5(hurt.fileName().toStdString());
+            } catch (const FileError&) {
+                ++refused;
+            }
+        }
+        QVERIFY2(refused > 50, qPrintable(QString::number(refused)));
+    }
+
+    /// A limit on the size of files stands for a disk that is full; the program used to end when HDF5 closed the file.
+    void aFullDiskIsAnError()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path file = place.filePath("study.h5").toStdString();
+        rlimit before{};
+        getrlimit(RLIMIT_FSIZE, &before);
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit tight{2000, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &tight);
+        QString said;
+        try {
+            write_results_hdf5(table_of(500), "{}", "{}", file);
+        } catch (const FileError& error) {
+            said = error.what();
+        }
+        setrlimit(RLIMIT_FSIZE, &before);
+        QVERIFY2(said.contains("study.h5: The file cannot be written"), qPrintable(said));
+        QVERIFY(!std::filesystem::exists(file));
+        write_results_hdf5(table_of(500), "{}", "{}", file);
+        QCOMPARE(read_results_hdf5(file).rows(), std::size_t{500});
     }
 };
 

@@ -3,6 +3,7 @@
 #include "core/analysis/sweep.h"
 #include "core/base/error.h"
 #include "core/project/project_json.h"
+#include "core/study/slurm.h"
 #include "core/study/study_run.h"
 #include "tests/support/drop_design.h"
 
@@ -10,7 +11,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <atomic>
+#include <csignal>
 #include <fstream>
+#include <sys/resource.h>
+#include <thread>
 
 using namespace hygroloom;
 
@@ -199,6 +204,144 @@ private Q_SLOTS:
         const std::filesystem::path file = place.filePath("1.csv").toStdString();
         const Journal first(file, "abc");
         QVERIFY_EXCEPTION_THROWN(Journal(file, "abc"), FileError);
+    }
+
+    /// A disk that is full: a limit on the size of files does the same.
+    void aLineThatDoesNotFitIsTakenOffAgain()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path folder = place.path().toStdString();
+        std::filesystem::create_directories(folder / "parts");
+        StudyRowResult result;
+        result.metrics = {1.5};
+        rlimit before{};
+        getrlimit(RLIMIT_FSIZE, &before);
+        {
+            Journal part(folder / "parts" / "1.csv", "abc");
+            part.add(result);
+            const rlimit tight{std::filesystem::file_size(folder / "parts" / "1.csv") + 5, before.rlim_max};
+            std::signal(SIGXFSZ, SIG_IGN);
+            setrlimit(RLIMIT_FSIZE, &tight);
+            result.row = 1;
+            bool refused = false;
+            try {
+                part.add(result);
+            } catch (const FileError&) {
+                refused = true;
+            }
+            setrlimit(RLIMIT_FSIZE, &before);
+            QVERIFY(refused);
+            result.row = 2; // that of another thread, once there is room
+            part.add(result);
+        }
+        KeptRows kept(3, 1);
+        kept.read_parts(folder, "abc");
+        using State = KeptRows::State;
+        QVERIFY(kept.state(0) == State::done && kept.state(1) == State::missing && kept.state(2) == State::done);
+    }
+
+    void aLineThatIsNoRowIsRefused()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path folder = place.path().toStdString(), file = folder / "parts" / "1.csv";
+        std::filesystem::create_directories(folder / "parts");
+        for (const char* line : {"0,done,1.5,0.2,cpu,abc,", "0,failed,,0.2,cpu,abc,why"}) {
+            std::ofstream(file) << "hygroloom-study-part 2 abc\n" << line << "\n";
+            KeptRows(3, 1).read_parts(folder, "abc");
+        }
+        for (const char* line :
+             {"", "3,done,1.5,0.2,cpu,abc,", "-1,done,1.5,0.2,cpu,abc,", "0,don,1.5,0.2,cpu,abc,", "0,done,x,0.2,cpu,abc,",
+              "0,done,1.5,,cpu,abc,", "0,done,1.5,0.2,cpu,abc", "0,done,1.5,0.2,cpu,abc,,", "0,done,1.2,done,1.5,0.2,cpu,abc,"}) {
+            std::ofstream(file) << "hygroloom-study-part 2 abc\n" << line << "\n";
+            KeptRows kept(3, 1);
+            QVERIFY_EXCEPTION_THROWN(kept.read_parts(folder, "abc"), FileError);
+        }
+    }
+
+    void filesThatAreNotOfAStudyAreKept()
+    {
+        for (const char* name : {"project.hygro", "study.json"}) {
+            const QTemporaryDir place;
+            const std::filesystem::path folder = place.path().toStdString();
+            std::ofstream(folder / name) << "the user's";
+            QVERIFY_EXCEPTION_THROWN(run_in(folder, study_of(2), {}), Error);
+            std::ifstream file(folder / name);
+            QCOMPARE(std::string(std::istreambuf_iterator<char>(file), {}), std::string("the user's"));
+        }
+    }
+
+    void ofTwoStudiesThatBeginInOneFolderOneIsRefused()
+    {
+        for (int trial = 0; trial < 20; ++trial) {
+            const QTemporaryDir place;
+            const std::filesystem::path folder = place.filePath("out").toStdString();
+            std::atomic<int> refused{0};
+            {
+                std::vector<std::jthread> both;
+                for (const std::size_t points : {2, 3})
+                    both.emplace_back([&, points] {
+                        try {
+                            run_in(folder, study_of(points), {});
+                        } catch (const Error&) {
+                            ++refused;
+                        }
+                    });
+            }
+            QCOMPARE(refused.load(), 1);
+            QCOMPARE(merge_study(folder).missing, std::string());
+        }
+    }
+
+    void aTableWhosePartsAreGoneIsKept()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path folder = place.filePath("out").toStdString();
+        run_in(folder, study_of(2), {});
+        merge_study(folder);
+        std::filesystem::remove_all(folder / "parts");
+        QVERIFY_EXCEPTION_THROWN(merge_study(folder), Error);
+        for (const std::size_t points : {2, 3}) QVERIFY_EXCEPTION_THROWN(run_in(folder, study_of(points), {}), Error);
+        QCOMPARE(read_results(folder / "results.csv").rows(), std::size_t{2});
+    }
+
+    /// Stand-ins for Slurm's programs, which say on their error stream what clusters tell their users.
+    void whatAClusterTellsItsUsersIsNoAnswer()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path programs = place.path().toStdString(), folder = programs / "50% wet; $(touch oops)";
+        const auto write = [&](const char* name, const std::string& lines) {
+            std::ofstream(programs / name) << "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\n" << lines << "\n";
+            std::filesystem::permissions(programs / name, std::filesystem::perms::owner_all);
+        };
+        write("sbatch", "for word; do echo \"$word\"; done > '" + (programs / "asked").string() +
+                            "'\necho Charged to your group >&2\necho '123;west'");
+        write("scancel", "");
+        write("squeue", "echo slurm_load_jobs error: Invalid job id specified >&2\nexit 1");
+        const QByteArray before = qgetenv("PATH");
+        qputenv("PATH", place.path().toUtf8() + ":" + before);
+        const SlurmJob job = submit_study(quick_design(0.01), study_of(4), folder, {}, {});
+        QCOMPARE(job.id, std::string("123"));
+        QVERIFY(study_status(folder).states.empty()); // it has forgotten the job
+        std::ifstream asked(programs / "asked");
+        QVERIFY(std::string(std::istreambuf_iterator<char>(asked), {}).find("50%% wet; $(touch oops)/slurm/task-%a.log\n") !=
+                std::string::npos);
+        write("squeue", "echo Be nice >&2\necho RUNNING\necho PENDING");
+        QCOMPARE(study_status(folder).states, (std::map<std::string, int>{{"PENDING", 1}, {"RUNNING", 1}}));
+        write("squeue", "echo Unable to contact slurm controller >&2\nexit 1"); // the job may well be on
+        QVERIFY(study_status(folder).problem.find("Unable to contact") != std::string::npos);
+        QCOMPARE(study_status(folder).rows, std::size_t{4});
+        StudyOptions resume;
+        resume.resume = true;
+        QVERIFY_EXCEPTION_THROWN(submit_study(quick_design(0.01), study_of(4), folder, resume, {}), Error);
+        write("squeue", "exit 0");
+        write("sbatch", "echo Invalid account >&2\nexit 1");
+        try {
+            submit_study(quick_design(0.01), study_of(4), folder, resume, {});
+            QFAIL("accepted");
+        } catch (const Error& error) {
+            QCOMPARE(std::string(error.what()), std::string("Slurm refuses the job: Invalid account"));
+        }
+        qputenv("PATH", before);
     }
 
     void aPartOfAnotherStudyIsRefused()

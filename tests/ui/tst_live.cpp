@@ -115,7 +115,10 @@ private Q_SLOTS:
         document.take(two_cloths(), "drops");
         LivePanel panel(document);
         panel.setVisible(true);
-        document.edit("sett", "sett", [](Design& design) { design.fabrics[1].ends_per_cm = -1; });
+        document.edit("sett", "sett", [](Design& design) {
+            design.fabrics[1].ends_per_cm = -1;
+            design.wears.emplace_back().name = "worn"; // a garment that the project lacks
+        });
         QTRY_VERIFY_WITH_TIMEOUT(panel.answer(), patience);
         document.edit("sett", "other", [](Design& design) { design.fabrics[0].ends_per_cm = -1; });
         QVERIFY(!panel.answer());

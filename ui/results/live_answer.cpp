@@ -35,6 +35,7 @@ Design trimmed(const Design& design, int fabric, int experiment, double length)
     one.fabrics = {design.fabrics.at(static_cast<std::size_t>(fabric))};
     one.experiments = {design.experiments.at(static_cast<std::size_t>(experiment))};
     one.garments.clear();
+    one.wears.clear();
     one.experiments[0].duration_s = length;
     std::erase_if(one.experiments[0].droplets, [length](const Droplet& drop) { return drop.time_s >= length; });
     return one;

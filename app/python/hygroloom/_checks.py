@@ -50,7 +50,7 @@ def texts(value: Any, name: str) -> list[str]:
 
 
 def word(value: Any, name: str, allowed: tuple[str, ...]) -> str:
-    if value not in allowed:
+    if not isinstance(value, str) or value not in allowed:
         raise ValueError(f"{name}: This must be {', '.join(allowed[:-1])} or {allowed[-1]}; given is {value!r}.")
     return value
 
@@ -67,11 +67,21 @@ def whole(value: Any, name: str, least: int, most: int) -> int:
     return number
 
 
+def place(value: Any, name: str, count: int) -> int:
+    """Of something in a row of so many; -1 is the last."""
+    try:
+        return whole(value, name, -count, count - 1) % count
+    except ValueError as error:
+        raise IndexError(str(error)) from None
+
+
 def number(value: Any, name: str, least: float, most: float) -> float:
     try:
         if isinstance(value, (bool, str)):
             raise TypeError
         given = float(value)
+    except OverflowError:
+        given = math.inf
     except (TypeError, ValueError):
         raise TypeError(f"{name}: This must be a number from {least} to {most}; given is {value!r}.") from None
     if not least <= given <= most:
@@ -91,8 +101,11 @@ def json_text(value: Any, name: str) -> str:
         return json.dumps(value, default=_plain, allow_nan=False)
     except TypeError:
         raise TypeError(f"{name}: This must be a number, a text, a list or a dictionary; given is {value!r}.") from None
-    except ValueError:
-        raise ValueError(f"{name}: This must be a finite number; given is {value!r}.") from None
+    except ValueError as error:
+        wrong = "not hold itself" if "ircular" in str(error) else "be a finite number"
+        raise ValueError(f"{name}: This must {wrong}; given is {value!r}.") from None
+    except RecursionError:
+        raise ValueError(f"{name}: This is nested too deeply.") from None
 
 
 def setting(value: Any, name: str) -> str:
@@ -101,6 +114,8 @@ def setting(value: Any, name: str) -> str:
         return text(value, name)
     try:
         number = float(value)
+    except OverflowError:
+        raise ValueError(f"{name}: This must be a number up to 1.8e308.") from None
     except (TypeError, ValueError):
         raise TypeError(f"{name}: This must be a number or a word; given is {value!r}.") from None
     if not math.isfinite(number):

@@ -84,9 +84,8 @@ class Recording:
 
         Raises FileError, which names the frame, when it is damaged; IndexError when there is none.
         """
-        number = _checks.whole(index, "index", -len(self), len(self) - 1)
-        names = list(FIELDS) if fields is None else _checks.texts(fields, "fields")
-        return self._file.frame(number % len(self), names)
+        number = _checks.place(index, "index", len(self))
+        return self._file.frame(number, list(FIELDS) if fields is None else _checks.texts(fields, "fields"))
 
     def water_map(self, index: int, side: str = "top", cells: int = 2) -> np.ndarray:
         """Water over the start, g/m2, of one frame on a grid; shape (rows, columns), the first row at the bottom.
@@ -96,7 +95,7 @@ class Recording:
             side: "top", "bottom" or "total".
             cells: a cell is this many crossings wide and high.
         """
-        number = _checks.whole(index, "index", -len(self), len(self) - 1) % len(self)
+        number = _checks.place(index, "index", len(self))
         values = self._file.map(number, _checks.word(side, "side", SIDES), _checks.whole(cells, "cells", 1, 1000))
         values *= 1e3
         return values
@@ -149,7 +148,7 @@ class WearRecording:
     def frame(self, index: int) -> dict[str, np.ndarray]:
         """Of each cell: inside, outside (kg of water over the start on the face to the skin and on the other), evaporated and on_skin (kg),
         temperature (K)."""
-        return self._file.frame(_checks.whole(index, "index", -len(self), len(self) - 1) % len(self))
+        return self._file.frame(_checks.place(index, "index", len(self)))
 
     def cells(self) -> dict[str, np.ndarray]:
         """Of each cell: panel and zone by number, flat (n, 2) and place (n, 3) in m, area in m2, capacity in kg."""
