@@ -110,42 +110,43 @@ double LiveAnswer::lengthOf(const Experiment& experiment) const
     return std::min(experiment.duration_s, beginOf(experiment) + (known == lengths_.end() ? unknown : known->second));
 }
 
-void LiveAnswer::ask(const std::shared_ptr<const Design>& design, int fabric, int experiment, Fidelity fidelity)
+void LiveAnswer::ask(const std::shared_ptr<const Design>& design, int fabric, int experiment, Fidelity fidelity, bool whole)
 {
     stop();
     control_ = std::make_shared<RunControl>();
     working_ = true;
-    const Experiment& whole = design->experiments.at(static_cast<std::size_t>(experiment));
-    const double length = fidelity == Fidelity::live ? lengthOf(whole) : whole.duration_s;
-    job_.run(
-        [this, design, fabric, experiment, fidelity, length, duration = whole.duration_s, control = control_](const NewestJob::Turn& turn) {
-            std::shared_ptr<const Answer> answer;
-            QString refusal;
-            try {
-                const Design one = trimmed(*design, fabric, experiment, length);
-                refusal = firstError(one);
-                if (refusal.isEmpty()) { answer = answerTo(one, fidelity, duration, *control); }
-            } catch (const Cancelled&) {
-                return;
-            } catch (const std::bad_alloc&) {
-                refusal = tr("Not enough memory for this experiment. Choose a smaller sample.");
-            } catch (const std::exception& error) {
-                refusal = QString::fromStdString(error.what());
-            }
-            turn.deliver([this, control, answer, refusal] {
-                if (control == control_) { end(answer, refusal); }
-            });
+    const Experiment& asked = design->experiments.at(static_cast<std::size_t>(experiment));
+    const bool shortened = fidelity == Fidelity::live && !whole;
+    const double length = shortened ? lengthOf(asked) : asked.duration_s;
+    job_.run([this, design, fabric, experiment, fidelity, length, shortened, duration = asked.duration_s,
+              control = control_](const NewestJob::Turn& turn) {
+        std::shared_ptr<const Answer> answer;
+        QString refusal;
+        try {
+            const Design one = trimmed(*design, fabric, experiment, length);
+            refusal = firstError(one);
+            if (refusal.isEmpty()) { answer = answerTo(one, fidelity, duration, *control); }
+        } catch (const Cancelled&) {
+            return;
+        } catch (const std::bad_alloc&) {
+            refusal = tr("Not enough memory for this experiment. Choose a smaller sample.");
+        } catch (const std::exception& error) {
+            refusal = QString::fromStdString(error.what());
+        }
+        turn.deliver([this, control, answer, refusal, shortened] {
+            if (control == control_) { end(answer, refusal, shortened); }
         });
+    });
 }
 
-void LiveAnswer::end(const std::shared_ptr<const Answer>& answer, const QString& refusal)
+void LiveAnswer::end(const std::shared_ptr<const Answer>& answer, const QString& refusal, bool shortened)
 {
     working_ = false;
     if (!answer) {
         Q_EMIT refused(refusal);
         return;
     }
-    if (answer->run->plan.fidelity == Fidelity::live) {
+    if (shortened) {
         const double begin = beginOf(answer->run->design.experiments[0]);
         lengths_[answer->run->experiment] = lengthThatFits(answer->simulated - begin, answer->duration - begin, answer->wall);
     }

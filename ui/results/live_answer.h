@@ -30,8 +30,9 @@ public:
     ~LiveAnswer() override;
 
     /// Begins anew with an experiment of a fabric; what is under way for an older question is cancelled. At live the experiment is
-    /// shortened, at other fidelities it is whole. Preconditions: indices within the design.
-    void ask(const std::shared_ptr<const Design>& design, int fabric, int experiment, Fidelity fidelity = Fidelity::live);
+    /// shortened unless the whole of it is asked for, at other fidelities it is whole. Preconditions: indices within the design.
+    void ask(const std::shared_ptr<const Design>& design, int fabric, int experiment, Fidelity fidelity = Fidelity::live,
+             bool whole = false);
     void stop();
     bool working() const { return working_; }
 
@@ -41,7 +42,7 @@ Q_SIGNALS:
     void refused(const QString& sentence);
 
 private:
-    void end(const std::shared_ptr<const Answer>& answer, const QString& refusal);
+    void end(const std::shared_ptr<const Answer>& answer, const QString& refusal, bool shortened);
     double lengthOf(const Experiment& experiment) const;
 
     std::shared_ptr<RunControl> control_;   ///< of what is under way

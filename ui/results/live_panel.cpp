@@ -23,7 +23,7 @@ namespace {
 
 constexpr int legend_width = 92;
 constexpr int leading_numbers = 3;
-constexpr int pause_ms = 1000; // without an edit, after which a finer answer is begun
+constexpr int short_pause_ms = 400, pause_ms = 1000; // without an edit, after which the whole and a finer answer are begun
 constexpr const char* refine_setting = "live/refine";
 
 QString secondsText(double seconds) { return LivePanel::tr("%1 s").arg(shownNumber(seconds, decimals_for(seconds, 3))); }
@@ -126,8 +126,14 @@ void LivePanel::askFiner()
     const bool live = shown_ && shown_->run->plan.fidelity == Fidelity::live;
     const bool draft = shown_ && shown_->run->plan.fidelity == Fidelity::draft;
     if (!isVisible() || live_.working() || !(live || draft)) { return; }
-    live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex(), live ? Fidelity::draft : Fidelity::standard);
-    status_->setText(status_->text() + " " + (live ? tr("Draft is being computed.") : tr("Standard is being computed.")));
+    const bool cut = live && shown_->simulated < shown_->duration;
+    if (!cut && !refine_->isChecked()) { return; }
+    const Fidelity next = cut ? Fidelity::live : live ? Fidelity::draft : Fidelity::standard;
+    live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex(), next, true);
+    status_->setText(status_->text() + " " +
+                     (cut    ? tr("The whole follows.")
+                      : live ? tr("Draft is being computed.")
+                             : tr("Standard is being computed.")));
 }
 
 void LivePanel::take(const std::shared_ptr<const Answer>& answer)
@@ -145,7 +151,11 @@ void LivePanel::take(const std::shared_ptr<const Answer>& answer)
                               whole ? tr("after %1").arg(secondsText(answer->simulated))
                                     : tr("after %1 of %2").arg(secondsText(answer->simulated), secondsText(answer->duration)),
                               expectedError(answer->run->plan)));
-    if (refine_->isChecked() && answer->run->plan.fidelity != Fidelity::standard) { pause_.start(pause_ms); }
+    if (!whole) {
+        pause_.start(short_pause_ms); // numbers of the whole can be told apart from those after another edit
+    } else if (refine_->isChecked() && answer->run->plan.fidelity != Fidelity::standard) {
+        pause_.start(pause_ms);
+    }
     update();
     Q_EMIT changed();
 }

@@ -221,6 +221,7 @@ void MainWindow::setWorkspace(Workspace workspace)
 {
     if (workspace == workspace_) { return; }
     states_[static_cast<int>(workspace_)] = saveState(layout_version);
+    const QSize before = size();
     workspace_ = workspace;
     if (workspace != Workspace::compare) { takeRoom(compare_->view(), false); }
     if (workspace != Workspace::garment) { takeRoom(garment_->view(), false); }
@@ -236,6 +237,8 @@ void MainWindow::setWorkspace(Workspace workspace)
     if (workspace == Workspace::compare) { takeRoom(compare_->view(), true); }
     if (workspace == Workspace::garment) { takeRoom(garment_->view(), true); }
     if (workspace == Workspace::study) { takeRoom(*study_, true); }
+    layout()->activate();
+    if (size() != before && !isMaximized() && !isFullScreen()) { resize(before); } // panels of both were there for a moment
     workspaces_->actions().at(static_cast<int>(workspace))->setChecked(true);
     for (const QAction* action : workspaces_->actions()) // the sentence of the command that led here
         if (statusBar()->currentMessage() == action->statusTip()) { statusBar()->clearMessage(); }
