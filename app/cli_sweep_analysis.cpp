@@ -6,6 +6,7 @@
 #include "core/project/atomic_file.h"
 #include "core/study/analysis.h"
 #include "core/study/csv_rows.h"
+#include "core/study/slurm.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -124,6 +125,9 @@ int analyse_rows(const SweepOptions& options)
     require_module();
     analyse_study(options.folder);
     print_sensitivities(options, study);
+    const SlurmStatus status = study_status(options.folder);
+    if (const std::size_t ended = status.done + status.failed; ended < status.rows)
+        print_note("{} of {} runs have ended: shares will change. Run the others with --resume.\n", ended, status.rows);
     return exit_ok;
 }
 
