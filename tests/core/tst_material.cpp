@@ -3,9 +3,8 @@
 
 #include <QTest>
 
-#include <set>
-
 #include <cmath>
+#include <set>
 
 using namespace hygroloom;
 
