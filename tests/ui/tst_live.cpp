@@ -122,7 +122,8 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(panel.answer(), patience);
         document.edit("sett", "other", [](Design& design) { design.fabrics[0].ends_per_cm = -1; });
         QVERIFY(!panel.answer());
-        QVERIFY2(panel.status().startsWith("Out of date"), qPrintable(panel.status()));
+        QVERIFY2(panel.status().startsWith("The fabric has an error"), qPrintable(panel.status()));
+        QCOMPARE(panel.findChild<WaterMap*>()->map().columns, 0); // nothing is shown of another cloth
         document.edit("none", "none", [](Design& design) {
             design.fabrics[0].ends_per_cm = 30;
             design.experiments.clear();

@@ -24,6 +24,7 @@ namespace {
 constexpr int legend_width = 92;
 constexpr int leading_numbers = 3;
 constexpr int short_pause_ms = 400, pause_ms = 1000; // without an edit, after which the whole and a finer answer are begun
+constexpr double longest_cut = 2;                    // s, that a cut answer may have taken for the whole to follow unasked
 constexpr const char* refine_setting = "live/refine";
 
 QString secondsText(double seconds) { return LivePanel::tr("%1 s").arg(shownNumber(seconds, decimals_for(seconds, 3))); }
@@ -113,7 +114,7 @@ void LivePanel::ask()
     if (!document_.fabric() || !experiment) {
         refuse(document_.fabric() ? tr("Add an experiment to see its water here.") : tr("Add a fabric to see its water here."));
     } else if (document_.fabricHasError()) {
-        refuse(tr("Out of date: the fabric has an error."));
+        refuse(tr("The fabric has an error. Mend it to see its water here."));
     } else if (runsOnBattery()) {
         refuse(tr("Off while this machine runs on its battery."));
     } else {
@@ -127,6 +128,7 @@ void LivePanel::askFiner()
     const bool draft = shown_ && shown_->run->plan.fidelity == Fidelity::draft;
     if (!isVisible() || live_.working() || !(live || draft)) { return; }
     const bool cut = live && shown_->simulated < shown_->duration;
+    if (cut && shown_->wall > longest_cut) { return; } // the whole of what is so slow is for Simulate
     if (!cut && !refine_->isChecked()) { return; }
     const Fidelity next = cut ? Fidelity::live : live ? Fidelity::draft : Fidelity::standard;
     live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex(), next, true);
@@ -174,11 +176,15 @@ void LivePanel::showNumbers(const std::vector<Result>& numbers)
     }
 }
 
-/// What is shown stays while the question is about the same project; the sentence says why it is out of date.
+/// Nothing is shown of a cloth that is not computed.
 void LivePanel::refuse(const QString& sentence)
 {
     pause_.stop();
     shown_.reset();
+    map_->clear();
+    showNumbers({});
+    range_ = 0;
+    update();
     status_->setText(sentence);
     Q_EMIT changed();
 }
