@@ -99,7 +99,7 @@ template <typename Stage> __global__ void __launch_bounds__(most_team, teams_bes
     using BlockTeam = Team<Block>;
     double* columns = shared + BlockTeam::template per_thread<Stage> * blockDim.x;
     if (room.columns != nullptr)
-        columns = room.columns + static_cast<std::size_t>(BlockTeam::template per_place<Stage>) * room.longest * blockIdx.x;
+        columns = room.columns + BlockTeam::template room<Stage>(room.longest, static_cast<int>(blockDim.x)) * blockIdx.x;
     const BlockTeam team(Block{}, columns, room.longest, shared);
     for (int line = static_cast<int>(blockIdx.x); line < lines; line += static_cast<int>(gridDim.x)) stage(team, line);
 }
@@ -176,7 +176,7 @@ public:
         constexpr int places_each = 4, blocks_each = 2; // for a thread, for a processor
         int threads = least_team;
         while (threads < most_team && threads * places_each < longest) threads *= 2;
-        const std::size_t columns = static_cast<std::size_t>(Team<Block>::template per_place<Stage>) * static_cast<std::size_t>(longest);
+        const std::size_t columns = Team<Block>::template room<Stage>(longest, threads);
         std::size_t bytes = sizeof(double) * static_cast<std::size_t>(Team<Block>::template per_thread<Stage> * threads);
         LineRoom room{nullptr, longest};
         int blocks = lines;

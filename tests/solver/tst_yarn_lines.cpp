@@ -37,7 +37,9 @@ struct OfPairs {
 /// Calls work(team) with a team for lines of so many places and a stage; of no threads: one that is alone.
 template <typename Stage = void, typename Work> void with_team(int threads, bool last_first, int longest, const Work& work)
 {
-    std::vector<double> places(static_cast<std::size_t>(Team<InTurns>::per_place<Stage> * longest), std::nan(""));
+    std::vector<double> places(Team<InTurns>::room<Stage>(longest, std::max(1, threads)) +
+                                   static_cast<std::size_t>(Alone::per_place<Stage> * longest),
+                               std::nan(""));
     std::vector<double> links(static_cast<std::size_t>(Team<InTurns>::per_thread<Stage> * threads), std::nan(""));
     if (threads == 0)
         work(Alone(places.data(), longest));
@@ -120,12 +122,16 @@ std::vector<double> solution(const std::vector<PairEquation>& equations, int thr
     const auto count = static_cast<int>(equations.size());
     std::vector<double> x(2 * equations.size());
     with_team<OfPairs>(threads, last_first, count, [&](const auto& team) {
-        team.solve_pairs(first, first + count, [&](int i) { return equations[static_cast<std::size_t>(i - first)]; });
-        for (int i = 0; i < count; ++i) {
-            const Pair found = team.found_pair(first, first + i);
-            x[static_cast<std::size_t>(i)] = found.first;
-            x[static_cast<std::size_t>(count + i)] = found.second;
-        }
+        team.solve_pairs(
+            first, first + count,
+            [&](int i, bool& open) {
+                open = open || i == first + count - 1;
+                return equations[static_cast<std::size_t>(i - first)];
+            },
+            [&](int i, const Pair& found) {
+                x[static_cast<std::size_t>(i - first)] = found.first;
+                x[static_cast<std::size_t>(count + i - first)] = found.second;
+            });
     });
     return x;
 }

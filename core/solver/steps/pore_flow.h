@@ -13,13 +13,13 @@ struct FlowAlongLines : PoreRounds {
     {
         if (!s.whole()) {
             const int chain = of_warp ? index : s.panels.warp_chains + index;
-            flow(Line<Team>{team, chain > 0 ? s.panels.chain_ends[chain - 1] : 0, s.panels.chain_ends[chain], 0, 0});
+            flow(line_of(team, chain > 0 ? s.panels.chain_ends[chain - 1] : 0, s.panels.chain_ends[chain], 0, 0));
             return;
         }
         const YarnLine at = s.visited_line(of_warp ? index : s.visited_warps() + index);
         const int number = s.line_of(at.first);
-        flow(Line<Team>{team, at.first, at.last, of_warp ? number : number - s.ends,
-                        of_warp ? number * s.picks : s.weft_of(0, number - s.ends)});
+        flow(line_of(team, at.first, at.last, of_warp ? number : number - s.ends,
+                     of_warp ? number * s.picks : s.weft_of(0, number - s.ends)));
     }
     template <typename Team> HL_FN void flow(const Line<Team>& line) const
     {

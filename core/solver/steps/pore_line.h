@@ -27,21 +27,24 @@ struct PoreLines {
         suction,           ///< Pa, as rounds find it
         before = 3,        ///< Pa, at the step's start
         held_before = 6,   ///< saturation
-        empties = 9,       ///< see PoreCourse
-        bend = 12,         ///< see PoreCourse
-        taken = 15,        ///< bends, see PoreCourse; a bit for each
-        left = 18,         ///< kg more comes than is held
-        falls = 21,        ///< kg/Pa, how what is held falls with suction
-        feed = 24,         ///< kg/Pa from the pool
-        most_fed = 27,     ///< kg
-        along = 30,        ///< kg/Pa to the next place: own, room
-        own_room = 32,     ///< kg/Pa
-        own_crossed = 33,  ///< kg/Pa
-        room_crossed = 34, ///< kg/Pa
-        response = 35,     ///< Pa/kg, of the crossed segment
-        presses = 36       ///< Pa, of the pool or cap over the place
+        can_hold = 9,      ///< kg
+        finer = 12,        ///< see PoresFound
+        begun = 15,        ///< see PoreCourse: saturation
+        zero = 18,         ///< see PoreCourse
+        empties = 21,      ///< see PoreCourse
+        bend = 24,         ///< see PoreCourse
+        feed = 27,         ///< kg/Pa from the pool
+        most_fed = 30,     ///< kg
+        along = 33,        ///< kg/Pa to the next place: own, room
+        own_room = 35,     ///< kg/Pa
+        own_crossed = 36,  ///< kg/Pa
+        room_crossed = 37, ///< kg/Pa
+        presses = 38,      ///< Pa, of the pool or cap over the place
+        taken = 39,        ///< bends of all classes, see PoreCourse; a bit for each
+        left = 40,         ///< kg more comes than the crossed segment holds
+        response = 41      ///< Pa/kg, of the crossed segment
     };
-    static constexpr int columns = 37;
+    static constexpr int columns = 42;
     static constexpr double near_course = 1e-6; // of saturation
 
     Segments s;
@@ -60,9 +63,14 @@ struct PoreLines {
         const Team& team;
         int first, last;
         int number, base; ///< of the end or pick; segment of its first place, visited or not
+        typename Team::Columns numbers;
 
-        HL_FN double& operator()(int column, int i) const { return team.column(column)[i - first]; }
+        HL_FN double& operator()(int column, int i) const { return numbers(column, i - first); }
     };
+    template <typename Team> HL_FN static Line<Team> line_of(const Team& team, int first, int last, int number, int base)
+    {
+        return {team, first, last, number, base, team.columns(columns, last - first)};
+    }
     struct Place {
         int own, crossing, crossed; ///< segment, crossing, segment
         int end, pick;
@@ -106,10 +114,9 @@ struct PoreLines {
     {
         return climate.density * (which == room_pores ? s.room[p.crossing] : s.pores[which == own_pores ? p.own : p.crossed]);
     }
-    HL_FN Retention retention(const Place& p, int which) const
+    HL_FN const Retention& retention(const Place& p, int which) const // of dry pores
     {
-        if (which == room_pores) return find().retention_of_room(p.crossing, room(p));
-        return find().retention(which == own_pores ? p.own : p.crossed, yarn_of(p, which), face(p, which));
+        return which == room_pores ? room(p).retention : pores(p, which).retention;
     }
     HL_FN PoresFound found(const Place& p, int which) const
     {
@@ -147,12 +154,16 @@ struct PoreLines {
             const HeldBefore now{found_now.saturation, is_fed(i) ? 0.0 : found_now.suction};
             line(suction + which, i) = line(before + which, i) = now.suction;
             line(held_before + which, i) = now.saturation;
+            line(can_hold + which, i) = found_now.capacity;
+            line(finer + which, i) = found_now.finer;
             PoreCourse course = course_from(found_now.retention, settled(p, which));
             const double off = course.at(now.suction).saturation - now.saturation;
             if (!(off < near_course && off > -near_course)) { // dried up, or the pores have changed their shape
                 settle_at(p, which, now);
                 course = course_from(found_now.retention, now);
             }
+            line(begun + which, i) = course.saturation;
+            line(zero + which, i) = course.zero;
             line(empties + which, i) = course.empties;
             line(bend + which, i) = course.bend;
         }
@@ -166,9 +177,8 @@ struct PoreLines {
     }
     template <typename Team> HL_FN PoreCourse course(const Line<Team>& line, const Place& p, int which, int i) const
     {
-        const Retention holds = retention(p, which);
-        const HeldBefore then = settled(p, which);
-        return {holds, then.saturation, line_begins_at(holds, then), line(empties + which, i), line(bend + which, i)};
+        return {narrowed(retention(p, which), line(finer + which, i)), line(begun + which, i), line(zero + which, i),
+                line(empties + which, i), line(bend + which, i)};
     }
 
     /// A class of pores as couplings see it.
@@ -180,10 +190,10 @@ struct PoreLines {
     };
     template <typename Team> HL_FN End end_of(const Line<Team>& line, const Place& p, int which, int i) const
     {
-        const Retention& holds = which == room_pores ? room(p).retention : pores(p, which).retention;
+        const Retention& holds = retention(p, which);
         // Between dry yarns liquid does not spread by itself.
         const double gate = which != room_pores ? pores(p, which).gate : any_yarn_wet(line, p, i) ? 1.0 : 0.0;
-        return {line(before + which, i), line(held_before + which, i), holds.threshold, holds.entry, capacity(p, which), gate};
+        return {line(before + which, i), line(held_before + which, i), holds.threshold, holds.entry, line(can_hold + which, i), gate};
     }
     template <typename Team> HL_FN bool any_yarn_wet(const Line<Team>& line, const Place& p, int i) const
     {

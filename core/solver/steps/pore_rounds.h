@@ -68,14 +68,18 @@ struct PoreRounds : PoreLines {
         }
         return held;
     }
-    /// Finds what is left of a place's balances; whether it is too much.
-    template <typename Team> HL_FN bool balance(const Line<Team>& line, int i, bool nested) const
+    /// What is left of a place's balances, each class's.
+    struct Balance {
+        double left[3];  ///< kg more comes than is held
+        double falls[3]; ///< kg/Pa, how what is held falls with suction
+        bool open;       ///< too much is left
+    };
+    template <typename Team> HL_FN Balance balance(const Line<Team>& line, int i, bool nested) const
     {
         constexpr double enough = 1e-10;      // of the capacity
         constexpr double rounding = 1e-14;    // of what would flow by the whole suction
         constexpr double least_fall = 1e-10;  // of the capacity over the entry suction, so that full pores do not leave their suction open
         constexpr double least_share = 1e-13; // of what couples them, so that elimination does not lose it among full pores in long steps
-        if (is_fed(i)) return false;
         const double to_own = from_room(line, i), ab = from_crossed(line, i), bx = from_crossed_to_room(line, i);
         const double in[3] = {to_own + ab + inflow_along(line, 0, i), inflow_along(line, 1, i) - to_own + bx, -ab - bx};
         const double ab_all = line(own_crossed, i), ax_all = line(own_room, i), bx_all = line(room_crossed, i);
@@ -84,47 +88,48 @@ struct PoreRounds : PoreLines {
                                    line(along + 1, i) + (starts ? 0.0 : line(along + 1, i - 1)) + ax_all + bx_all, ab_all + bx_all};
         const Place p = place(line, i);
         const double shed = through_hole(line, room(p), i), leak = shed > 0 ? hole(room(p), line(presses, i)) : 0.0;
-        bool open = false;
+        Balance found{{}, {}, false};
         for (int which = 0; which < 3; ++which) {
-            const double cap = capacity(p, which), fed = from_pool(line, which, i);
+            const double cap = line(can_hold + which, i), fed = from_pool(line, which, i);
             const PoreCourse c = course(line, p, which, i);
-            const Held h = held(c, line(suction + which, i), nested ? static_cast<int>(line(taken + which, i)) : 0, nested);
+            const Held h = held(c, line(suction + which, i), nested ? bends_taken(line, which, i) : 0, nested);
             const double out = which == room_pores ? shed : 0.0, leaks = which == room_pores ? leak : 0.0;
             const double over = in[which] + fed - out - cap * (h.saturation - line(held_before + which, i));
             const double least = cap * least_fall / c.pores.entry + least_share * coupled[which];
-            line(left + which, i) = over;
-            line(falls + which, i) = cap * h.fall > least ? cap * h.fall : least;
-            if (pool.stands && fed < line(most_fed + which, i)) line(falls + which, i) += line(feed + which, i);
-            line(falls + which, i) += leaks;
+            found.left[which] = over;
+            found.falls[which] = (cap * h.fall > least ? cap * h.fall : least) + leaks;
+            if (pool.stands && fed < line(most_fed + which, i)) found.falls[which] += line(feed + which, i);
             const double flows = coupled[which] + leaks + (pool.stands ? line(feed + which, i) : 0.0);
             const double noise = enough * cap + rounding * flows * std::abs(line(suction + which, i));
-            open = open || !(over <= noise && over >= -noise);
+            found.open = found.open || !(over <= noise && over >= -noise);
         }
-        return open;
+        return found;
     }
-    /// For the change of the own suction and of the room's; the crossed segment's follows from both.
-    template <typename Team> HL_FN PairEquation row(const Line<Team>& line, int i) const
+    /// For the change of the own suction and of the room's; the crossed segment's follows from both. Says whether too much is left.
+    template <typename Team> HL_FN PairEquation row(const Line<Team>& line, int i, bool nested, bool& open) const
     {
         if (is_fed(i)) return {{0, 0}, {1, 0, 0, 1}, {0, 0}, {0, 0}};
+        const Balance at = balance(line, i, nested);
+        open = open || at.open;
         const double ab = line(own_crossed, i), ax = line(own_room, i), bx = line(room_crossed, i);
-        const double fall = line(falls + crossed_pores, i), of_crossed = plain_inverse(fall + ab + bx);
+        const double fall = at.falls[crossed_pores], of_crossed = plain_inverse(fall + ab + bx);
         line(response, i) = of_crossed;
+        line(left, i) = at.left[crossed_pores];
         const Pair before_along{i > line.first ? line(along, i - 1) : 0.0, i > line.first ? line(along + 1, i - 1) : 0.0};
         const Pair next_along{line(along, i), line(along + 1, i)};
-        const double through = ax + ab * bx * of_crossed, left_crossed = line(left + crossed_pores, i) * of_crossed;
-        const double own = line(falls + own_pores, i) + before_along.first + next_along.first + ab * fall * of_crossed;
-        const double room = line(falls + room_pores, i) + before_along.second + next_along.second + bx * fall * of_crossed;
+        const double through = ax + ab * bx * of_crossed, left_crossed = at.left[crossed_pores] * of_crossed;
+        const double own = at.falls[own_pores] + before_along.first + next_along.first + ab * fall * of_crossed;
+        const double room = at.falls[room_pores] + before_along.second + next_along.second + bx * fall * of_crossed;
         return {{-before_along.first, -before_along.second},
                 {own + through, -through, -through, room + through},
                 {-next_along.first, -next_along.second},
-                {-(line(left + own_pores, i) + ab * left_crossed), -(line(left + room_pores, i) + bx * left_crossed)}};
+                {-(at.left[own_pores] + ab * left_crossed), -(at.left[room_pores] + bx * left_crossed)}};
     }
-    /// Along the solution; outside nested rounds for each class no further than to its next bend.
-    template <typename Team> HL_FN void move(const Line<Team>& line, int i, bool nested) const
+    /// By the solution; outside nested rounds for each class no further than to its next bend.
+    template <typename Team> HL_FN void move(const Line<Team>& line, int i, const Pair& change, bool nested) const
     {
         if (is_fed(i)) return;
-        const Pair change = line.team.found_pair(line.first, i);
-        const double crossed = line(own_crossed, i) * change.first + line(room_crossed, i) * change.second - line(left + crossed_pores, i);
+        const double crossed = line(own_crossed, i) * change.first + line(room_crossed, i) * change.second - line(left, i);
         const double changes[3] = {change.first, change.second, crossed * line(response, i)};
         const Place p = place(line, i);
         for (int which = 0; which < 3; ++which) {
@@ -133,35 +138,38 @@ struct PoreRounds : PoreLines {
             now = nested ? next : course(line, p, which, i).as_far_as_bends(now, next);
         }
     }
-    template <typename Team> HL_FN void newton_round(const Line<Team>& line, bool nested) const
+    /// Returns whether too much was left, so that suctions have moved.
+    template <typename Team> HL_FN bool newton_round(const Line<Team>& line, bool nested) const
     {
-        line.team.solve_pairs(line.first, line.last, [&](int i) { return row(line, i); });
-        line.team.each(line.first, line.last, [&](int i) { move(line, i, nested); });
+        return line.team.solve_pairs(
+            line.first, line.last, [&](int i, bool& open) { return row(line, i, nested, open); },
+            [&](int i, const Pair& change) { move(line, i, change, nested); });
     }
 
+    /// Bits of a class.
+    template <typename Team> HL_FN int bends_taken(const Line<Team>& line, int which, int i) const
+    {
+        return static_cast<int>(line(taken, i)) >> which * PoreCourse::bends & ((1 << PoreCourse::bends) - 1);
+    }
     template <typename Team> HL_FN void begin_anew(const Line<Team>& line, int i) const
     {
-        for (int which = 0; which < 3; ++which) {
-            line(suction + which, i) = line(before + which, i);
-            line(taken + which, i) = 0;
-        }
+        for (int which = 0; which < 3; ++which) line(suction + which, i) = line(before + which, i);
+        line(taken, i) = 0;
     }
     /// Takes the bends that suctions have passed; whether there are more of them than before.
     template <typename Team> HL_FN bool take_bends(const Line<Team>& line, int i) const
     {
         const Place p = place(line, i);
-        bool more = false;
+        const int had = static_cast<int>(line(taken, i));
+        int has = had;
         for (int which = 0; which < 3; ++which) {
             double where[PoreCourse::bends], by[PoreCourse::bends];
             course(line, p, which, i).find_bends(where, by);
-            const int had = static_cast<int>(line(taken + which, i));
-            int has = had;
             for (int k = 0; k < PoreCourse::bends; ++k)
-                if (line(suction + which, i) < where[k] && by[k] > 0) has |= 1 << k;
-            more = more || has != had;
-            line(taken + which, i) = has;
+                if (line(suction + which, i) < where[k] && by[k] > 0) has |= 1 << (which * PoreCourse::bends + k);
         }
-        return more;
+        line(taken, i) = has;
+        return has != had;
     }
     /// Newton's rounds as they come, which mostly close in after a few; then nested ones (Casulli and Zanolli 2010), which do not depend on
     /// where they begin. Returns whether they close in.
@@ -170,17 +178,11 @@ struct PoreRounds : PoreLines {
         constexpr int most_plain = 20;
         const int a = line.first, b = line.last;
         int round = 0;
-        for (; round < most_plain && round < most_rounds; ++round) {
-            if (!line.team.each_saying(a, b, [&](int i) { return balance(line, i, false); })) return true;
-            newton_round(line, false);
-        }
+        for (; round < most_plain && round < most_rounds; ++round)
+            if (!newton_round(line, false)) return true;
         line.team.each(a, b, [&](int i) { begin_anew(line, i); });
-        for (; round < most_rounds; ++round) {
-            if (line.team.each_saying(a, b, [&](int i) { return balance(line, i, true); }))
-                newton_round(line, true);
-            else if (!line.team.each_saying(a, b, [&](int i) { return take_bends(line, i); }))
-                return true;
-        }
+        for (; round < most_rounds; ++round)
+            if (!newton_round(line, true) && !line.team.each_saying(a, b, [&](int i) { return take_bends(line, i); })) return true;
         line.team.each(a, a + 1, [&](int) { atomic_add(unsolved, std::int64_t(1)); });
         return false;
     }

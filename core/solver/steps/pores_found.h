@@ -13,6 +13,7 @@ struct PoresFound {
     double saturation;  ///< 0..1
     double suction;     ///< Pa
     HeldBefore settled; ///< when it last did
+    double finer;       ///< than the type's dry pores
 
     HL_FN bool is_connected() const { return saturation > retention.threshold; }
 };
@@ -58,10 +59,6 @@ struct FindPores {
         const double wide = plain_inverse(narrowness(crossing, at));
         return wide * wide * wide;
     }
-    HL_FN Retention retention_of_room(int crossing, const BetweenParameters& at) const
-    {
-        return s.swelling > 0 ? narrowed(at.retention, narrowness(crossing, at)) : at.retention;
-    }
     /// Permeability over that of dry pores: pores^3 / fibres^2 (Gebart 1992).
     HL_FN double permeability(int i, const YarnParameters& yarn) const
     {
@@ -69,26 +66,22 @@ struct FindPores {
         const double finer = tightness(i, yarn);
         return s.pores[i] * plain_inverse(yarn.pore_area * s.length[i]) * plain_inverse(finer * finer);
     }
-    HL_FN Retention retention(int i, const YarnParameters& yarn, int face) const
-    {
-        const Retention& dry = yarn.on_face[face].retention;
-        return s.narrows ? narrowed(dry, tightness(i, yarn)) : dry;
-    }
     HL_FN PoresFound segment(int i, const YarnParameters& yarn, int face) const
     {
-        return found(retention(i, yarn, face), density * s.pores[i], s.liquid[i], s.suction[i], s.settled[i]);
+        const double finer = s.narrows ? tightness(i, yarn) : 1.0;
+        return found(yarn.on_face[face].retention, finer, density * s.pores[i], s.liquid[i], {s.settled[i], s.suction[i]});
     }
     HL_FN PoresFound between(int crossing, const BetweenParameters& at) const
     {
-        return found(retention_of_room(crossing, at), density * s.room[crossing], s.between[crossing], s.between_suction[crossing],
-                     s.between_settled[crossing]);
+        return found(at.retention, narrowness(crossing, at), density * s.room[crossing], s.between[crossing],
+                     {s.between_settled[crossing], s.between_suction[crossing]});
     }
-    HL_FN static PoresFound found(const Retention& retention, double capacity, double liquid, double suction, double settled)
+    HL_FN static PoresFound found(const Retention& dry, double finer, double capacity, double liquid, const HeldBefore& then)
     {
         // What rounding leaves over the bounds, where a whole line is full or dry, asks for nothing.
         const double share = liquid * plain_inverse(capacity), saturation = share < 0 ? 0.0 : share > 1 ? 1.0 : share;
-        const HeldBefore then{settled, suction};
-        return {retention, capacity, saturation, suction_after(retention, then, saturation), then};
+        const Retention retention = narrowed(dry, finer);
+        return {retention, capacity, saturation, suction_after(retention, then, saturation), then, finer};
     }
 };
 
