@@ -17,7 +17,7 @@ namespace {
 constexpr double usual_spacing = 0.01;         // m
 constexpr double most_places = 60000;          // of all panels' grids
 constexpr std::size_t most_work = 200'000'000; // comparisons of all outlines
-constexpr double most_filled_places = 20000;  // of a panel
+constexpr double most_filled_places = 20000;   // of a panel
 
 double twice_area(const FlatPlace& a, const FlatPlace& b, const FlatPlace& c)
 {

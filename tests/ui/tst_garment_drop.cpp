@@ -46,17 +46,16 @@ private Q_SLOTS:
             QTest::qWait(50);
             const QImage picture = shape().picture();
             int seen = 0, right = 0;
-            for (int y = 3; y < shape().height(); y += 9) {
-                for (int x = 3; x < shape().width(); x += 9) {
+            for (int y = 3; y < shape().height(); y += 13) {
+                for (int x = 3; x < shape().width(); x += 13) {
                     const GarmentSpot spot = shape().spotAt(QPointF(x + 0.5, y + 0.5));
-                    if (spot.panel < 0) { continue; }
+                    if (spot.panel < 0 || isAtRim(QPointF(x + 0.5, y + 0.5), spot.panel)) { continue; }
                     ++seen;
                     right += nearestFabric(pixel(picture, x, y)) == static_cast<std::size_t>(spot.panel) % fabrics ? 1 : 0;
                 }
             }
-            QVERIFY2(seen > 150, qPrintable(QString::number(seen)));
-            // Rims are drawn over cloth.
-            QVERIFY2(right > 0.95 * seen, qPrintable(QString("turned by %1: %2 of %3").arg(turn).arg(right).arg(seen)));
+            QVERIFY2(seen > 50, qPrintable(QString::number(seen)));
+            QVERIFY2(right > 0.97 * seen, qPrintable(QString("turned by %1: %2 of %3").arg(turn).arg(right).arg(seen)));
         }
     }
 
@@ -105,6 +104,15 @@ private:
     ShapeView& shape() { return *window_->garment().view().newest().shape(); }
     const std::vector<DrawnPanel>& panels() { return window_->garment().choice().drawing()->panels; }
     const Garment& garment() { return window_->document().design()->garments.front(); }
+    /// Its line is drawn there, over the cloth.
+    bool isAtRim(const QPointF& at, int panel)
+    {
+        constexpr double near = 3; // pixels
+        for (const QPointF& step : {QPointF(near, 0), QPointF(-near, 0), QPointF(0, near), QPointF(0, -near)}) {
+            if (shape().spotAt(at + step).panel != panel) { return true; }
+        }
+        return false;
+    }
     void cut(std::size_t panel, std::size_t fabric)
     {
         editCut(window_->document(), "cut", 0, panels()[panel].name, {},

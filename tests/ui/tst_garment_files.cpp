@@ -149,7 +149,9 @@ private:
         window_->garment().saveRun(file);
         [&] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), 20000); }();
         QTest::qWait(200);
-        runs().forget(window_->garment().playback().run()->file);
+        const QString own = window_->garment().playback().run()->file;
+        runs().forget(own);
+        QFile::remove(own); // or the next project finds it as its own
         return file;
     }
     void open(const QString& recording)

@@ -40,8 +40,10 @@ RatesFile::RatesFile(GarmentChoice& choice, QWidget* parent)
                            "skin_temperature_c."));
     clear_->setToolTip(tr("Leave the file, and let the wearer sweat as the table of activity says."));
     said_->setWordWrap(true);
-    said_->setTextFormat(Qt::PlainText);                                // names of files
-    said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a path may be wider than the form
+    said_->setTextFormat(Qt::PlainText);                            // names of files
+    QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Minimum); // a path may be wider than the form
+    policy.setHeightForWidth(true);
+    said_->setSizePolicy(policy);
     said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     said_->setAccessibleName(tr("What the file of rates holds"));
     connect(choose_, &QPushButton::clicked, this, &RatesFile::choose);
