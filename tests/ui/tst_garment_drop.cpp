@@ -41,20 +41,20 @@ private Q_SLOTS:
         for (std::size_t k = 0; k < panels().size(); ++k) { // a sleeve may look like the front, never like the back
             cut(k, k % fabrics);
         }
-        for (const double turn : {0.0, 35.0, 90.0, 155.0, 180.0, 250.0}) {
+        for (const double turn : {0.0, 90.0, 155.0, 250.0}) {
             shape().lookFrom(turn);
             QTest::qWait(50);
             const QImage picture = shape().picture();
             int seen = 0, right = 0;
-            for (int y = 3; y < shape().height(); y += 13) {
-                for (int x = 3; x < shape().width(); x += 13) {
+            for (int y = 3; y < shape().height(); y += 19) {
+                for (int x = 3; x < shape().width(); x += 19) {
                     const GarmentSpot spot = shape().spotAt(QPointF(x + 0.5, y + 0.5));
                     if (spot.panel < 0 || isAtRim(QPointF(x + 0.5, y + 0.5), spot.panel)) { continue; }
                     ++seen;
                     right += nearestFabric(pixel(picture, x, y)) == static_cast<std::size_t>(spot.panel) % fabrics ? 1 : 0;
                 }
             }
-            QVERIFY2(seen > 50, qPrintable(QString::number(seen)));
+            QVERIFY2(seen > 20, qPrintable(QString::number(seen)));
             QVERIFY2(right > 0.97 * seen, qPrintable(QString("turned by %1: %2 of %3").arg(turn).arg(right).arg(seen)));
         }
     }
