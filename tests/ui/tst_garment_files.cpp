@@ -56,6 +56,9 @@ private Q_SLOTS:
         write(file, "time_s,zone,g_m2_h\n0,chest,200\n1,chest,-5\n"); // it is watched
         QTRY_VERIFY2(rates.said().contains("line 3: g_m2_h must be from 0 to 100000; given is -5."), qPrintable(rates.said()));
         QVERIFY(rates.said().contains("rates.csv"));
+        QTest::qWait(50);
+        auto* words = rates.findChild<QLabel*>();
+        QVERIFY(words->height() >= words->heightForWidth(words->width())); // all lines are seen
         QVERIFY(window_->garment().wear().widget()->width() <= window_->garment().wear().viewport()->width());
 
         QVERIFY(window_->document().saveAs(folder_.filePath("moved.hygro")));

@@ -14,6 +14,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace hygroloom {
 
 namespace {
@@ -41,9 +43,7 @@ RatesFile::RatesFile(GarmentChoice& choice, QWidget* parent)
     clear_->setToolTip(tr("Leave the file, and let the wearer sweat as the table of activity says."));
     said_->setWordWrap(true);
     said_->setTextFormat(Qt::PlainText);                            // names of files
-    QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Minimum); // a path may be wider than the form
-    policy.setHeightForWidth(true);
-    said_->setSizePolicy(policy);
+    said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // a path may be wider than the form
     said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     said_->setAccessibleName(tr("What the file of rates holds"));
     connect(choose_, &QPushButton::clicked, this, &RatesFile::choose);
@@ -86,6 +86,16 @@ void RatesFile::say(const QString& sentence, bool is_wrong)
     if (is_wrong) { colors.setColor(QPalette::WindowText, severityColor(Severity::error, colors)); }
     said_->setPalette(colors);
     said_->setText(QString(sentence).replace("/", "/" + QString(line_end)));
+    giveRoom();
+}
+
+/// A scroll area asks nobody for a height that follows from the width.
+void RatesFile::giveRoom() { said_->setFixedHeight(std::max(said_->fontMetrics().lineSpacing(), said_->heightForWidth(width()))); }
+
+void RatesFile::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    giveRoom();
 }
 
 void RatesFile::refresh()

@@ -24,9 +24,13 @@ public:
     /// What was read, or why it could not be.
     QString said() const;
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void refresh();
     void read();
+    void giveRoom();
     void say(const QString& sentence, bool is_wrong);
 
     GarmentChoice& choice_;
