@@ -76,7 +76,7 @@ py::dict about(const SharedWearRecording& shared)
         panels.append(text(panel.name));
         fabrics.append(text(panel.fabric));
     }
-    for (const std::string& zone : body_zones()) zones.append(text(zone));
+    for (const std::string& zone : record.layout.zone_names()) zones.append(text(zone));
     std::vector<double> times;
     for (int k = 0; k < shared.recording.frames(); ++k) times.push_back(shared.recording.time_of(k));
     py::dict all;

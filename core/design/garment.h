@@ -2,6 +2,7 @@
 // A garment as a project names it: where its pattern comes from, which fabric each panel is cut from, what its seams pass, who wears it.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -43,11 +44,22 @@ struct PanelCut {
     bool operator==(const PanelCut&) const = default;
 };
 
+/// A part of a panel whose skin sweats at a rate of its own, in place of the body's zones there.
+struct OwnZone {
+    std::string name;
+    std::string panel;
+    std::vector<std::array<double, 2>> outline_mm; ///< of the flat panel, in its pattern's axes; closed, without repeating the first
+    double sweat_g_m2_h = 0;
+    bool operator==(const OwnZone&) const = default;
+};
+constexpr std::size_t most_own_zones = 100, most_outline_places = 1000;
+
 /// The body in the garment.
 struct Wearer {
     double skin_temperature_c = 34;
     std::map<std::string, double> gap_mm{{"default", 3.0}}; ///< of air between skin and cloth, per zone; 0: they touch
     std::string zones = "taylor-2013 exercise";             ///< a table of sweat rates: a shipped one, or a CSV beside the project
+    std::vector<OwnZone> own_zones;                         ///< where two overlap, the later one holds
     bool operator==(const Wearer&) const = default;
 };
 

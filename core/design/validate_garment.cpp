@@ -68,6 +68,40 @@ void validate_cuts(const Design& design, const Garment& garment, const std::stri
     }
 }
 
+constexpr double farthest_mm = 1e5, most_sweat = 1e5; // as a panel may reach, g/m2h as an experiment's rate
+
+void validate_own_zone(const OwnZone& zone, const std::string& at, IssueList& list)
+{
+    if (zone.name.empty()) list.error("empty_name", at + ".name", "The name of a zone is empty; give one.");
+    if (zone.name == "default" || is_in(zone.name, gap_zones()))
+        list.error("duplicate_name", at + ".name",
+                   fmt::format("\"{}\" is a zone of the body; give a zone of your own another name.", zone.name));
+    if (zone.panel.empty()) list.error("empty_name", at + ".panel", "The panel of a zone is empty; name one of the garment's.");
+    list.range(at + ".sweat_g_m2_h", "sweat of the zone", zone.sweat_g_m2_h, 0, most_sweat, "g/m2h");
+    if (zone.outline_mm.size() < 3 || zone.outline_mm.size() > most_outline_places)
+        list.error(
+            "range", at + ".outline_mm",
+            fmt::format("The outline of a zone has from 3 to {} places; given are {}.", most_outline_places, zone.outline_mm.size()));
+    for (std::size_t i = 0; i < std::min(most_outline_places, zone.outline_mm.size()); ++i)
+        for (std::size_t axis = 0; axis < 2; ++axis)
+            list.range(fmt::format("{}.outline_mm[{}][{}]", at, i, axis), axis == 0 ? "x of a place" : "y of a place",
+                       zone.outline_mm[i][axis], -farthest_mm, farthest_mm, "mm");
+}
+
+void validate_own_zones(const std::vector<OwnZone>& zones, const std::string& where, IssueList& list)
+{
+    if (zones.size() > most_own_zones)
+        list.error("range", where, fmt::format("A wearer has at most {} own zones; given are {}.", most_own_zones, zones.size()));
+    for (std::size_t i = 0; i < std::min(most_own_zones, zones.size()); ++i) {
+        const std::string at = fmt::format("{}[{}]", where, i);
+        validate_own_zone(zones[i], at, list);
+        const auto before = zones.begin() + static_cast<std::ptrdiff_t>(i);
+        if (std::any_of(zones.begin(), before, [&](const OwnZone& other) { return other.name == zones[i].name; }))
+            list.error("duplicate_name", at + ".name",
+                       fmt::format("There are two own zones \"{}\"; give one another name.", zones[i].name));
+    }
+}
+
 void validate_wearer(const Wearer& wearer, const std::string& where, IssueList& list)
 {
     list.range(where + ".skin_temperature_c", "temperature of the skin", wearer.skin_temperature_c, 10, 45, "C");
@@ -83,6 +117,7 @@ void validate_wearer(const Wearer& wearer, const std::string& where, IssueList& 
         list.error("unknown_sweat_table", where + ".zones",
                    fmt::format("There is no table of sweat rates \"{}\"; there are {}, or name a file that ends in .csv.", wearer.zones,
                                listed(sweat_tables())));
+    validate_own_zones(wearer.own_zones, where + ".own_zones", list);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // Zones by a place on the built-in body; where nothing says how panels stand, by their names.
 #include "core/garment/body.h"
 
+#include "core/base/units.h"
 #include "core/garment/outline.h"
 #include "core/garment/readers.h"
 
@@ -71,6 +72,17 @@ int zone_on_arm(const Vec3d& place, double height)
     return place.z < 0 ? palm : back_of_hand;
 }
 
+/// Whether a place lies inside an outline (mm): a ray from it crosses that an odd number of times.
+bool is_inside(const std::vector<std::array<double, 2>>& outline, double x, double y)
+{
+    bool inside = false;
+    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+        const auto &a = outline[i], &b = outline[j];
+        if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
+    }
+    return inside;
+}
+
 } // namespace
 
 void find_body(GarmentPattern& pattern)
@@ -102,6 +114,16 @@ int zone_at(const GarmentPattern& pattern, int panel, const Vec3d& place)
     if (height > body::knee) return thigh;
     if (height > body::ankle) return shin;
     return height > body::sole ? top_of_foot : sole;
+}
+
+int zone_at(const Garment& garment, const GarmentPattern& pattern, int panel, const Vec3d& place, const FlatPlace& flat)
+{
+    const std::string& name = pattern.panels[static_cast<std::size_t>(panel)].name;
+    const std::vector<OwnZone>& own = garment.wearer.own_zones;
+    for (std::size_t k = own.size(); k-- > 0;)
+        if (own[k].panel == name && is_inside(own[k].outline_mm, mm_from_metre(flat[0]), mm_from_metre(flat[1])))
+            return static_cast<int>(body_zones().size() + k);
+    return zone_at(pattern, panel, place);
 }
 
 double gap_at(const Garment& garment, const GarmentPattern& pattern, int panel, const Vec3d& place)

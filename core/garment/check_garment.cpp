@@ -2,8 +2,10 @@
 #include "core/garment/check_garment.h"
 
 #include "core/base/error.h"
+#include "core/base/units.h"
 #include "core/base/words.h"
 #include "core/design/wear.h"
+#include "core/garment/outline.h"
 #include "core/garment/sweat_table.h"
 
 #include <fmt/format.h>
@@ -43,6 +45,35 @@ bool are_sewn(const GarmentPattern& pattern, const std::string& one, const std::
     });
 }
 
+/// A zone's outline that crosses itself, or lies beside its panel.
+void check_outline(const OwnZone& zone, const PatternPanel& panel, const std::string& at, std::vector<Issue>& issues)
+{
+    std::vector<FlatPlace> outline;
+    for (const auto& place : zone.outline_mm) outline.push_back({metre_from_mm(place[0]), metre_from_mm(place[1])});
+    std::size_t done = 0;
+    if (crosses_itself(outline, done)) {
+        issues.push_back({Severity::warning, "zone_outline", at,
+                          fmt::format("The outline of the zone \"{}\" crosses itself; what it goes round twice is left out.", zone.name)});
+        return;
+    }
+    const auto box_of = [](const std::vector<FlatPlace>& places) {
+        std::array<double, 4> box{1e300, 1e300, -1e300, -1e300};
+        for (const FlatPlace& place : places)
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                box[axis] = std::min(box[axis], place[axis]);
+                box[axis + 2] = std::max(box[axis + 2], place[axis]);
+            }
+        return box;
+    };
+    const std::array<double, 4> of_zone = box_of(outline), of_panel = box_of(outline_of(panel));
+    if (of_zone[0] >= of_panel[2] || of_zone[2] <= of_panel[0] || of_zone[1] >= of_panel[3] || of_zone[3] <= of_panel[1])
+        issues.push_back({Severity::warning, "zone_outline", at,
+                          fmt::format("The zone \"{}\" lies beside the panel \"{}\", which reaches from x {:.0f}, y {:.0f} to x {:.0f}, y "
+                                      "{:.0f} mm.",
+                                      zone.name, zone.panel, mm_from_metre(of_panel[0]), mm_from_metre(of_panel[1]),
+                                      mm_from_metre(of_panel[2]), mm_from_metre(of_panel[3]))});
+}
+
 /// Whether an error concerns a place of the project or what is in it.
 bool is_wrong(const std::vector<Issue>& known, const std::string& where)
 {
@@ -69,6 +100,16 @@ std::vector<Issue> misnamed_in(const Garment& garment, const GarmentPattern& pat
             if (!is_in(panel, names)) issues.push_back({Severity::warning, "unknown_panel", at, no_panel(panel, names)});
         if (issues.size() == before && !are_sewn(pattern, one, other))
             issues.push_back({Severity::warning, "unknown_seam", at, fmt::format("\"{}\" and \"{}\" are not sewn together.", one, other)});
+    }
+    for (std::size_t i = 0; i < garment.wearer.own_zones.size(); ++i) {
+        const OwnZone& zone = garment.wearer.own_zones[i];
+        const std::string at = fmt::format("{}.wearer.own_zones[{}]", where, i);
+        const auto panel = std::find(names.begin(), names.end(), zone.panel);
+        if (panel == names.end()) {
+            issues.push_back({Severity::warning, "unknown_panel", at + ".panel", no_panel(zone.panel, names)});
+            continue;
+        }
+        check_outline(zone, pattern.panels[static_cast<std::size_t>(panel - names.begin())], at + ".outline_mm", issues);
     }
     return issues;
 }
@@ -97,7 +138,10 @@ GarmentCheck check_garments(const Design& design, const std::filesystem::path& b
         const WearExperiment& wear = design.wears[i];
         const std::string where = fmt::format("experiments[{}]", design.experiments.size() + i);
         if (!wear.activity_file.empty() && !is_wrong(known, where))
-            read("activity", where + ".activity", [&] { sweat_course(wear.activity_file, base); });
+            read("activity", where + ".activity", [&] {
+                const Garment* garment = find_garment(design, wear.garment);
+                sweat_course(wear.activity_file, base, garment ? garment->wearer.own_zones : std::vector<OwnZone>{});
+            });
     }
     return found;
 }

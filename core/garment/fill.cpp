@@ -17,7 +17,7 @@ namespace {
 constexpr double usual_spacing = 0.01;         // m
 constexpr double most_places = 60000;          // of all panels' grids
 constexpr std::size_t most_work = 200'000'000; // comparisons of all outlines
-constexpr double most_outline_places = 20000;  // of a panel
+constexpr double most_filled_places = 20000;   // of a panel
 
 double twice_area(const FlatPlace& a, const FlatPlace& b, const FlatPlace& c)
 {
@@ -248,9 +248,9 @@ std::vector<double> crossings(const std::vector<FlatPlace>& outline, double y)
 
 FilledPanel filled(const PatternPanel& panel, double spacing, std::size_t& work)
 {
-    if (perimeter_of(panel) > most_outline_places * spacing) return {{}, {}, false};
+    if (perimeter_of(panel) > most_filled_places * spacing) return {{}, {}, false};
     const std::vector<FlatPlace> outline = divided(outline_of(panel), spacing);
-    if (outline.size() < 3 || static_cast<double>(outline.size()) > most_outline_places) return {{}, {}, false};
+    if (outline.size() < 3 || static_cast<double>(outline.size()) > most_filled_places) return {{}, {}, false};
     double least = outline[0][1], most = least;
     for (const FlatPlace& place : outline) {
         least = std::min(least, place[1]);

@@ -63,6 +63,8 @@ double perimeter_of(const PatternPanel& panel);
 
 /// Which region (its number in body_zones()) a place in space lies on.
 int zone_at(const GarmentPattern& pattern, int panel, const Vec3d& place);
+/// The same, or where a zone of the garment's own lies over that place of the panel, its number behind them.
+int zone_at(const Garment& garment, const GarmentPattern& pattern, int panel, const Vec3d& place, const FlatPlace& flat);
 /// mm of air between skin and cloth at a place: of the "shoulder" where that is named and the cloth rests on it, else of the zone.
 double gap_at(const Garment& garment, const GarmentPattern& pattern, int panel, const Vec3d& place);
 

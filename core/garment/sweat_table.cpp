@@ -34,10 +34,11 @@ SweatTable shipped(const ProjectJson& entry, const std::string& source)
 
 std::string place_of(const CsvTable& csv, std::size_t row) { return fmt::format("{}: line {}: ", csv.file, csv.lines[row]); }
 
-/// A zone of the body, or "default".
-const std::string& zone_in(const CsvTable& csv, std::size_t row, std::size_t column)
+/// A zone of the body, one of the wearer's own, or "default".
+const std::string& zone_in(const CsvTable& csv, std::size_t row, std::size_t column, const std::vector<std::string>& own = {})
 {
     std::vector<std::string> known = body_zones();
+    known.insert(known.end(), own.begin(), own.end());
     known.emplace_back("default");
     const std::string& zone = csv.rows[row][column];
     if (std::find(known.begin(), known.end(), zone) != known.end()) return zone;
@@ -93,17 +94,18 @@ Moments without_repeats(const Moments& all)
     return kept;
 }
 
-SweatCourse course_of(const CsvTable& csv)
+SweatCourse course_of(const CsvTable& csv, const std::vector<std::string>& own)
 {
     SweatCourse course;
     course.source = csv.file;
+    course.rows = csv.rows.size();
     course.has_temperature =
         std::any_of(csv.rows.begin(), csv.rows.end(), [](const std::vector<std::string>& row) { return !row[3].empty(); });
     std::map<std::string, Moments> zones;
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
         SweatMomentOfZone moment;
         moment.time_s = number_within(csv, row, 0, "time_s", 0, latest_moment);
-        const std::string& zone = zone_in(csv, row, 1);
+        const std::string& zone = zone_in(csv, row, 1, own);
         moment.g_m2_h = number_within(csv, row, 2, "g_m2_h", 0, most_sweat);
         if (course.has_temperature) {
             if (csv.rows[row][3].empty())
@@ -112,6 +114,9 @@ SweatCourse course_of(const CsvTable& csv)
             moment.skin_temperature_c = number_within(csv, row, 3, "skin_temperature_c", coldest_skin, warmest_skin);
         }
         Moments& moments = zones[zone];
+        if (moments.empty()) course.named.push_back(zone);
+        course.first_time = row == 0 ? moment.time_s : std::min(course.first_time, moment.time_s);
+        course.last_time = std::max(course.last_time, moment.time_s);
         if (!moments.empty() && moment.time_s < moments.back().time_s)
             throw FileError(fmt::format("{}Rows of a zone stand in order of time; time_s is {:g} after {:g}.", place_of(csv, row),
                                         moment.time_s, moments.back().time_s));
@@ -127,6 +132,10 @@ SweatCourse course_of(const CsvTable& csv)
     for (const std::string& zone : body_zones()) {
         auto found = zones.find(zone);
         if (found == zones.end()) found = zones.find("default");
+        course.zones.push_back(found == zones.end() ? Moments{} : without_repeats(found->second));
+    }
+    for (const std::string& zone : own) {
+        const auto found = zones.find(zone);
         course.zones.push_back(found == zones.end() ? Moments{} : without_repeats(found->second));
     }
     return course;
@@ -156,11 +165,13 @@ SweatTable sweat_table(const std::string& name_or_file, const std::filesystem::p
     return from_csv([&] { return table_of(read_csv(text, path.string(), {"zone", "g_m2_h"}, {})); });
 }
 
-SweatCourse sweat_course(const std::string& file, const std::filesystem::path& base)
+SweatCourse sweat_course(const std::string& file, const std::filesystem::path& base, const std::vector<OwnZone>& own)
 {
+    std::vector<std::string> names;
+    for (const OwnZone& zone : own) names.push_back(zone.name);
     const std::filesystem::path path = base / file;
     const std::string text = read_file(path, largest_course_bytes);
-    return from_csv([&] { return course_of(read_csv(text, path.string(), {"time_s", "zone", "g_m2_h"}, {"skin_temperature_c"})); });
+    return from_csv([&] { return course_of(read_csv(text, path.string(), {"time_s", "zone", "g_m2_h"}, {"skin_temperature_c"}), names); });
 }
 
 } // namespace hygroloom

@@ -2,6 +2,8 @@
 // How much each zone of the body sweats.
 #pragma once
 
+#include "core/design/garment.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,15 +30,20 @@ struct SweatMomentOfZone {
 
 /// How zones sweat, and how warm their skin is, over time. Before a zone's first moment and after its last it is as in that one.
 struct SweatCourse {
-    std::vector<std::vector<SweatMomentOfZone>> zones; ///< by body_zones(); empty: the wearer's table holds
+    /// By body_zones(), then by the wearer's own zones; empty: the wearer's table, or the own zone's rate, holds.
+    std::vector<std::vector<SweatMomentOfZone>> zones;
     bool has_temperature = false;
     std::string source; ///< the file
+    // What stood there.
+    std::size_t rows = 0;
+    std::vector<std::string> named;       ///< zones and "default", in order of their first rows
+    double first_time = 0, last_time = 0; ///< s, of all rows
 };
 
 constexpr std::size_t most_moments_of_zone = 10'000;
 
 /// A CSV beside the project with the columns time_s, zone, g_m2_h and, if it has that, skin_temperature_c. Rows of a zone stand in order of
-/// time; "default" stands for all zones that are not named. Throws FileError, naming file, line, field, range and value.
-SweatCourse sweat_course(const std::string& file, const std::filesystem::path& base);
+/// time; "default" stands for all zones of the body that are not named. Throws FileError, naming file, line, field, range and value.
+SweatCourse sweat_course(const std::string& file, const std::filesystem::path& base, const std::vector<OwnZone>& own = {});
 
 } // namespace hygroloom

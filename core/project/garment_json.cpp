@@ -80,12 +80,47 @@ std::map<std::string, double> read_numbers(const ProjectJson& value, const std::
     return numbers;
 }
 
+std::vector<OwnZone> read_own_zones(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    std::vector<OwnZone> zones;
+    const ProjectJson& list = array_in(value, file, path);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        ObjectReader object(list[i], file, fmt::format("{}[{}]", path, i));
+        OwnZone zone;
+        object.read("name", zone.name);
+        object.read("panel", zone.panel);
+        object.read("sweat_g_m2_h", zone.sweat_g_m2_h);
+        const ProjectJson& outline = object.require("outline_mm");
+        const std::string at = object.path_of("outline_mm");
+        for (const ProjectJson& place : array_in(outline, file, at)) {
+            if (!place.is_array() || place.size() != 2)
+                object.refuse("outline_mm", "Each place is two numbers, [x, y] in mm of the flat panel; given is " + in_words(place) + ".");
+            zone.outline_mm.push_back({number_in(place[0], file, at), number_in(place[1], file, at)});
+        }
+        object.finish({"name", "panel", "sweat_g_m2_h"});
+        zones.push_back(std::move(zone));
+    }
+    return zones;
+}
+
+ProjectJson json_from_own_zones(const std::vector<OwnZone>& zones)
+{
+    ProjectJson list = ProjectJson::array();
+    for (const OwnZone& zone : zones) {
+        ProjectJson outline = ProjectJson::array();
+        for (const auto& place : zone.outline_mm) outline.push_back(ProjectJson::array({place[0], place[1]}));
+        list.push_back({{"name", zone.name}, {"panel", zone.panel}, {"outline_mm", outline}, {"sweat_g_m2_h", zone.sweat_g_m2_h}});
+    }
+    return list;
+}
+
 void read_wearer(const ProjectJson& value, const std::string& file, const std::string& path, Wearer& wearer)
 {
     ObjectReader object(value, file, path);
     object.read("skin_temperature_c", wearer.skin_temperature_c);
     if (const ProjectJson* gap = object.find("gap_mm")) wearer.gap_mm = read_numbers(*gap, file, object.path_of("gap_mm"));
     object.read("zones", wearer.zones);
+    if (const ProjectJson* zones = object.find("own_zones")) wearer.own_zones = read_own_zones(*zones, file, object.path_of("own_zones"));
     object.finish();
 }
 
@@ -130,6 +165,7 @@ ProjectJson json_from_garment(const Garment& garment)
     const Wearer& wearer = garment.wearer;
     json["wearer"] = {{"skin_temperature_c", wearer.skin_temperature_c}, {"gap_mm", ProjectJson::object()}, {"zones", wearer.zones}};
     for (const auto& [zone, gap] : wearer.gap_mm) json["wearer"]["gap_mm"][zone] = gap;
+    if (!wearer.own_zones.empty()) json["wearer"]["own_zones"] = json_from_own_zones(wearer.own_zones);
     return json;
 }
 

@@ -131,7 +131,7 @@ void write_cells_vtk(const WearLayout& layout, const WearFrame& frame, const std
     std::vector<std::string> panels;
     for (const WearPanel& each : layout.panels) panels.push_back(each.name);
     file.add_words("panels", panels);
-    file.add_words("zones", body_zones());
+    file.add_words("zones", layout.zone_names());
     file.begin("CellData");
     for (const auto& [name, values] : {std::pair{"water_g_m2", &water},
                                        {"inside_g_m2", &inside},

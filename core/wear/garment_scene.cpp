@@ -222,7 +222,14 @@ double capacity_of(const Builder& b, std::size_t panel, int end, int pick)
 /// m/s of liquid.
 double skin_rate(const Builder& b, double g_m2_h) { return 1e-3 * g_m2_h / 3600.0 / b.made.scene.climate.density; }
 
-/// How each zone of the body sweats over time; those that the file does not name as their table says.
+/// g/m2h of a zone at the factor 1: of the body by its table, of the wearer's own as it says.
+double usual_rate(const Builder& b, std::size_t zone)
+{
+    const std::size_t of_body = body_zones().size();
+    return zone < of_body ? b.parts.sweat.g_m2_h[zone] : b.parts.garment->wearer.own_zones[zone - of_body].sweat_g_m2_h;
+}
+
+/// How each zone sweats over time; those that the file does not name as their table, or they themselves, say.
 void add_course(Builder& b)
 {
     const GarmentParts& parts = b.parts;
@@ -231,12 +238,13 @@ void add_course(Builder& b)
     if (!parts.course) return;
     SkinSupply& skin = b.made.scene.supply.skin;
     const double usual = kelvin_from_celsius(parts.garment->wearer.skin_temperature_c), from = b.made.scene.climate.temperature;
-    for (std::size_t zone = 0; zone < body_zones().size(); ++zone) {
+    for (std::size_t zone = 0; zone < body_zones().size() + parts.garment->wearer.own_zones.size(); ++zone) {
         std::vector<SkinMoment>& moments = skin.zones.emplace_back();
-        for (const SweatMomentOfZone& moment : parts.course->zones[zone])
+        const bool is_known = zone < parts.course->zones.size();
+        for (const SweatMomentOfZone& moment : is_known ? parts.course->zones[zone] : std::vector<SweatMomentOfZone>{})
             moments.push_back({moment.time_s, skin_rate(b, moment.g_m2_h),
                                (parts.course->has_temperature ? kelvin_from_celsius(moment.skin_temperature_c) : usual) - from});
-        if (moments.empty()) moments.push_back({0, skin_rate(b, parts.sweat.g_m2_h[zone]), usual - from});
+        if (moments.empty()) moments.push_back({0, skin_rate(b, usual_rate(b, zone)), usual - from});
     }
     skin.zone.assign(static_cast<std::size_t>(b.cloth().crossings()), static_cast<std::uint8_t>(skin.zones.size()));
     for (const GarmentCell& cell : b.made.cells) skin.zone[static_cast<std::size_t>(cell.crossing)] = static_cast<std::uint8_t>(cell.zone);
@@ -255,9 +263,9 @@ void add_cells(Builder& b, const std::vector<std::vector<Vec3d>>& places)
                 if (!grid.has(end, pick)) continue;
                 GarmentCell cell{static_cast<int>(panel), end, pick};
                 cell.place = places[panel][grid.cell(end, pick)];
-                cell.zone = zone_at(b.parts.pattern, cell.panel, cell.place);
                 cell.crossing = static_cast<int>(b.warp(end, grid.first_pick + pick));
                 cell.flat = grid.middle(end, pick);
+                cell.zone = zone_at(*b.parts.garment, b.parts.pattern, cell.panel, cell.place, cell.flat);
                 cell.area = b.fabric_of(panel).cell_area();
                 cell.capacity = capacity_of(b, panel, end, pick);
                 b.made.cells.push_back(cell);
@@ -272,11 +280,26 @@ void add_cells(Builder& b, const std::vector<std::vector<Vec3d>>& places)
         const double gap = gap_at(*b.parts.garment, b.parts.pattern, cell.panel, cell.place);
         if (b.resolution.has_skin) cell.skin_contact = skin_contact(gap);
         scene.cloth.panels.air[crossing] = air_over(b, static_cast<std::size_t>(cell.panel), gap, cell.zone);
-        scene.supply.skin.rate[crossing] = skin_rate(b, b.parts.sweat.g_m2_h[zone]);
+        scene.supply.skin.rate[crossing] = skin_rate(b, usual_rate(b, zone));
     }
     for (const Activity& activity : b.parts.wear->activity) scene.supply.skin.course.push_back({activity.time_s, activity.factor});
     scene.supply.skin.holds = skin_film;
     add_course(b);
+}
+
+/// What is drawn too small for the cells would sweat as the body, without a word.
+void require_own_zones(const Builder& b)
+{
+    const std::vector<OwnZone>& own = b.parts.garment->wearer.own_zones;
+    std::vector<bool> is_covered(own.size());
+    for (const GarmentCell& cell : b.made.cells)
+        if (static_cast<std::size_t>(cell.zone) >= body_zones().size())
+            is_covered[static_cast<std::size_t>(cell.zone) - body_zones().size()] = true;
+    for (std::size_t k = 0; k < own.size(); ++k)
+        if (!is_covered[k])
+            throw Error("The zone \"" + own[k].name + "\" of the garment \"" + b.parts.garment->name +
+                        "\" holds the middle of no cell of the panel \"" + own[k].panel +
+                        "\", or lies under a later zone; take smaller cells, or change its outline.");
 }
 
 /// By how much the next cell along each yarn lies higher.
@@ -332,7 +355,7 @@ GarmentParts garment_parts(const Design& design, const WearExperiment& wear, con
     if (parts.garment == nullptr) throw Error("There is no garment named \"" + wear.garment + "\" in the project.");
     parts.pattern = read_pattern(*parts.garment, base);
     parts.sweat = sweat_table(parts.garment->wearer.zones, base);
-    if (!wear.activity_file.empty()) parts.course = sweat_course(wear.activity_file, base);
+    if (!wear.activity_file.empty()) parts.course = sweat_course(wear.activity_file, base, parts.garment->wearer.own_zones);
     return parts;
 }
 
@@ -371,6 +394,7 @@ GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& r
         if (length == 0) length = cloth.warp_pitch; // outside all panels
     add_pieces(b);
     add_cells(b, places);
+    require_own_zones(b);
     add_rises(b, places);
     wet(b);
     sew(cloth, seam_joints(parts.pattern, b.made, pass));

@@ -31,7 +31,7 @@ constexpr double contact_gap = 0.3e-3; ///< m of still air that cloth on skin st
 struct GarmentCell {
     int panel = 0;
     int end = 0, pick = 0;   ///< in the panel's grid; of computed cells as that lies in the cloth
-    int zone = 0;            ///< of body_zones()
+    int zone = 0;            ///< of body_zones(), then of the wearer's own zones
     int crossing = 0;        ///< in the scene's cloth
     FlatPlace flat{};        ///< m
     Vec3d place;             ///< m

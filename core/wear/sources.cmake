@@ -10,6 +10,7 @@ target_sources(hygroloom_core PRIVATE
   wear/shown_cells.cpp
   wear/turned_panels.cpp
   wear/wear_layout.cpp
+  wear/wear_layout_json.cpp
   wear/wear_map.cpp
   wear/wear_metrics.cpp
   wear/wear_recording.cpp

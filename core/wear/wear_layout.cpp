@@ -73,6 +73,13 @@ double WearLayout::skin_temperature_at(int zone, double time) const
     return before.temperature + (time - before.time) / (after->time - before.time) * (after->temperature - before.temperature);
 }
 
+std::vector<std::string> WearLayout::zone_names() const
+{
+    std::vector<std::string> names = body_zones();
+    names.insert(names.end(), own_zones.begin(), own_zones.end());
+    return names;
+}
+
 FlatBox WearPanel::box() const
 {
     FlatBox box;
@@ -92,6 +99,7 @@ WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment)
     layout.experiment = parts.wear->name;
     layout.cells_in_words = cells_in_words(garment);
     layout.skin_temperature = kelvin_from_celsius(parts.garment->wearer.skin_temperature_c);
+    for (const OwnZone& zone : parts.garment->wearer.own_zones) layout.own_zones.push_back(zone.name);
     const std::vector<Activity>& activity = parts.wear->activity;
     for (std::size_t k = 1; k < activity.size(); ++k)
         if (activity[k].factor < activity[k - 1].factor) layout.stops = activity[k].time_s;

@@ -35,12 +35,15 @@ struct WearLayout {
         double temperature = 0; ///< K
     };
     std::vector<std::vector<SkinTemperature>> skin_course;
-    std::optional<double> stops; ///< s, when the wearer's activity last falls; none: never
+    std::optional<double> stops;        ///< s, when the wearer's activity last falls; none: never
+    std::vector<std::string> own_zones; ///< names of the wearer's own zones, which follow the body's
     std::vector<WearPanel> panels;
     std::vector<GarmentCell> cells;
     GarmentShape shape;
 
     double skin_temperature_at(int zone, double time) const; ///< K
+    /// Of the body, then its own, by their numbers in cells.
+    std::vector<std::string> zone_names() const;
 };
 
 WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment);

@@ -271,13 +271,14 @@ std::string wear_csv(const WearLayout& layout, const WearFrame& frame)
     std::string text =
         "panel,end,pick,flat_x_mm,flat_y_mm,x_mm,y_mm,z_mm,zone,area_mm2,water_g_m2,inside_g_m2,outside_g_m2,share_of_capacity,"
         "temperature_c,evaporated_g_m2,on_skin_g_m2\n";
+    const std::vector<std::string> zones = layout.zone_names();
     for (std::size_t i = 0; i < layout.cells.size(); ++i) {
         const GarmentCell& c = layout.cells[i];
         const auto per_area = [&](double kg) { return 1e3 * kg / c.area; };
         text += fmt::format(
             "{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{:.4f},{:.6g},{:.6g},{:.6g},{:.6g},{:.4f},{:.6g},{:.6g}\n",
             csv_field(layout.panels[static_cast<std::size_t>(c.panel)].name), c.end, c.pick, 1e3 * c.flat[0], 1e3 * c.flat[1],
-            1e3 * c.place.x, 1e3 * c.place.y, 1e3 * c.place.z, body_zones()[static_cast<std::size_t>(c.zone)], 1e6 * c.area,
+            1e3 * c.place.x, 1e3 * c.place.y, 1e3 * c.place.z, csv_field(zones[static_cast<std::size_t>(c.zone)]), 1e6 * c.area,
             per_area(frame.water(i)), per_area(frame.inside[i]), per_area(frame.outside[i]), frame.water(i) / c.capacity,
             static_cast<double>(frame.temperature[i]) - zero_celsius, per_area(frame.evaporated[i]), per_area(frame.on_skin[i]));
     }

@@ -93,11 +93,12 @@ WearMetrics::WearMetrics(const WearLayout& layout) : layout_(layout)
 {
     all_.name = layout.garment;
     for (const WearPanel& panel : layout.panels) panels_.push_back({panel.name, 0, 0, {}});
+    const std::vector<std::string> names = layout.zone_names();
     std::map<int, int> known;
     for (const GarmentCell& cell : layout.cells) known.try_emplace(cell.zone, 0);
     for (auto& [zone, place] : known) {
         place = static_cast<int>(zones_.size());
-        zones_.push_back({body_zones()[static_cast<std::size_t>(zone)], 0, 0, {}});
+        zones_.push_back({names[static_cast<std::size_t>(zone)], 0, 0, {}});
     }
     for (const GarmentCell& cell : layout.cells) {
         zone_of_.push_back(known[cell.zone]);

@@ -128,6 +128,10 @@ std::string assumed(const WearRecord& record)
         sentences.push_back(
             "Sweat by zones: " + garment->wearer.zones +
             fmt::format("; skin of {:g} °C, where no file says otherwise.", celsius_from_kelvin(record.layout.skin_temperature)));
+    if (garment != nullptr)
+        for (const OwnZone& zone : garment->wearer.own_zones)
+            sentences.push_back(
+                fmt::format("The zone {} of its own, on the panel {}: {:g} g/m²h.", zone.name, zone.panel, zone.sweat_g_m2_h));
     const WearExperiment* wear = find_wear(record.design, record.layout.experiment);
     if (wear != nullptr && !wear->activity_file.empty())
         sentences.push_back("Rates over time, of the zones that it names: " + wear->activity_file + ".");

@@ -12,6 +12,7 @@
 #include "ui/garment/garment_view.h"
 #include "ui/garment/panel_table.h"
 #include "ui/garment/wear_form.h"
+#include "ui/garment/zones_form.h"
 #include "ui/results/project_runs.h"
 #include "ui/results/run_history.h"
 #include "ui/window/examples.h"
@@ -266,6 +267,56 @@ private Q_SLOTS:
     }
 
     /// A project may name a seam in the other order; it stays one.
+    void aZoneIsDrawnOnAFlatPanel()
+    {
+        addTee();
+        FlatView& flat = workspace_->view().flat();
+        ZonesForm& form = workspace_->fit().ownZones();
+        const auto click = [&](const QPointF& at) { QTest::mouseClick(&flat, Qt::LeftButton, {}, at.toPoint()); };
+        const QPointF middle = flat.pixelOf(middleOf(0));
+        form.drawButton().click();
+        QVERIFY(flat.outlining());
+        click(middle + QPointF(-15, 10));
+        click(middle + QPointF(15, 10));
+        click(middle + QPointF(25, 15)); // taken back
+        QTest::keyClick(&flat, Qt::Key_Backspace);
+        click(middle + QPointF(15, -20));
+        click(flat.pixelOf(middleOf(1))); // another panel's place
+        click(middle + QPointF(-15, -20));
+        QVERIFY(garment().wearer.own_zones.empty());
+        click(middle + QPointF(-15, 10)); // the first corner closes it
+        QCOMPARE(garment().wearer.own_zones.size(), std::size_t{1});
+        QVERIFY(!flat.outlining() && !form.drawButton().isChecked());
+        const OwnZone zone = garment().wearer.own_zones[0];
+        QCOMPARE(zone.panel, workspace_->choice().drawing()->panels[0].name);
+        QCOMPARE(zone.outline_mm.size(), std::size_t{4});
+        const GarmentSpot corner = flat.spotAt((middle + QPointF(15, -20)).toPoint());
+        QVERIFY(std::abs(zone.outline_mm[2][0] - 1e3 * corner.flat[0]) < 1e-2 &&
+                std::abs(zone.outline_mm[2][1] - 1e3 * corner.flat[1]) < 1e-2);
+        QVERIFY(!document_->hasError());
+        document_->history()->undo();
+        QVERIFY(garment().wearer.own_zones.empty());
+        document_->history()->redo();
+
+        form.drawButton().click();
+        click(middle);
+        QTest::keyClick(&flat, Qt::Key_Escape);
+        QVERIFY(!flat.outlining());
+        QCOMPARE(garment().wearer.own_zones.size(), std::size_t{1});
+        QCOMPARE(form.table().rowCount(), 1);
+        auto* rate = qobject_cast<QuantityEdit*>(form.table().cellWidget(0, 1));
+        Q_EMIT rate->edited(1500.0, false);
+        QCOMPARE(garment().wearer.own_zones[0].sweat_g_m2_h, 1500.0);
+        QVERIFY(whyNotZoneName(garment(), 0, "chest").contains("zone of the body"));
+        QVERIFY(whyNotZoneName(garment(), -1, QString::fromStdString(zone.name)).contains("already exists"));
+        form.table().selectRow(0);
+        form.removeSelected();
+        QVERIFY(garment().wearer.own_zones.empty());
+        QCOMPARE(form.table().rowCount(), 0);
+        document_->history()->undo();
+        QCOMPARE(garment().wearer.own_zones[0].sweat_g_m2_h, 1500.0);
+    }
+
     void aSeamKeepsTheOrderOfTheProject()
     {
         addTee();

@@ -37,6 +37,10 @@ const Change changes[] = {
     {"garment.wearer.gap_mm", "/garments/0/wearer/gap_mm", R"({"default": 3, "chest": 10})"},
     {"garment.wearer.gap_mm.default", "/garments/0/wearer/gap_mm/default", "10"},
     {"garment.wearer.zones", "/garments/0/wearer/zones", "\"taylor-2013 rest\""},
+    {"garment.wearer.own_zones.panel", "/garments/0/wearer/own_zones/0/panel", "\"back\""},
+    {"garment.wearer.own_zones.outline_mm", "/garments/0/wearer/own_zones/0/outline_mm",
+     "[[-100, 100], [100, 100], [100, 200], [-100, 200]]"},
+    {"garment.wearer.own_zones.sweat_g_m2_h", "/garments/0/wearer/own_zones/0/sweat_g_m2_h", "50"},
     {"wear.garment", "/experiments/0/garment", "\"other\""},
     {"wear.climate", "/experiments/0/climate/temperature_c", "30"},
     {"wear.liquid", "/experiments/0/liquid", "\"saline\""},
@@ -52,6 +56,8 @@ const std::map<std::string, const char*> without_effect{
     {"garment.panels", "holds others"},
     {"garment.panels.layers", "one alone can be computed"},
     {"garment.wearer", "holds others"},
+    {"garment.wearer.own_zones", "holds others"},
+    {"garment.wearer.own_zones.name", "a name"},
     {"wear.name", "a name"},
     {"wear.type", "says what it is"},
     {"wear.activity", "holds others"},
@@ -81,6 +87,7 @@ ProjectJson project()
     tee.panels["*"] = {"Denim"};
     tee.seams["default"] = 1;
     design.garments = {tee, tee};
+    design.garments[0].wearer.own_zones = {{"belt", "front", {{-200, 100}, {200, 100}, {200, 400}, {-200, 400}}, 2000}};
     design.garments[1].name = "other";
     design.garments[1].built_in = standard_garment("singlet");
     WearExperiment wear;

@@ -3,6 +3,7 @@
 
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
+#include "ui/garment/zones_form.h"
 
 #include <QApplication>
 #include <QHeaderView>
@@ -68,7 +69,7 @@ QuantityEdit* optionalField(Document& document, const Quantity& quantity, const 
 
 FitForm::FitForm(GarmentChoice& choice, QWidget* parent)
     : QScrollArea(parent), choice_(choice), zones_(table(tr("Gaps between skin and cloth"), {tr("Zone"), tr("Gap")})),
-      seam_rows_(table(tr("Seams"), {tr("Seam"), tr("Passes")}))
+      seam_rows_(table(tr("Seams"), {tr("Seam"), tr("Passes")})), own_zones_(new ZonesForm(choice))
 {
     setWidgetResizable(true);
     setFrameShape(NoFrame);
@@ -83,6 +84,7 @@ FitForm::FitForm(GarmentChoice& choice, QWidget* parent)
     layout->addWidget(heading(tr("Share of the water that seams pass")));
     seam_rows_->setMinimumHeight(110);
     layout->addWidget(seam_rows_, 2);
+    layout->addWidget(own_zones_, 1);
     setWidget(all);
     addGap("default", tr("all others"));
     for (const std::string& zone : gap_zones()) { addGap(zone, QString::fromStdString(zone)); }

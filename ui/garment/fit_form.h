@@ -11,6 +11,7 @@ class QTableWidget;
 namespace hygroloom {
 
 class QuantityEdit;
+class ZonesForm;
 
 class FitForm : public QScrollArea {
     Q_OBJECT
@@ -21,6 +22,7 @@ public:
     QuantityEdit* gapOf(const std::string& zone) const;
     /// Between two panels in either order; of all seams that have no share of their own without names.
     QuantityEdit* seamOf(const std::string& one = {}, const std::string& other = {}) const;
+    ZonesForm& ownZones() { return *own_zones_; }
 
 private:
     struct Gap {
@@ -39,6 +41,7 @@ private:
     GarmentChoice& choice_;
     QTableWidget* zones_;
     QTableWidget* seam_rows_;
+    ZonesForm* own_zones_;
     std::vector<Gap> gaps_;
     std::vector<Seam> seams_;
 };

@@ -3,11 +3,9 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/color_map.h"
-#include "ui/garment/garment_panel.h"
+#include "ui/garment/panel_drop.h"
 
 #include <QApplication>
-#include <QDragEnterEvent>
-#include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -33,14 +31,15 @@ void drawGrain(QPainter& painter, const QPointF& middle, double half, double gra
 
 } // namespace
 
-FlatView::FlatView(QWidget* parent) : QWidget(parent)
+FlatView::FlatView(QWidget* parent)
+    : QWidget(parent), drop_(new PanelDrop(this, [this](const QPointF& pixel) { return spotAt(pixel).panel; }))
 {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setAcceptDrops(true);
     setMinimumSize(60, 60);
     setAccessibleName(tr("Flat panels of the garment"));
     setAccessibleDescription(tr("Drag to move, wheel to zoom, click to pin a place. Plus and minus zoom, Home shows all panels."));
+    connect(drop_, &PanelDrop::dropped, this, &FlatView::fabricDropped);
 }
 
 void FlatView::setDrawing(std::shared_ptr<const GarmentDrawing> drawing)
@@ -48,7 +47,10 @@ void FlatView::setDrawing(std::shared_ptr<const GarmentDrawing> drawing)
     if (drawing == drawing_) { return; }
     const bool same = drawing && drawing_ && drawing->sheet == drawing_->sheet;
     drawing_ = std::move(drawing);
-    if (!same) { scale_ = 0; }
+    if (!same) {
+        scale_ = 0;
+        setOutlining(false); // its panel may be another now
+    }
     update();
 }
 
@@ -68,6 +70,40 @@ void FlatView::setPin(const GarmentSpot& spot)
 {
     pin_ = spot;
     update();
+}
+
+void FlatView::setZones(std::vector<ZoneOnPanel> zones)
+{
+    zones_ = std::move(zones);
+    update();
+}
+
+void FlatView::setOutlining(bool outlining)
+{
+    if (outlining == pen_.isDown()) { return; }
+    pen_.setDown(outlining);
+    setCursor(outlining ? Qt::CrossCursor : Qt::ArrowCursor);
+    if (outlining) { setFocus(); }
+    update();
+    if (!outlining) { Q_EMIT outliningEnded(); }
+}
+
+void FlatView::addCorner(const QPointF& pixel)
+{
+    constexpr double near = 8; // pixels
+    bool on_first = false;
+    if (!pen_.outline().empty()) { on_first = (pixelOf({pen_.panel(), pen_.outline().front()}) - pixel).manhattanLength() <= near; }
+    if (pen_.click(spotAt(pixel), on_first)) { closeOutline(); }
+    update();
+}
+
+void FlatView::closeOutline()
+{
+    if (!pen_.canClose()) { return; }
+    const int panel = pen_.panel();
+    const std::vector<FlatPlace> outline = pen_.outline();
+    setOutlining(false);
+    Q_EMIT zoneOutlined(panel, outline);
 }
 
 void FlatView::fit()
@@ -146,7 +182,7 @@ void FlatView::paintPanel(QPainter& painter, std::size_t panel, const QTransform
         painter.drawImage(QPointF(0, 0), fill.image);
         painter.restore();
     }
-    const bool marked = static_cast<int>(panel) == drop_target_ || static_cast<int>(panel) == chosen_;
+    const bool marked = static_cast<int>(panel) == drop_->target() || static_cast<int>(panel) == chosen_;
     painter.setPen(QPen(marked ? palette().color(QPalette::Highlight) : palette().color(QPalette::WindowText), marked ? 2.5 : 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(path);
@@ -184,6 +220,8 @@ void FlatView::paintEvent(QPaintEvent*)
     const QTransform view = toPixels();
     for (std::size_t k = 0; k < drawing_->panels.size(); ++k) { paintPanel(painter, k, view); }
     for (std::size_t k = 0; k < drawing_->panels.size(); ++k) { paintLabel(painter, k, view); }
+    paintZones(painter, zones_, *drawing_, view, palette());
+    pen_.paint(painter, *drawing_, view, pointer_);
     if (pin_.panel >= 0 && pin_.panel < static_cast<int>(drawing_->panels.size())) {
         const QPointF at = pixelOf(pin_);
         painter.setBrush(Qt::NoBrush);
@@ -211,7 +249,9 @@ void FlatView::mousePressEvent(QMouseEvent* event)
 
 void FlatView::mouseMoveEvent(QMouseEvent* event)
 {
+    pointer_ = event->position();
     if (!(event->buttons() & (Qt::LeftButton | Qt::MiddleButton))) {
+        if (pen_.isDown()) { update(); }
         Q_EMIT hovered(spotAt(event->position()));
         return;
     }
@@ -227,8 +267,40 @@ void FlatView::mouseMoveEvent(QMouseEvent* event)
 
 void FlatView::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (!moving_ && event->button() == Qt::LeftButton) { Q_EMIT clicked(spotAt(event->position())); }
+    if (!moving_ && event->button() == Qt::LeftButton) {
+        if (pen_.isDown()) {
+            addCorner(event->position());
+        } else {
+            Q_EMIT clicked(spotAt(event->position()));
+        }
+    }
     moving_ = false;
+}
+
+void FlatView::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    mousePressEvent(event);
+    if (!pen_.isDown()) { return; }
+    closeOutline();
+    moving_ = true; // its release is no click
+}
+
+void FlatView::keyPressEvent(QKeyEvent* event)
+{
+    if (!pen_.isDown()) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    switch (event->key()) {
+    case Qt::Key_Escape: setOutlining(false); break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter: closeOutline(); break;
+    case Qt::Key_Backspace:
+        pen_.back();
+        update();
+        break;
+    default: QWidget::keyPressEvent(event);
+    }
 }
 
 void FlatView::leaveEvent(QEvent* event)
@@ -238,33 +310,5 @@ void FlatView::leaveEvent(QEvent* event)
 }
 
 void FlatView::wheelEvent(QWheelEvent* event) { zoomAt(std::pow(1.0015, event->angleDelta().y()), event->position()); }
-
-void FlatView::dragEnterEvent(QDragEnterEvent* event)
-{
-    if (event->mimeData()->hasFormat(fabric_mime)) { event->acceptProposedAction(); }
-}
-
-void FlatView::dragMoveEvent(QDragMoveEvent* event)
-{
-    drop_target_ = spotAt(event->position()).panel;
-    event->setAccepted(drop_target_ >= 0);
-    update();
-}
-
-void FlatView::dragLeaveEvent(QDragLeaveEvent*)
-{
-    drop_target_ = -1;
-    update();
-}
-
-void FlatView::dropEvent(QDropEvent* event)
-{
-    const int panel = spotAt(event->position()).panel;
-    drop_target_ = -1;
-    update();
-    if (panel < 0) { return; }
-    event->acceptProposedAction();
-    Q_EMIT fabricDropped(panel, QString::fromUtf8(event->mimeData()->data(fabric_mime)));
-}
 
 } // namespace hygroloom

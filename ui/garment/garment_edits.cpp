@@ -172,6 +172,58 @@ void setSeam(Garment& garment, const std::string& one, const std::string& other,
     }
 }
 
+QString whyNotZoneName(const Garment& garment, int zone, const QString& name)
+{
+    const std::string wish = name.trimmed().toStdString();
+    const auto& body = gap_zones();
+    const auto& own = garment.wearer.own_zones;
+    if (wish.empty()) { return tr("A zone needs a name."); }
+    if (wish == "default" || std::find(body.begin(), body.end(), wish) != body.end()) {
+        return tr("“%1” is a zone of the body. Choose another name.").arg(name.trimmed());
+    }
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        if (own[k].name == wish && static_cast<int>(k) != zone) {
+            return tr("A zone “%1” already exists. Choose another name.").arg(name.trimmed());
+        }
+    }
+    return {};
+}
+
+int addOwnZone(Document& document, int garment, const std::string& panel, const std::vector<std::array<double, 2>>& outline_mm)
+{
+    constexpr double usual_rate = 842; // g/m2h
+    editGarment(document, tr("draw a zone"), garment, {}, [&](Garment& edited) {
+        std::vector<OwnZone>& zones = edited.wearer.own_zones;
+        const std::string name = free_name("zone", [&zones](const std::string& wish) {
+            return std::any_of(zones.begin(), zones.end(), [&wish](const OwnZone& zone) { return zone.name == wish; });
+        });
+        zones.push_back({name, panel, outline_mm, usual_rate});
+    });
+    return static_cast<int>(document.design()->garments[static_cast<std::size_t>(garment)].wearer.own_zones.size()) - 1;
+}
+
+void removeOwnZone(Document& document, int garment, int zone)
+{
+    const auto& garments = document.design()->garments;
+    if (garment < 0 || garment >= static_cast<int>(garments.size()) || zone < 0 ||
+        zone >= static_cast<int>(garments[static_cast<std::size_t>(garment)].wearer.own_zones.size())) {
+        return;
+    }
+    editGarment(document, tr("delete zone"), garment, {},
+                [zone](Garment& edited) { edited.wearer.own_zones.erase(edited.wearer.own_zones.begin() + zone); });
+}
+
+void editOwnZone(Document& document, const QString& text, int garment, int zone, const std::string& field,
+                 const std::function<void(OwnZone&)>& change)
+{
+    editGarment(document, text, garment, field.empty() ? field : "wearer.own_zones[" + std::to_string(zone) + "]." + field,
+                [&](Garment& edited) {
+                    if (zone >= 0 && zone < static_cast<int>(edited.wearer.own_zones.size())) {
+                        change(edited.wearer.own_zones[static_cast<std::size_t>(zone)]);
+                    }
+                });
+}
+
 int addWear(Document& document, const std::string& garment)
 {
     const Experiment* experiment = document.experiment();

@@ -38,6 +38,14 @@ std::string seamKey(const Garment& garment, const std::string& one, const std::s
 /// The share of the water that a seam passes; none: that of all others.
 void setSeam(Garment& garment, const std::string& one, const std::string& other, std::optional<double> share);
 
+/// Why an own zone of a garment cannot have a name, in a sentence; empty: it can.
+QString whyNotZoneName(const Garment& garment, int zone, const QString& name);
+/// Under a name that is free, and sweating as the chest at exercise does: it is there to be changed. Returns its place.
+int addOwnZone(Document& document, int garment, const std::string& panel, const std::vector<std::array<double, 2>>& outline_mm);
+void removeOwnZone(Document& document, int garment, int zone);
+void editOwnZone(Document& document, const QString& text, int garment, int zone, const std::string& field,
+                 const std::function<void(OwnZone&)>& change);
+
 /// An experiment on a garment, in the climate of the project's experiment. Returns its place.
 int addWear(Document& document, const std::string& garment);
 void removeWear(Document& document, int wear);

@@ -32,9 +32,17 @@ GarmentPane::GarmentPane(QWidget* parent)
     sides_->addWidget(flat_);
     connect(flat_, &FlatView::hovered, this, &GarmentPane::hovered);
     connect(flat_, &FlatView::clicked, this, &GarmentPane::clicked);
-    connect(flat_, &FlatView::fabricDropped, this, [this](int panel, const QString& fabric) {
+    const auto drop = [this](int panel, const QString& fabric) {
         Q_EMIT fabricDropped(QString::fromStdString(drawing_->panels[static_cast<std::size_t>(panel)].name), fabric);
-    });
+    };
+    connect(flat_, &FlatView::fabricDropped, this, drop);
+    if (shape_) { connect(shape_, &ShapeView::fabricDropped, this, drop); }
+}
+
+void GarmentPane::setEditable(bool editable)
+{
+    flat_->setEditable(editable);
+    if (shape_) { shape_->setEditable(editable); }
 }
 
 void GarmentPane::setCaption(const QString& text) { caption_->setFullText(text); }

@@ -29,6 +29,8 @@ public:
     void setSides(Sides sides);
     /// 3D over flat, in a narrow pane.
     void setStacked(bool stacked);
+    /// Whether fabrics may be dropped on its panels.
+    void setEditable(bool editable);
     void setPin(const GarmentSpot& spot);
     FlatView& flat() { return *flat_; }
     /// nullptr: this display has no OpenGL.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What is drawn, and with which colours. The bar over it: garment_view_bar.cpp.
+// What is drawn, and with which colours. The bar over it: garment_view_bar.cpp; what it has to do with the project:
+// garment_view_project.cpp.
 #include "ui/garment/garment_view.h"
 
 #include "ui/basics/color_map.h"
@@ -59,6 +60,7 @@ GarmentView::GarmentView(GarmentChoice& choice, WearPlayback& playback, QWidget*
     page->setContentsMargins(0, 0, 0, 0);
     page->setSpacing(0);
     page->addWidget(makeBar());
+    page->addWidget(makeNotice());
     page->addWidget(makePanes(), 1);
     page->addWidget(probe_);
     probe_->setMargin(4);
@@ -70,6 +72,8 @@ GarmentView::GarmentView(GarmentChoice& choice, WearPlayback& playback, QWidget*
     pages_->addWidget(garment_page_);
     layout->addWidget(pages_);
     for (GarmentPane* pane : panes()) { connectPane(pane); }
+    connect(&newest_->flat(), &FlatView::outliningEnded, this, &GarmentView::outliningEnded);
+    connect(&newest_->flat(), &FlatView::zoneOutlined, this, &GarmentView::addZone);
     connect(&choice_, &GarmentChoice::changed, this, &GarmentView::refresh);
     connect(&choice_, &GarmentChoice::garmentChosen, this, &GarmentView::showChosen);
     connect(&choice_, &GarmentChoice::drawingChanged, this, &GarmentView::refresh);
@@ -199,6 +203,8 @@ void GarmentView::showChosen()
 
 void GarmentView::refresh()
 {
+    refreshNotice();
+    refreshZones();
     if (showsRun()) {
         pages_->setCurrentWidget(garment_page_);
         refreshBar();
@@ -230,7 +236,7 @@ QString GarmentView::whyStale() const
 {
     const Design &now = *choice_.document().design(), &then = playback_.run()->record->design;
     const WearLayout& layout = playback_.run()->layout();
-    if (!find_garment(now, layout.garment) || !find_wear(now, layout.experiment)) { return tr(". Not an experiment of this project."); }
+    if (isForeign()) { return tr(". Not an experiment of this project."); }
     return garmentHoldsFor(then, layout.garment, layout.experiment, now) ? QString()
                                                                          : tr(". Out of date: the design has changed. Run again.");
 }
@@ -330,7 +336,7 @@ QString GarmentView::spotText(const GarmentSpot& spot) const
         text = tr("A: %1; B: %2").arg(there < 0 ? QStringLiteral("–") : values(*playback_.kept(), *playback_.keptFrame(), there), text);
     }
     return tr("%1, zone %2: %3; %4")
-        .arg(name, QString::fromStdString(body_zones()[static_cast<std::size_t>(here.zone)]), text, directionWords(run, cell));
+        .arg(name, QString::fromStdString(run.layout().zone_names()[static_cast<std::size_t>(here.zone)]), text, directionWords(run, cell));
 }
 
 void GarmentView::setChosenPanel(int panel) { newest_->flat().setChosenPanel(panel); }

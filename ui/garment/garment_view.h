@@ -49,12 +49,21 @@ public:
     /// What is said of the place under the pointer, or of the pin.
     QString probeText() const;
 
+    /// Lets a zone be outlined on a flat panel of the chosen garment.
+    void setOutlining(bool outlining);
+    /// That the run on screen is none of the project's; empty: it is, or none is shown.
+    QString noticeText() const;
+
 Q_SIGNALS:
     void panelClicked(int panel);
+    void outliningEnded();
+    /// The project of the run on screen shall be edited.
+    void designRequested();
 
 private:
     QWidget* makeEmpty();
     QWidget* makeBar();
+    QWidget* makeNotice();
     QWidget* makePanes();
     QString whenOfA() const;
     GarmentSpot spotOfNewest(const GarmentPane* pane, const GarmentSpot& spot) const;
@@ -70,6 +79,10 @@ private:
     void pinMiddle();
     QString spotText(const GarmentSpot& spot) const;
     QString whyStale() const;
+    bool isForeign() const;
+    void refreshNotice();
+    void refreshZones();
+    void addZone(int panel, const std::vector<FlatPlace>& outline);
     bool showsRun() const { return colors_ != Colors::fabrics && playback_.run(); }
 
     GarmentChoice& choice_;
@@ -81,6 +94,8 @@ private:
     QStackedWidget* pages_;
     QLabel* problem_;
     QWidget* garment_page_;
+    QWidget* notice_ = nullptr;
+    QLabel* notice_text_ = nullptr;
     GarmentPane* kept_;
     GarmentPane* newest_;
     GarmentPane* difference_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/shape_view.h"
 
+#include "ui/garment/panel_drop.h"
 #include "ui/picture/drawing.h"
 
 #include <QApplication>
@@ -48,7 +49,8 @@ std::vector<unsigned> rims(const GarmentShape& shape)
 
 } // namespace
 
-ShapeView::ShapeView(QWidget* parent) : QOpenGLWidget(parent)
+ShapeView::ShapeView(QWidget* parent)
+    : QOpenGLWidget(parent), drop_(new PanelDrop(this, [this](const QPointF& pixel) { return spotAt(pixel).panel; }))
 {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -58,6 +60,7 @@ ShapeView::ShapeView(QWidget* parent) : QOpenGLWidget(parent)
         tr("Drag to turn, middle button or Shift and drag to move, wheel to zoom, click to pin a place. Home shows the "
            "whole garment, 1, 3 and 7 look from the front, the side and the back."));
     camera_.lookFrom(-20, 8);
+    connect(drop_, &PanelDrop::dropped, this, &ShapeView::fabricDropped);
 }
 
 ShapeView::~ShapeView()
@@ -268,7 +271,8 @@ void ShapeView::drawCloth()
     program_.setUniformValue("eye", camera_.eye());
     program_.setUniformValue("bare", QVector3D(0.86F, 0.86F, 0.86F));
     program_.setUniformValue("picture", 0);
-    program_.setUniformValue("line", QVector4D());
+    const QColor marked = palette().color(QPalette::Highlight);
+    const QVector4D mark(static_cast<float>(marked.redF()), static_cast<float>(marked.greenF()), static_cast<float>(marked.blueF()), 0.5F);
     const QOpenGLVertexArrayObject::Binder bound(&array_);
     gl_->glActiveTexture(GL_TEXTURE0);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
@@ -286,6 +290,7 @@ void ShapeView::drawCloth()
         }
         program_.setUniformValue("to_u", to_u);
         program_.setUniformValue("to_v", to_v);
+        program_.setUniformValue("line", static_cast<int>(k) == drop_->target() ? mark : QVector4D()); // a dragged fabric would go there
         gl_->glDrawElements(GL_TRIANGLES, parts_[k].count, GL_UNSIGNED_INT,
                             vertexOffset(static_cast<std::size_t>(parts_[k].first) * sizeof(unsigned)));
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The garment in space. Dragging turns it, middle button or Shift and dragging move it, the wheel zooms, a click pins a place.
+// The garment in space. Dragging turns it, middle button or Shift and dragging move it, the wheel zooms, a click pins a place,
+// a fabric can be dropped on a panel.
 #pragma once
 
 #include "ui/garment/garment_drawing.h"
@@ -12,6 +13,8 @@
 #include <QOpenGLWidget>
 
 namespace hygroloom {
+
+class PanelDrop;
 
 class ShapeView : public QOpenGLWidget {
     Q_OBJECT
@@ -28,7 +31,10 @@ public:
     /// 0: the front, 90: the wearer's left side, 180: the back.
     void lookFrom(double turn);
     void zoomBy(double factor);
+    /// Of the nearest cloth under a pixel.
     GarmentSpot spotAt(const QPointF& pixel) const;
+    /// Whether fabrics may be dropped.
+    void setEditable(bool editable) { setAcceptDrops(editable); }
     QImage picture() { return grabFramebuffer(); }
     /// Why nothing is drawn; empty otherwise.
     const QString& problem() const { return problem_; }
@@ -36,6 +42,7 @@ public:
 Q_SIGNALS:
     void hovered(const GarmentSpot& spot);
     void clicked(const GarmentSpot& spot);
+    void fabricDropped(int panel, const QString& fabric);
     void cameraMoved(const Camera& camera);
 
 protected:
@@ -78,6 +85,7 @@ private:
     QString problem_;
     QPointF pressed_, dragged_;
     bool moving_ = false;
+    PanelDrop* drop_;
 };
 
 } // namespace hygroloom

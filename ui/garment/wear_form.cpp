@@ -6,7 +6,9 @@
 #include "ui/basics/typed_value.h"
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
+#include "ui/garment/rates_file.h"
 
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -29,7 +31,8 @@ Quantity factorQuantity()
 } // namespace
 
 WearForm::WearForm(GarmentChoice& choice, QWidget* parent)
-    : QScrollArea(parent), choice_(choice), activity_title_(heading(tr("Activity"))), activity_(new QTableWidget(0, 2))
+    : QScrollArea(parent), choice_(choice), activity_title_(heading(tr("Activity"))), activity_(new QTableWidget(0, 2)),
+      rates_(new RatesFile(choice))
 {
     setWidgetResizable(true);
     setFrameShape(NoFrame);
@@ -131,11 +134,14 @@ QWidget* WearForm::makeActivity()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     auto* head = new QHBoxLayout;
+    activity_title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // names of files may be long
     head->addWidget(activity_title_, 1);
     head->addWidget(add_activity_);
     head->addWidget(remove_activity_);
     layout->addLayout(head);
+    layout->addWidget(rates_);
     layout->addWidget(activity_, 1);
+    layout->addStretch(); // where the table is not there
     return box;
 }
 
@@ -179,10 +185,16 @@ void WearForm::refresh()
     add_->setEnabled(choice_.garment() != nullptr);
     for (QWidget* part : {static_cast<QWidget*>(rename_), static_cast<QWidget*>(remove_)}) { part->setEnabled(wear != nullptr); }
     const bool from_file = wear && !wear->activity_file.empty();
-    activity_title_->setText(from_file ? tr("Activity: %1").arg(QString::fromStdString(wear->activity_file)) : tr("Activity"));
-    activity_title_->setToolTip(from_file ? tr("This file says how the zones sweat over time.") : QString());
+    activity_title_->setText(from_file ? tr("Activity: %1").arg(QFileInfo(QString::fromStdString(wear->activity_file)).fileName())
+                                       : tr("Activity"));
+    activity_title_->setToolTip(from_file ? tr("%1 says how the zones sweat over time.").arg(QString::fromStdString(wear->activity_file))
+                                          : QString());
     for (QWidget* part : {static_cast<QWidget*>(activity_), static_cast<QWidget*>(add_activity_)}) {
         part->setEnabled(wear != nullptr && !from_file);
+    }
+    for (QWidget* part :
+         {static_cast<QWidget*>(activity_), static_cast<QWidget*>(add_activity_), static_cast<QWidget*>(remove_activity_)}) {
+        part->setVisible(!from_file); // the file holds in its place
     }
     const std::string where =
         "experiments[" + std::to_string(design.experiments.size() + static_cast<std::size_t>(std::max(0, choice_.wearIndex()))) + "].";

@@ -16,6 +16,7 @@ class QToolButton;
 namespace hygroloom {
 
 class QuantityEdit;
+class RatesFile;
 
 class WearForm : public QScrollArea {
     Q_OBJECT
@@ -25,6 +26,7 @@ public:
     /// Half-way from the selected activity to the next one, or to the end.
     void addActivity();
     void removeActivity();
+    RatesFile& rates() { return *rates_; }
 
 private:
     QWidget* makeHead();
@@ -46,6 +48,7 @@ private:
     std::vector<Field> fields_;
     QLabel* activity_title_;
     QTableWidget* activity_;
+    RatesFile* rates_;
     QToolButton* add_activity_;
     QToolButton* remove_activity_;
 };

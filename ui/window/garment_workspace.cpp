@@ -15,6 +15,7 @@
 #include "ui/garment/wear_chart.h"
 #include "ui/garment/wear_form.h"
 #include "ui/garment/wear_timeline.h"
+#include "ui/garment/zones_form.h"
 #include "ui/window/command.h"
 #include "ui/window/docks.h"
 
@@ -44,6 +45,9 @@ GarmentWorkspace::GarmentWorkspace(Document& document, RunHistory& history, Proj
         view_->setChosenPanel(panel);
         garment_->panels().choosePanel(panel);
     });
+    connect(&fit_->ownZones(), &ZonesForm::drawingWanted, view_, &GarmentView::setOutlining);
+    connect(view_, &GarmentView::outliningEnded, &fit_->ownZones(), [this] { fit_->ownZones().setDrawing(false); });
+    connect(view_, &GarmentView::designRequested, this, &GarmentWorkspace::designRequested);
     connect(&garment_->panels(), &PanelTable::panelChosen, view_, &GarmentView::setChosenPanel);
     connect(garment_, &GarmentPanel::problemFound, this, &GarmentWorkspace::problemFound);
     connect(&document_, &Document::replaced, this, &GarmentWorkspace::clearResults);
@@ -89,6 +93,9 @@ void GarmentWorkspace::fillMenu(QMenu* menu)
     menu->addSeparator();
     open_ = addCommand(menu, "open", tr("&Open Recording of a Garment…"), {}, tr("Show a recorded run of a garment."));
     connect(open_, &QAction::triggered, this, &GarmentWorkspace::chooseRecording);
+    take_ = addCommand(menu, {}, tr("Open the &Design of the Recording of a Garment"), {},
+                       tr("Edit the design from which the run on screen was made."));
+    connect(take_, &QAction::triggered, this, &GarmentWorkspace::designRequested);
     save_run_ = addCommand(menu, {}, tr("Save R&un As…"), {}, tr("Write the run that is shown to another recording."));
     connect(save_run_, &QAction::triggered, this, &GarmentWorkspace::chooseRunFile);
     save_a_ = addCommand(menu, {}, tr("Save &A As…"), {}, tr("Write the run that is kept as A to another recording."));
@@ -125,6 +132,7 @@ void GarmentWorkspace::refreshActions()
     save_map_->setEnabled(any);
     save_report_->setEnabled(any && !running);
     steps_->setEnabled(any);
+    take_->setEnabled(any && !running);
     save_run_->setEnabled(any && !running);
     copy_->setEnabled(any);
     keep_->setEnabled(any && !running);

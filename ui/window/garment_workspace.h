@@ -67,8 +67,13 @@ public:
     bool pressKey(int key);
     /// Chooses the garment or the experiment of an issue.
     void showIssue(const QString& list, int index);
-    /// Reads a recording, unless a run is in progress.
+    /// Reads a recording, unless a run is in progress. Where the project has neither changes nor runs, the design of the recording takes
+    /// its place once that is read.
     void openRecording(const QString& path);
+    /// The same, and the project stays.
+    void showEarlierRun(const QString& path);
+    /// The design of the run on screen, in place of the project.
+    void takeDesign();
     /// Asks before a run in progress is stopped. True when it may be, or there is none.
     bool agreesToStopRun();
     /// Waits until it has ended, 0.2 s or so.
@@ -85,6 +90,8 @@ Q_SIGNALS:
     void wanted();
     /// A recording that is no run of the project was opened or saved.
     void recordingUsed(const QString& path);
+    /// The user wants to edit the design of the run on screen.
+    void designRequested();
 
 private:
     void connectRun();
@@ -100,6 +107,8 @@ private:
     void finishRun(GarmentRun::Outcome outcome, const QString& sentence);
     /// Adds the run on screen to the project's.
     void keepRun();
+    bool mayTakeDesign() const;
+    void chooseWhatRan();
     void refreshActions();
 
     Document& document_;
@@ -133,7 +142,9 @@ private:
     QAction* steps_ = nullptr;
     QAction* keep_ = nullptr;
     QAction* drop_ = nullptr;
-    bool opening_ = false;
+    QAction* take_ = nullptr;
+    bool opening_ = false, taking_ = false;
+    QString to_take_;  ///< the recording whose design the project gives way to
     QString run_path_; ///< of the run in progress
 };
 

@@ -4,6 +4,7 @@
 #include "core/base/words.h"
 #include "ui/compare/run_list.h"
 #include "ui/document/run_folder.h"
+#include "ui/document/sources.h"
 #include "ui/garment/run_form.h"
 #include "ui/garment/worn_report.h"
 #include "ui/results/project_runs.h"
@@ -29,6 +30,27 @@ QString mapFolder(const QString& above, const QString& wish)
     return path(free_name(wish.toStdString(), [&](const std::string& name) { return QFileInfo::exists(path(name)); }));
 }
 
+/// The folder from which a recorded design names its files: that of the recording, or the one above, as a project's runs lie; empty: its
+/// files are in neither.
+QString folderOfSources(const Design& recorded, const QString& recording)
+{
+    std::vector<std::string> files;
+    for (const Garment& garment : recorded.garments) {
+        if (!garment.is_built_in()) { files.push_back(garment.source); }
+        if (garment.wearer.zones.ends_with(".csv")) { files.push_back(garment.wearer.zones); }
+    }
+    for (const WearExperiment& wear : recorded.wears) {
+        if (!wear.activity_file.empty()) { files.push_back(wear.activity_file); }
+    }
+    const QString own = QFileInfo(recording).absolutePath();
+    for (const QString& folder : {own, QFileInfo(own).absolutePath()}) {
+        for (const std::string& file : files) {
+            if (QFileInfo::exists(QDir(folder).filePath(QString::fromStdString(file)))) { return folder; }
+        }
+    }
+    return {};
+}
+
 } // namespace
 
 void GarmentWorkspace::connectRun()
@@ -39,7 +61,7 @@ void GarmentWorkspace::connectRun()
     connect(&run_, &GarmentRun::pausedChanged, this, &GarmentWorkspace::refreshActions);
     form_->setPlace([this] { return reserve(); });
     connect(&runs_, &ProjectRuns::moved, &playback_, &WearPlayback::move);
-    connect(list_, &RunList::openRequested, this, &GarmentWorkspace::openRecording);
+    connect(list_, &RunList::openRequested, this, &GarmentWorkspace::showEarlierRun);
     connect(list_, &RunList::markRequested, &runs_, &ProjectRuns::setMarked);
     connect(list_, &RunList::forgetRequested, &runs_, &ProjectRuns::forget);
     connect(form_, &RunForm::canRunChanged, this, &GarmentWorkspace::refreshActions);
@@ -65,6 +87,10 @@ void GarmentWorkspace::finishRun(GarmentRun::Outcome outcome, const QString& sen
         run_path_.clear();
     }
     playback_.end();
+    if (opening_ && outcome == GarmentRun::Outcome::finished && playback_.run() && playback_.run()->file == to_take_ && mayTakeDesign()) {
+        takeDesign();
+    }
+    to_take_.clear();
     keepRun();
     if (outcome == GarmentRun::Outcome::failed) { Q_EMIT problemFound(sentence); }
     opening_ = false;
@@ -93,15 +119,54 @@ void GarmentWorkspace::chooseRecording()
 
 void GarmentWorkspace::openRecording(const QString& path)
 {
+    showEarlierRun(path);
+    if (opening_) { to_take_ = path; }
+}
+
+void GarmentWorkspace::showEarlierRun(const QString& path)
+{
     if (run_.running()) {
         Q_EMIT problemFound(opening_ ? tr("Another recording is being opened.")
                                      : tr("A garment is being worn. Stop that run, then open the recording."));
         return;
     }
     opening_ = true;
+    to_take_.clear();
     run_.open(path.toStdString());
     refreshActions();
     Q_EMIT wanted();
+}
+
+/// A project with changes or runs stays: nobody asked to close it.
+bool GarmentWorkspace::mayTakeDesign() const
+{
+    const auto& runs = history_.runs();
+    return !document_.modified() && std::none_of(runs.begin(), runs.end(), [](const KeptRun& run) { return run.own; });
+}
+
+void GarmentWorkspace::takeDesign()
+{
+    const std::shared_ptr<WornRun> run = playback_.run();
+    if (!run || run_.running()) { return; }
+    const Design& recorded = run->record->design;
+    taking_ = true; // the run stays on screen
+    document_.take(movedSources(recorded, folderOfSources(recorded, run->file), {}),
+                   tr("Design of %1").arg(QFileInfo(run->file).fileName()));
+    taking_ = false;
+    chooseWhatRan();
+}
+
+/// Chooses the garment and the experiment of the run on screen.
+void GarmentWorkspace::chooseWhatRan()
+{
+    const WearLayout& layout = playback_.run()->layout();
+    const Design& design = *document_.design();
+    for (std::size_t k = 0; k < design.garments.size(); ++k) {
+        if (design.garments[k].name == layout.garment) { choice_.setGarmentIndex(static_cast<int>(k)); }
+    }
+    for (std::size_t k = 0; k < design.wears.size(); ++k) {
+        if (design.wears[k].name == layout.experiment) { choice_.setWearIndex(static_cast<int>(k)); }
+    }
 }
 
 /// The colours as on screen, of single cells.
@@ -233,7 +298,7 @@ void GarmentWorkspace::stopRun()
 
 void GarmentWorkspace::clearResults()
 {
-    if (!run_.running()) { playback_.clear(); }
+    if (!run_.running() && !taking_) { playback_.clear(); }
 }
 
 } // namespace hygroloom

@@ -286,6 +286,9 @@ void MainWindow::connectParts()
     connect(simulate_.get(), &SimulateWorkspace::designRequested, this, [this] {
         if (simulate_->playback().run() && mayLeave()) { simulate_->takeDesign(); }
     });
+    connect(garment_.get(), &GarmentWorkspace::designRequested, this, [this] {
+        if (garment_->playback().run() && mayLeave()) { garment_->takeDesign(); }
+    });
     connect(&compare_->view(), &CompareView::runRequested, simulate_.get(), &SimulateWorkspace::showEarlierRun);
     connect(&compare_->study(), &StudyRuns::ended, &simulate_->panel(), &SimulationPanel::refreshPlans);
     connect(&compare_->view(), &CompareView::failed, this, &MainWindow::showProblem);

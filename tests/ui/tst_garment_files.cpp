@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Files that the Garment workspace takes beside patterns: rates over time for the experiment, and recordings of other projects.
+#include "ui/basics/quantity_edit.h"
+#include "ui/garment/flat_view.h"
+#include "ui/garment/garment_edits.h"
+#include "ui/garment/garment_panel.h"
+#include "ui/garment/garment_view.h"
+#include "ui/garment/rates_file.h"
+#include "ui/garment/run_form.h"
+#include "ui/garment/wear_form.h"
+#include "ui/results/run_history.h"
+#include "window_test.h"
+
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+
+using namespace hygroloom;
+
+class TestGarmentFiles : public WindowTest {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { useOwnSettings(); }
+    void init()
+    {
+        openWindow({1280, 800});
+        QVERIFY(window_->document().openExample(example("three-candidates")));
+        window_->setWorkspace(Workspace::garment);
+    }
+    void cleanup()
+    {
+        window_->document().history()->setClean();
+        window_.reset();
+    }
+
+    void ratesOverTimeAreChosenReadAndLetGo()
+    {
+        addTee();
+        const QString project = folder_.filePath("rates/worn.hygro"), file = folder_.filePath("rates/run/rates.csv");
+        QVERIFY(QDir().mkpath(folder_.filePath("rates/run")));
+        QVERIFY(window_->document().saveAs(project));
+        write(file, "time_s,zone,g_m2_h,skin_temperature_c\n0,chest,200,33\n600,chest,840,34\n900,default,400,34\n");
+        RatesFile& rates = window_->garment().wear().rates();
+        auto* table = window_->garment().wear().findChild<QTableWidget*>();
+        QVERIFY(table->isVisible());
+        chooseFile(file);
+        rates.choose();
+        QCOMPARE(wear().activity_file, std::string("run/rates.csv")); // from the project's folder
+        QTRY_COMPARE(rates.said(), QString("3 rows from 0 to 900 s, with skin temperatures. Zones: chest, default."));
+        QVERIFY(!table->isVisible()); // no factor acts
+        QCOMPARE(window_->width(), 1280);
+
+        write(file, "time_s,zone,g_m2_h\n0,chest,200\n1,chest,-5\n"); // it is watched
+        QTRY_VERIFY2(rates.said().contains("line 3: g_m2_h must be from 0 to 100000; given is -5."), qPrintable(rates.said()));
+        QVERIFY(rates.said().contains("rates.csv"));
+        QTest::qWait(50);
+        auto* words = rates.findChild<QLabel*>();
+        QVERIFY(words->height() >= words->heightForWidth(words->width())); // all lines are seen
+        QVERIFY(window_->garment().wear().widget()->width() <= window_->garment().wear().viewport()->width());
+
+        QVERIFY(window_->document().saveAs(folder_.filePath("moved.hygro")));
+        QCOMPARE(wear().activity_file, std::string("rates/run/rates.csv"));
+        rates.clear();
+        QVERIFY(wear().activity_file.empty() && table->isVisible() && rates.said().isEmpty());
+        QCOMPARE(wear().activity, (std::vector<Activity>{Activity{}}));
+        window_->document().history()->undo();
+        QCOMPARE(wear().activity_file, std::string("rates/run/rates.csv"));
+        QTRY_VERIFY(rates.said().contains("line 3"));
+        window_->document().history()->undo();
+        QVERIFY(wear().activity_file.empty());
+    }
+
+    void aRecordingBringsItsDesignToAnUntouchedProject()
+    {
+        const QString recording = recordTee();
+        QVERIFY(window_->document().openExample(example("three-candidates")));
+        QVERIFY(window_->document().design()->garments.empty());
+        open(recording);
+        QCOMPARE(window_->document().design()->garments.size(), std::size_t{1});
+        QCOMPARE(window_->document().title(), QString("Design of tee.hygrorec"));
+        QVERIFY(window_->garment().playback().run() && window_->garment().playback().frames() > 1); // it is still shown
+        QCOMPARE(window_->garment().choice().wear()->name, std::string("wear"));
+        QVERIFY(view().noticeText().isEmpty());
+        QTRY_VERIFY(window_->garment().runForm().canRun()); // its forms act
+    }
+
+    void aProjectWithChangesStaysAndTheRecordingSaysWhatItIs()
+    {
+        const QString recording = recordTee();
+        QVERIFY(window_->document().openExample(example("three-candidates")));
+        window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "leggings"));
+        QTRY_VERIFY(window_->garment().choice().drawing());
+        QVERIFY(view().newest().flat().acceptDrops());
+        open(recording);
+        QCOMPARE(window_->document().design()->garments[0].name, std::string("leggings"));
+        QVERIFY2(view().noticeText().contains("recording of “tee”"), qPrintable(view().noticeText()));
+        bool shown = false;
+        for (const QLabel* label : view().findChildren<QLabel*>()) {
+            shown = shown || (label->isVisible() && label->text() == view().noticeText());
+        }
+        QVERIFY(shown);
+        QVERIFY(!view().newest().flat().acceptDrops());
+        view().setColors(GarmentView::Colors::fabrics); // the project's own garment
+        QVERIFY(view().noticeText().isEmpty());
+        QVERIFY(view().newest().flat().acceptDrops());
+        view().setColors(GarmentView::Colors::water);
+        QVERIFY(!view().noticeText().isEmpty());
+
+        window_->document().history()->setClean(); // the question about changes is another's
+        for (QPushButton* button : view().findChildren<QPushButton*>()) {
+            if (button->text() == "Open Its Design") { button->click(); }
+        }
+        QCOMPARE(window_->document().design()->garments[0].name, std::string("tee"));
+        QVERIFY(view().noticeText().isEmpty());
+        QVERIFY(window_->garment().playback().run());
+    }
+
+private:
+    GarmentView& view() { return window_->garment().view(); }
+    const WearExperiment& wear() { return window_->document().design()->wears.front(); }
+    static void write(const QString& path, const char* text)
+    {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) > 0);
+    }
+    void addTee()
+    {
+        window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
+        editGarment(window_->document(), "a child's", 0, {}, [](Garment& garment) { // few cells
+            garment.built_in.chest_mm = 600;
+            garment.built_in.length_mm = 400;
+            garment.built_in.sleeve_mm = 120;
+        });
+        editWear(window_->document(), "shorter", 0, {}, [](WearExperiment& wear) { wear.duration_s = 20; });
+        QTRY_VERIFY(window_->garment().choice().drawing());
+    }
+    /// A run of a tee, in a file that is no project's.
+    QString recordTee()
+    {
+        const QString file = folder_.filePath("tee.hygrorec");
+        if (QFile::exists(file)) { return file; }
+        addTee();
+        auto run = [this] {
+            QTRY_VERIFY(window_->garment().runForm().canRun());
+            window_->garment().runForm().start();
+            QTRY_VERIFY_WITH_TIMEOUT(!window_->garment().run().running(), 120000);
+        };
+        run();
+        window_->garment().saveRun(file);
+        [&] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), 20000); }();
+        QTest::qWait(200);
+        const QString own = window_->garment().playback().run()->file;
+        runs().forget(own);
+        QFile::remove(own); // or the next project finds it as its own
+        return file;
+    }
+    void open(const QString& recording)
+    {
+        QVERIFY(window_->openFile(recording));
+        QTRY_VERIFY_WITH_TIMEOUT(!window_->garment().run().running(), 20000);
+        QTest::qWait(50);
+    }
+};
+
+QTEST_MAIN(TestGarmentFiles)
+#include "tst_garment_files.moc"
