@@ -3,6 +3,7 @@
 #include "small_png.h"
 #include "ui/basics/appearance.h"
 #include "ui/compare/compare_bar.h"
+#include "ui/compare/compare_maps.h"
 #include "ui/compare/compare_view.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/run_form.h"
@@ -22,7 +23,6 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QSettings>
-#include <QTabWidget>
 #include <QTemporaryDir>
 
 #include <cstdio>
@@ -117,14 +117,14 @@ void takeGarment(Photographer& photographer)
     photographer.save("garment");
 }
 
-/// A cloth with and without a finish, 4 replicates of each: the curves with their bands.
+/// A cloth with and without a finish, 4 replicates of each: the difference that is left beside what replicates scatter.
 void takeCompare(Photographer& photographer)
 {
     MainWindow& window = photographer.window();
     window.document().edit("finish", {}, [](Design& design) {
         Fabric fabric = design.fabrics[0];
-        fabric.name += ", softener";
-        fabric.contact_angle_deg = 60;
+        fabric.name += ", silicone";
+        fabric.contact_angle_deg = 80;
         design.fabrics.push_back(fabric);
     });
     CompareView& view = window.compare().view();
@@ -135,11 +135,7 @@ void takeCompare(Photographer& photographer)
     view.bar()->runAll()->click();
     waitFor("the replicates", 1200, [&] { return view.comparison().complete && view.comparison().candidates.size() > 1; });
     for (const KeptRun& run : window.compare().runs().runs()) { view.choose(run.path, true); }
-    for (QTabWidget* tabs : view.findChildren<QTabWidget*>()) {
-        for (int i = 0; i < tabs->count(); ++i) {
-            if (tabs->tabText(i) == "Curves") { tabs->setCurrentIndex(i); }
-        }
-    }
+    view.findChild<CompareMaps*>()->show(CompareMaps::Shown::differences);
     window.resize(picture_size);
     photographer.save("compare");
 }
