@@ -8,6 +8,7 @@
 
 #include "core/analysis/comparison_report.h"
 #include "core/analysis/map_picture.h"
+#include "core/design/unknowns.h"
 #include "core/project/atomic_file.h"
 #include "core/run/learned_times.h"
 #include "gpu/backends.h"
@@ -63,11 +64,31 @@ void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::
     }
 }
 
-/// Each job on one of the backends. The numbers are written after every run, the maps of the first replicates kept where there is an output
-/// folder. Throws what writing threw.
-void run_candidates(const std::vector<Job>& jobs, const std::vector<std::string>& fabrics, const CompareOptions& options,
-                    RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends, Comparison& comparison,
-                    std::vector<std::optional<CandidateMaps>>& maps)
+bool wants_maps(const CompareOptions& options) { return !options.output.empty() || !options.report.empty(); }
+
+/// A run with the maps of its end, where they are wanted.
+FinishedRun run_with_maps(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& how,
+                          Backend& backend, RunControl& control, RunBar& bar, std::size_t at, std::optional<CandidateMaps>* maps)
+{
+    std::shared_ptr<const Frame> first, last;
+    FinishedRun finished =
+        run_with_bar(design, fabric, experiment, how, backend, control, bar, at, [&](const std::shared_ptr<const Frame>& frame) {
+            if (!first) first = frame;
+            last = frame;
+        });
+    if (maps && first) {
+        const Frame start = start_of_maps(finished.run, *first);
+        maps->emplace(CandidateMaps{map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
+                                    map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)});
+    }
+    return finished;
+}
+
+/// Each job on one of the backends. The numbers are written after every run, the maps of the first replicates kept where those are the
+/// cloths as given. Throws what writing threw.
+void run_candidates(const Design& design, const std::vector<Job>& jobs, const std::vector<std::string>& fabrics,
+                    const CompareOptions& options, RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends,
+                    Comparison& comparison, std::vector<std::optional<CandidateMaps>>& maps)
 {
     std::mutex one_on_cpu;
     RunBar bar(options.quiet, jobs.size());
@@ -75,23 +96,46 @@ void run_candidates(const std::vector<Job>& jobs, const std::vector<std::string>
         const Job& job = jobs[i];
         RunOptions how = job.how;
         how.one_on_cpu = &one_on_cpu;
-        std::shared_ptr<const Frame> first, last;
-        FinishedRun finished = run_with_bar(job.drawn.design, job.fabric, comparison.experiment, how, backend, control, bar, i,
-                                            [&](const std::shared_ptr<const Frame>& frame) {
-                                                if (!first) first = frame;
-                                                last = frame;
-                                            });
+        const bool given = i < fabrics.size() && (options.replicates == 1 || first_is_as_given(design, job.fabric, comparison.experiment));
+        FinishedRun finished = run_with_maps(job.drawn.design, job.fabric, comparison.experiment, how, backend, control, bar, i,
+                                             given && wants_maps(options) ? &maps[i] : nullptr);
         if (backends.size() == 1 && finished.device_failure.empty()) learn_time(finished.run);
-        if ((!options.output.empty() || !options.report.empty()) && i < fabrics.size()) {
-            const Frame start = start_of_maps(finished.run, *first);
-            maps[i] = {map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
-                       map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)};
-        }
         return candidate_of(job, std::move(finished));
     };
     run_comparison(comparison, fabrics, backends, control, run, [&](std::size_t i) {
         bar.end(i);
         write_numbers(comparison, options.output);
+    });
+}
+
+/// The maps that the first replicates did not give, as their yarns are more uneven than those of the cloths as given: a run more of each
+/// such cloth. One that fails has none.
+void run_as_given(const Design& design, const std::vector<Textile>& textiles, const std::vector<std::string>& fabrics,
+                  const CompareOptions& options, const RunOptions& how, RunControl& control,
+                  const std::vector<std::unique_ptr<Backend>>& backends, const Comparison& comparison,
+                  std::vector<std::optional<CandidateMaps>>& maps)
+{
+    std::vector<std::size_t> wanted;
+    for (std::size_t i = 0; i < fabrics.size(); ++i)
+        if (!maps[i] && !first_is_as_given(design, fabrics[i], comparison.experiment)) wanted.push_back(i);
+    std::mutex one_on_cpu;
+    RunBar bar(options.quiet, wanted.size());
+    run_side_by_side(backends, wanted.size(), control, [&](std::size_t i, Backend& backend) {
+        RunOptions own = how;
+        own.one_on_cpu = &one_on_cpu;
+        own.textile = std::make_shared<const Textile>(textiles[wanted[i]]);
+        bool device_failed = false;
+        try {
+            const std::string& fabric = fabrics[wanted[i]];
+            device_failed = !run_with_maps(design, fabric, comparison.experiment, own, backend, control, bar, i, &maps[wanted[i]])
+                                 .device_failure.empty();
+        } catch (const Cancelled&) {
+            throw;
+        } catch (const Error& error) {
+            bar.say(fmt::format("{} as given has no map: {}", fabrics[wanted[i]], error.what()));
+        }
+        bar.end(i);
+        return device_failed;
     });
 }
 
@@ -104,8 +148,7 @@ void write_report(const Comparison& comparison, const std::vector<std::optional<
         const auto at = static_cast<std::size_t>(std::find(fabrics.begin(), fabrics.end(), candidate.fabric) - fabrics.begin());
         if (!maps[at]) continue;
         for (const auto& [side, map] : {std::pair{"top", &maps[at]->top}, std::pair{"bottom", &maps[at]->bottom}})
-            pictures.emplace_back(
-                fmt::format("{}, {}, {} x {} crossings a cell", candidate.fabric, side, crossings_per_cell, crossings_per_cell), *map);
+            pictures.emplace_back(map_caption(comparison, candidate.fabric, side), *map);
     }
     write_report_file(file, comparison_report_html(comparison, pictures_on_one_scale(std::move(pictures))));
 }
@@ -205,7 +248,9 @@ int compare(CompareOptions options)
     const InterruptCancels cancels(control.cancel);
     std::vector<std::optional<CandidateMaps>> maps(fabrics.size());
     const std::vector<Job> jobs = jobs_of(design, fabrics, experiment.name, textiles, how, options.replicates);
-    run_candidates(jobs, fabrics, options, control, backends, comparison, maps);
+    run_candidates(design, jobs, fabrics, options, control, backends, comparison, maps);
+    if (options.replicates > 1 && wants_maps(options) && comparison.complete)
+        run_as_given(design, textiles, fabrics, options, how, control, backends, comparison, maps);
     if (why && comparison.complete) find_why(comparison, *why, design, how, options.quiet, backends, control);
     give_results(options, comparison, choice, maps, fabrics);
     if (!comparison.complete) {
@@ -231,6 +276,7 @@ void add_compare(CLI::App& app, Verb& chosen)
     verb.footer(
         "Example: hygroloom-cli compare cloth.hygro --experiment \"one drop\" --fabrics \"Textile E,Textile F\" -o compared\n"
         "The folder receives comparison.json, comparison.csv and a water map of each face of each fabric, all on one colour scale.\n"
+        "With --replicates the maps are of each cloth as given, which takes a run more of each, and the report's curves have bands.\n"
         "Ctrl-C keeps the finished runs.\n"
         "Why is one better? hygroloom-cli compare cloth.hygro --why \"Textile E\" --baseline \"Textile F\" --by absorbency_time_s\n\n" +
         knob_help());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/comparison.h"
 
+#include "core/analysis/run_trace.h"
 #include "core/base/error.h"
 #include "core/base/words.h"
 
@@ -29,16 +30,6 @@ const double* number_of(const Candidate& candidate, std::size_t replicate, const
     return found == numbers.end() ? nullptr : &found->second;
 }
 
-/// What both have in common counts once.
-std::vector<double> both_places(const Candidate& candidate, const Candidate& baseline, std::size_t replicate)
-{
-    std::vector<double> places = candidate.replicates[replicate]->places;
-    for (std::size_t i = 0; i < baseline.unknowns.size(); ++i)
-        if (std::find(candidate.unknowns.begin(), candidate.unknowns.end(), baseline.unknowns[i]) == candidate.unknowns.end())
-            places.push_back(baseline.replicates[replicate]->places[i]);
-    return places;
-}
-
 Pairs pairs_of(const Candidate& candidate, const Candidate& baseline, const std::string& key)
 {
     Pairs pairs;
@@ -47,7 +38,7 @@ Pairs pairs_of(const Candidate& candidate, const Candidate& baseline, const std:
         if (!a || !b) continue;
         pairs.values.push_back(*a);
         pairs.baseline.push_back(*b);
-        pairs.places.push_back(both_places(candidate, baseline, i));
+        pairs.places.push_back(places_of_pair(candidate, baseline, i));
     }
     return pairs;
 }
@@ -182,6 +173,11 @@ Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<con
         if (const auto error = numerical_error(*run, outcome.key, *outcome.value)) candidate.numerical[outcome.key] = *error;
     }
     first.edge_time = metrics->edge_time;
+    const Experiment* experiment = find_experiment(run->design, run->experiment);
+    const auto& times = metrics->series.time;
+    first.trace = std::make_shared<const RunTrace>(trace_of(*metrics, experiment      ? experiment->duration_s
+                                                                      : times.empty() ? 0
+                                                                                      : times.back()));
     candidate.replicates.emplace_back(std::move(first));
     for (std::string& note : notes_of(run->plan)) candidate.notes.push_back(std::move(note));
     candidate.run = std::move(run);
@@ -225,6 +221,15 @@ std::optional<Compared> compared(const Candidate& candidate, const Candidate& ba
     found.fabric = candidate.fabric;
     found.baseline = baseline.fabric;
     return found;
+}
+
+std::vector<double> places_of_pair(const Candidate& candidate, const Candidate& baseline, std::size_t replicate)
+{
+    std::vector<double> places = candidate.replicates[replicate]->places;
+    for (std::size_t i = 0; i < baseline.unknowns.size(); ++i)
+        if (std::find(candidate.unknowns.begin(), candidate.unknowns.end(), baseline.unknowns[i]) == candidate.unknowns.end())
+            places.push_back(baseline.replicates[replicate]->places[i]);
+    return places;
 }
 
 std::optional<LoneNumber> lone_number(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates)

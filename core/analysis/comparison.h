@@ -11,11 +11,14 @@
 
 namespace hygroloom {
 
+struct RunTrace;
+
 /// One run of a candidate. The first has all inputs as given; the others are drawn, see drawn().
 struct ReplicateRun {
-    std::map<std::string, double> numbers; ///< by key, of all outcomes that could be determined
-    std::vector<double> places;            ///< of each of the candidate's unknowns, see place_in_range()
-    std::optional<double> edge_time{};     ///< s, when water was first seen where the sample ends
+    std::map<std::string, double> numbers;   ///< by key, of all outcomes that could be determined
+    std::vector<double> places;              ///< of each of the candidate's unknowns, see place_in_range()
+    std::optional<double> edge_time{};       ///< s, when water was first seen where the sample ends
+    std::shared_ptr<const RunTrace> trace{}; ///< its curves and maps; nullptr: they were not kept
 };
 
 /// A fabric and what its runs gave.
@@ -71,6 +74,9 @@ void add_replicate(Candidate& candidate, const Candidate& run, int number);
 /// One fabric against another by one criterion, over the replicates that both have; none: fewer than half of them have the
 /// number, or there is one pair and its numerical error is not known.
 std::optional<Compared> compared(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates);
+
+/// Where the unknown inputs of both lie in a replicate, what they have in common once. Precondition: both have the replicate.
+std::vector<double> places_of_pair(const Candidate& candidate, const Candidate& baseline, std::size_t replicate);
 
 /// none: both have the number, or neither, or one of their runs failed or is missing.
 std::optional<LoneNumber> lone_number(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates);

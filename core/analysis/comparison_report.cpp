@@ -2,7 +2,7 @@
 #include "core/analysis/comparison_report.h"
 
 #include "core/analysis/line_chart.h"
-#include "core/analysis/plots.h"
+#include "core/analysis/replicate_range.h"
 #include "core/analysis/svg.h"
 #include "core/analysis/why.h"
 #include "core/base/text.h"
@@ -113,21 +113,37 @@ std::string whiskers(const Comparison& comparison, const OutcomeInfo& criterion)
                        svg_begin(580, y + 14), body, escaped_markup(full_title(criterion)), measured ? " Hollow diamond: measured." : "");
 }
 
-/// At the times of the first curve, from the values at other times.
-std::vector<double> at_times(const std::vector<double>& wanted, const std::vector<double>& time, const std::vector<double>& values)
+/// The middle of the replicates with their band; of a single run its curve.
+LineChart::Curve curve_of(const Candidate& candidate, const Plot& plot, const Curve& curve, const std::vector<double>& times)
 {
-    std::vector<double> found;
-    for (const double t : wanted) {
-        const auto after = std::lower_bound(time.begin(), time.end(), t);
-        const auto i = static_cast<std::size_t>(after - time.begin());
-        if (i == 0 || i == time.size()) {
-            found.push_back(values[i == 0 ? 0 : time.size() - 1]);
-            continue;
-        }
-        const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
-        found.push_back(values[i - 1] + share * (values[i] - values[i - 1]));
+    LineChart::Curve made{candidate.fabric, {}};
+    if (const auto range = curve_range(candidate, plot, curve)) {
+        made.values = values_at(times, range->time, range->middle);
+        made.low = values_at(times, range->time, range->low);
+        made.high = values_at(times, range->time, range->high);
+    } else if (candidate.metrics && candidate.metrics->series.time.size() > 1) {
+        const std::vector<double> values = plotted(plot, curve, *candidate.metrics);
+        if (values.size() == candidate.metrics->series.time.size()) made.values = values_at(times, candidate.metrics->series.time, values);
     }
-    return found;
+    return made;
+}
+
+/// What the bands of a figure are; empty: it has none.
+std::string bands_text(const Comparison& comparison, const Plot& plot, const Curve& curve)
+{
+    std::map<int, std::string> by_runs; // the fabrics' names
+    std::string without;
+    for (const Candidate& candidate : comparison.candidates) {
+        const auto range = curve_range(candidate, plot, curve);
+        std::string& names = range ? by_runs[range->runs] : without;
+        names += (names.empty() ? "" : ", ") + candidate.fabric;
+    }
+    std::string text;
+    for (const auto& [runs, names] : by_runs)
+        text += (text.empty() ? "Line: the middle of the replicates. Band: " : "; ") + range_words(runs) +
+                (by_runs.size() > 1 ? " of " + names : "");
+    if (text.empty()) return {};
+    return text + (without.empty() ? "." : ". Without a band, as given: " + without + ".");
 }
 
 /// Curves of what the type of experiment measures, a figure for each with all fabrics in it.
@@ -136,20 +152,32 @@ std::string curves(const Comparison& comparison)
     const auto first = std::find_if(comparison.candidates.begin(), comparison.candidates.end(),
                                     [](const Candidate& c) { return experiment_of(c) && c.metrics && c.metrics->series.time.size() > 1; });
     if (first == comparison.candidates.end()) return {};
-    const Plot& plot = subject_plot(experiment_of(*first)->type);
+    const Experiment& experiment = *experiment_of(*first);
+    const bool replicates = comparison.replicates > 1;
+    const std::vector<double> times = replicates ? trace_times(experiment.duration_s) : first->metrics->series.time;
+    const Plot& plot = subject_plot(experiment.type);
     std::string figures;
     for (const Curve& curve : plot.curves) {
         if (curve.in_reports_only) continue;
-        LineChart chart{fmt::format("{}, {}", plot.title, curve.name), "time, s", plot.unit, first->metrics->series.time, {}};
-        for (const Candidate& candidate : comparison.candidates) {
-            if (!candidate.metrics || candidate.metrics->series.time.size() < 2) continue;
-            const std::vector<double> values = plotted(plot, curve, *candidate.metrics);
-            if (values.size() != candidate.metrics->series.time.size()) continue;
-            chart.curves.push_back({candidate.fabric, at_times(chart.x, candidate.metrics->series.time, values)});
-        }
-        if (!chart.curves.empty()) figures += "<figure>" + svg_of(chart) + "</figure>\n";
+        LineChart chart{fmt::format("{}, {}", plot.title, curve.name), "time, s", plot.unit, times, {}};
+        for (const Candidate& candidate : comparison.candidates)
+            if (auto made = curve_of(candidate, plot, curve, times); !made.values.empty()) chart.curves.push_back(std::move(made));
+        if (chart.curves.empty()) continue;
+        const std::string bands = bands_text(comparison, plot, curve);
+        figures +=
+            "<figure>" + svg_of(chart) + (bands.empty() ? bands : "<figcaption>" + escaped_markup(bands) + "</figcaption>") + "</figure>\n";
     }
     return figures;
+}
+
+/// With replicates, what the maps are of.
+std::string maps_of(const Comparison& comparison, const std::vector<ReportPicture>& maps)
+{
+    if (maps.empty()) return {};
+    const char* about =
+        "<p>Each cloth as given, at the end of the experiment. Replicates, whose yarns are as uneven as is typical, have no "
+        "pictures here; their ranges stand round the curves.</p>\n";
+    return (comparison.replicates > 1 ? about : "") + figures_of(maps);
 }
 
 /// Every value of a fabric's description by its path.
@@ -226,6 +254,11 @@ std::string unknown(const Comparison& comparison)
 
 } // namespace
 
+std::string map_caption(const Comparison& comparison, const std::string& fabric, const std::string& side)
+{
+    return fabric + (comparison.replicates > 1 ? ", as given, " : ", ") + side;
+}
+
 std::string comparison_report_html(const Comparison& comparison, const std::vector<ReportPicture>& maps)
 {
     std::string intervals;
@@ -233,9 +266,10 @@ std::string comparison_report_html(const Comparison& comparison, const std::vect
     return page("Comparison: " + comparison.experiment,
                 "<p>All numbers are simulated, except those marked as measured.</p>\n" + question(comparison) +
                     section("Results", results(comparison)) + section("Intervals", intervals) +
-                    section("Why", comparison.why ? why_html(*comparison.why) : std::string()) + section("Maps", figures_of(maps)) +
-                    section("Over time", curves(comparison)) + section("What differs in the descriptions", differences(comparison)) +
-                    section("Computation", computation(comparison)) + section("What is not known", unknown(comparison)));
+                    section("Why", comparison.why ? why_html(*comparison.why) : std::string()) +
+                    section("Maps", maps_of(comparison, maps)) + section("Over time", curves(comparison)) +
+                    section("What differs in the descriptions", differences(comparison)) + section("Computation", computation(comparison)) +
+                    section("What is not known", unknown(comparison)));
 }
 
 } // namespace hygroloom

@@ -7,7 +7,10 @@
 
 namespace hygroloom {
 
-/// HTML of one file, as report_html() is. maps: of all candidates, on one colour scale.
+/// Of a map of a fabric as given: "Cotton, as given, top"; there is nothing but that where no replicates are compared.
+std::string map_caption(const Comparison& comparison, const std::string& fabric, const std::string& side);
+
+/// HTML of one file, as report_html() is. maps: of all candidates as given, on one colour scale.
 std::string comparison_report_html(const Comparison& comparison, const std::vector<ReportPicture>& maps);
 
 } // namespace hygroloom

@@ -79,6 +79,19 @@ std::string curve_of(const LineChart& chart, const LineChart::Curve& shape, cons
                        stroke.dashes);
 }
 
+/// From the high values to the right and back along the low ones.
+std::string band_of(const LineChart& chart, const LineChart::Curve& shape, const Axis& x, const Axis& y, const Stroke& stroke)
+{
+    const std::size_t count = std::min({chart.x.size(), shape.low.size(), shape.high.size()});
+    std::string path;
+    const auto add = [&](double across, double value) {
+        if (std::isfinite(value)) path += fmt::format("{}{:.2f} {:.2f}", path.empty() ? 'M' : 'L', x.at(across), y.at(value));
+    };
+    for (std::size_t i = 0; i < count; ++i) add(chart.x[i], shape.high[i]);
+    for (std::size_t i = count; i-- > 0;) add(chart.x[i], shape.low[i]);
+    return path.empty() ? path : fmt::format("<path d=\"{}Z\" fill=\"{}\" fill-opacity=\"0.18\" stroke=\"none\"/>\n", path, stroke.colour);
+}
+
 } // namespace
 
 std::string svg_of(const LineChart& chart)
@@ -86,14 +99,16 @@ std::string svg_of(const LineChart& chart)
     double least = 0, most = 0;
     bool any = false;
     for (const LineChart::Curve& curve : chart.curves)
-        for (const double value : curve.values) {
-            if (!std::isfinite(value)) continue;
-            least = any ? std::min(least, value) : value;
-            most = any ? std::max(most, value) : value;
-            any = true;
-        }
+        for (const auto* values : {&curve.values, &curve.low, &curve.high})
+            for (const double value : *values) {
+                if (!std::isfinite(value)) continue;
+                least = any ? std::min(least, value) : value;
+                most = any ? std::max(most, value) : value;
+                any = true;
+            }
     const Axis x = axis_of(chart.x.front(), chart.x.back(), left, right), y = axis_of(least, most, bottom, top);
     std::string svg = svg_begin(width, height) + axes(chart, x, y);
+    for (std::size_t i = 0; i < chart.curves.size(); ++i) svg += band_of(chart, chart.curves[i], x, y, strokes[i % strokes.size()]);
     double legend = 36;
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         const Stroke& stroke = strokes[i % strokes.size()];

@@ -10,8 +10,9 @@ namespace hygroloom {
 struct LineChart {
     struct Curve {
         std::string name;
-        std::vector<double> values; ///< one for each x
-        bool points = false;        ///< circles instead of a line
+        std::vector<double> values;        ///< one for each x
+        bool points = false;               ///< circles instead of a line
+        std::vector<double> low{}, high{}; ///< of the band round it, one for each x; empty: it has none
     };
     std::string title, x_label, y_label;
     std::vector<double> x; ///< rising, of points at least not falling

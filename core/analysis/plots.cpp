@@ -40,12 +40,17 @@ const Plot& water_plot(ExperimentType type)
     return plot_named(info_of(type).source == WaterSource::air ? PlotName::regain : PlotName::water);
 }
 
-std::vector<double> plotted(const Plot& plot, const Curve& curve, const Metrics& metrics)
+std::vector<double> plotted(const Plot& plot, const Curve& curve, const Series& series, double water_initial)
 {
-    std::vector<double> values = metrics.series.*curve.values;
-    const double before = curve.over_start ? metrics.ledger.water_initial : 0;
+    std::vector<double> values = series.*curve.values;
+    const double before = curve.over_start ? water_initial : 0;
     for (double& value : values) value = plot.factor * (value - before) + plot.offset;
     return values;
+}
+
+std::vector<double> plotted(const Plot& plot, const Curve& curve, const Metrics& metrics)
+{
+    return plotted(plot, curve, metrics.series, metrics.ledger.water_initial);
 }
 
 } // namespace hygroloom

@@ -33,7 +33,8 @@ const std::vector<Plot>& all_plots();
 /// Where the water is; in a test of the fibres' uptake, how much they hold.
 const Plot& water_plot(ExperimentType type);
 
-/// A curve's values in the plot's unit.
+/// A curve's values in the plot's unit. water_initial: kg, that the cloth held at the start.
+std::vector<double> plotted(const Plot& plot, const Curve& curve, const Series& series, double water_initial);
 std::vector<double> plotted(const Plot& plot, const Curve& curve, const Metrics& metrics);
 
 } // namespace hygroloom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/replicate_file.h"
 
+#include "core/analysis/trace_json.h"
 #include "core/project/atomic_file.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_json.h"
@@ -26,6 +27,7 @@ ProjectJson value_of(int number, const ReplicateRun& run)
     for (const auto& [key, found] : run.numbers) value["numbers"][key] = found;
     value["places"] = run.places;
     if (run.edge_time) value["edge_s"] = *run.edge_time;
+    if (run.trace && !run.trace->series.time.empty()) value["trace"] = trace_value(*run.trace);
     return value;
 }
 
@@ -70,6 +72,8 @@ void read_run(const ProjectJson& value, const std::string& file, const std::stri
     run.places = places_in(reader, set.unknowns.size());
     reader.read("edge_s", run.edge_time);
     if (run.edge_time && !(*run.edge_time >= 0)) reader.refuse("edge_s", "a time is 0 or more.");
+    if (const ProjectJson* trace = reader.find("trace")) // those of an older program have none
+        run.trace = std::make_shared<const RunTrace>(trace_from(*trace, file, reader.path_of("trace")));
     reader.finish({"number"});
     if (!set.runs.emplace(number, std::move(run)).second) reader.refuse("number", "each may stand there once.");
 }
@@ -196,6 +200,10 @@ std::vector<ReplicateSet> without_leftovers(std::vector<ReplicateSet> sets, cons
         if (kept > 0 && (kept == most_kept_sets || runs > most_kept_runs)) break;
     }
     sets.erase(sets.begin(), sets.end() - static_cast<std::ptrdiff_t>(kept));
+    std::size_t traces = 0;
+    for (auto set = sets.rbegin(); set != sets.rend(); ++set)
+        for (auto& [number, run] : set->runs)
+            if (run.trace && ++traces > most_kept_traces) run.trace.reset();
     return sets;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The file beside a project's runs that holds the numbers of replicates, of which there are no recordings.
+// The file beside a project's runs that holds the numbers of replicates, of which there are no recordings, with their curves and maps at
+// few times.
 #pragma once
 
 #include "core/analysis/comparison.h"
@@ -41,8 +42,10 @@ const ReplicateSet* find_set(const std::vector<ReplicateSet>& sets, const Replic
 /// Adds what one has to the other, whose set then is the last; a run that both have is that of the other.
 void merge(std::vector<ReplicateSet>& sets, const ReplicateSet& other);
 
-/// More than this are of designs that nobody goes back to (an assumption); the file stays below 20 MB.
+/// More than this are of designs that nobody goes back to (an assumption); their numbers stay below 20 MB.
 constexpr std::size_t most_kept_sets = 200, most_kept_runs = 20000;
+/// Curves and maps take up to 100 kB a run (of a drop 15); of those before the last ones only the numbers are kept.
+constexpr std::size_t most_kept_traces = 240;
 
 /// Without those of fabrics and experiments that the design lacks by name; of the others the last ones, up to the numbers above.
 std::vector<ReplicateSet> without_leftovers(std::vector<ReplicateSet> sets, const Design& design);

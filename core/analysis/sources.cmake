@@ -27,10 +27,13 @@ target_sources(hygroloom_core PRIVATE
   analysis/plots.cpp
   analysis/poly_data.cpp
   analysis/replicate_file.cpp
+  analysis/replicate_range.cpp
   analysis/report.cpp
   analysis/report_parts.cpp
+  analysis/run_trace.cpp
   analysis/series_keys.cpp
   analysis/sweep.cpp
+  analysis/trace_json.cpp
   analysis/tradeoff.cpp
   analysis/tradeoff_json.cpp
   analysis/tradeoff_plot.cpp

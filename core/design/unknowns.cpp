@@ -237,4 +237,10 @@ Drawn drawn(const Design& design, const std::string& fabric, const std::string& 
     return drawn;
 }
 
+bool first_is_as_given(const Design& design, const std::string& fabric, const std::string& experiment)
+{
+    const Experiment* test = find_experiment(design, experiment);
+    return test->closure != Closure::pores || drawn(design, fabric, experiment, {1, 0, 2}).design == design;
+}
+
 } // namespace hygroloom

@@ -49,4 +49,7 @@ struct Drawn {
 /// the design itself.
 Drawn drawn(const Design& design, const std::string& fabric, const std::string& experiment, const Replicate& replicate);
 
+/// Whether the first of several replicates is the run of the design as it is: yarns keep their evenness, or it changes nothing.
+bool first_is_as_given(const Design& design, const std::string& fabric, const std::string& experiment);
+
 } // namespace hygroloom

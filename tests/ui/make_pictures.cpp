@@ -2,6 +2,8 @@
 // Makes the pictures of the user's guide from the program itself. Needs a display; packaging/make-pictures.sh runs it.
 #include "small_png.h"
 #include "ui/basics/appearance.h"
+#include "ui/compare/compare_bar.h"
+#include "ui/compare/compare_maps.h"
 #include "ui/compare/compare_view.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/run_form.h"
@@ -18,6 +20,7 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QPushButton>
 #include <QScreen>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -114,9 +117,38 @@ void takeGarment(Photographer& photographer)
     photographer.save("garment");
 }
 
-void takePictures(const QString& folder)
+/// A cloth with and without a finish, 4 replicates of each: the difference that is left beside what replicates scatter.
+void takeCompare(Photographer& photographer)
+{
+    MainWindow& window = photographer.window();
+    window.document().edit("finish", {}, [](Design& design) {
+        Fabric fabric = design.fabrics[0];
+        fabric.name += ", silicone";
+        fabric.contact_angle_deg = 80;
+        design.fabrics.push_back(fabric);
+    });
+    CompareView& view = window.compare().view();
+    window.setWorkspace(Workspace::compare);
+    view.showExperiment(window.document().design()->experiments.front().name);
+    view.bar()->setReplicates(4);
+    waitFor("the estimate", 60, [&] { return view.bar()->runAll()->isEnabled(); });
+    view.bar()->runAll()->click();
+    waitFor("the replicates", 1200, [&] { return view.comparison().complete && view.comparison().candidates.size() > 1; });
+    for (const KeptRun& run : window.compare().runs().runs()) { view.choose(run.path, true); }
+    view.findChild<CompareMaps*>()->show(CompareMaps::Shown::differences);
+    window.resize(picture_size);
+    photographer.save("compare");
+}
+
+/// All, or those of the compare workspace alone.
+void takePictures(const QString& folder, bool compare_alone)
 {
     Photographer photographer(folder);
+    if (compare_alone) {
+        photographer.run();
+        takeCompare(photographer);
+        return;
+    }
     MainWindow& window = photographer.window();
     Viewport& view = window.viewport();
     view.setSwatch(0);
@@ -152,16 +184,7 @@ void takePictures(const QString& folder)
     view.canvas()->fit(Framing::whole);
     photographer.save("simulate");
 
-    window.document().edit("finish", {}, [](Design& design) {
-        Fabric fabric = design.fabrics[0];
-        fabric.name += ", softener";
-        fabric.contact_angle_deg = 60;
-        design.fabrics[0] = fabric;
-    });
-    photographer.run();
-    for (const KeptRun& run : window.compare().runs().runs()) { window.compare().view().choose(run.path, true); }
-    window.setWorkspace(Workspace::compare);
-    photographer.save("compare");
+    takeCompare(photographer);
     takeGarment(photographer);
 }
 
@@ -178,13 +201,14 @@ int main(int argc, char* argv[])
     QLocale::setDefault(QLocale::c());
     const std::map<QString, Appearance> looks{{"light", Appearance::light}, {"dark", Appearance::dark}, {"contrast", Appearance::contrast}};
     const QString look = argc > 2 ? argv[2] : "light";
-    if (argc < 2 || argc > 3 || !QDir(argv[1]).exists() || !looks.contains(look)) {
-        std::fputs("make_pictures FOLDER [light|dark|contrast]\n", stderr);
+    const bool compare_alone = argc > 3 && QString(argv[3]) == "compare";
+    if (argc < 2 || argc > (compare_alone ? 4 : 3) || !QDir(argv[1]).exists() || !looks.contains(look)) {
+        std::fputs("make_pictures FOLDER [light|dark|contrast [compare]]\n", stderr);
         return 2;
     }
     try {
         applyAppearance(looks.at(look));
-        takePictures(argv[1]);
+        takePictures(argv[1], compare_alone);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

@@ -5,8 +5,12 @@
 #include "ui/compare/fingerprint_view.h"
 #include "ui/compare/scatter_view.h"
 #include "ui/results/map_difference.h"
+#include "ui/results/pointed_chart_view.h"
 #include "ui/results/water_map.h"
 
+#include <QChart>
+#include <QMouseEvent>
+#include <QSignalSpy>
 #include <QTest>
 
 using namespace hygroloom;
@@ -124,15 +128,102 @@ private Q_SLOTS:
         run.plan.expected_errors["maximum_wetted_radius_top_mm"] = 0.1;
         CurvePoints points = pointsOf(run, *metrics, choices.front());
         QCOMPARE(points.values, (std::vector<QPointF>{{0, 2}, {1, 4}}));
-        QCOMPARE(points.half.size(), std::size_t{2});
-        QVERIFY(std::abs(points.half[1] - 0.4) < 1e-12);
+        QCOMPARE(points.high.size(), std::size_t{2});
+        QVERIFY(std::abs(points.high[1] - 4.4) < 1e-12 && std::abs(points.low[1] - 3.6) < 1e-12 && points.replicates == 0);
         points = pointsOf(run, *metrics, choices[1]);
-        QVERIFY(points.half.empty() && bandText(choices[1]).isEmpty()); // no error of it is measured
+        QVERIFY(points.high.empty() && bandText(choices[1]).isEmpty()); // no error of it is measured
         const KeptRun kept{"path", std::make_shared<RunRecord>(run), metrics};
         CurvesView view;
         view.setRuns({kept, kept}, {"one", "two"});
         QCOMPARE(view.lines(), 2);
         QCOMPARE(view.bands(), 2);
+        QCOMPARE(view.bandNames(), (QStringList{"numerical error", "numerical error"}));
+    }
+
+    void aCurveHasTheBandOfItsReplicatesAndSaysSo()
+    {
+        const KeptRun one = runOfRadius(4), other = runOfRadius(2);
+        Comparison numbers;
+        numbers.replicates = 4;
+        numbers.candidates = {replicated("one", {4, 6, 5, 9}), replicated("other", {2})};
+        CurvesView view;
+        view.resize(900, 500);
+        view.show();
+        view.setRuns({one, other}, {"one", "other"}, numbers);
+        QCOMPARE(view.bands(), 1); // of the other no error is known
+        QCOMPARE(view.bandNames(), QStringList{"least to most of 4 replicates"});
+        QVERIFY2(view.note().contains("the line is their middle") && view.note().contains("Of other the cloth as given"),
+                 qPrintable(view.note()));
+        numbers.candidates[0].replicates[2]->trace.reset(); // as an older version left it
+        view.setRuns({one, other}, {"one", "other"}, numbers);
+        QCOMPARE(view.bandNames(), QStringList{"least to most of 3 replicates"});
+        QVERIFY(view.note().contains("Of one some replicates"));
+    }
+
+    void theCurveUnderThePointerTellsItsNumber()
+    {
+        Comparison numbers;
+        numbers.candidates = {replicated("one", {4, 6, 5, 9}), replicated("other", {2})};
+        CurvesView view;
+        view.resize(900, 500);
+        view.show();
+        view.setRuns({runOfRadius(4), runOfRadius(2)}, {"one", "other"}, numbers);
+        PointedChartView* chart = view.view();
+        QTRY_VERIFY(chart->chart()->plotArea().width() > 100);
+        const auto at = [&](double x, double y) { // in the chart's numbers
+            return chart->mapFromScene(
+                chart->chart()->mapToScene(chart->chart()->mapToPosition(QPointF(x, y), chart->chart()->series()[1])));
+        };
+        QTRY_VERIFY2(chart->wordsAt(at(0.5, 2.7)).startsWith("one: 2.7"), qPrintable(chart->wordsAt(at(0.5, 2.7))));
+        QSignalSpy pointed(chart, &PointedChartView::pointed);
+        const QPoint place = at(0.5, 2.7); // near the middle of 4 replicates, 5.5 mm after 1 s
+        QMouseEvent move(QEvent::MouseMove, place, chart->viewport()->mapToGlobal(place), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(chart->viewport(), &move);
+        QCOMPARE(pointed.count(), 1);
+        const QString words = pointed.back()[0].toString();
+        QVERIFY2(words.contains("one: 2.7") && words.contains(" mm at 0.5") && words.contains("(least to most of 4 replicates: 2 to 4.5)"),
+                 qPrintable(words));
+        QVERIFY(chart->wordsAt(at(0.5, 1)).startsWith("other: 1.0"));
+        QVERIFY(chart->wordsAt(QPointF(2, 2)).isEmpty()); // beside the plot
+    }
+
+    void theMarkersOfScatterAndFingerprintTellTheirNumbersWithUnits()
+    {
+        Comparison numbers = comparison();
+        for (Candidate& each : numbers.candidates) { each.replicates.front()->numbers["maximum_wetted_radius_bottom_mm"] = 3; }
+        judge(numbers);
+        ScatterView scatter;
+        scatter.resize(900, 500);
+        scatter.show();
+        scatter.setComparison(numbers);
+        scatter.choose(0, 0);
+        const auto wordsOf = [](PointedChartView* view, const QString& begin) {
+            for (int y = 0; y < view->height(); y += 4) {
+                for (int x = 0; x < view->width(); x += 4) {
+                    if (const QString words = view->wordsAt(QPointF(x, y)); words.startsWith(begin)) { return words; }
+                }
+            }
+            return QString();
+        };
+        QTRY_VERIFY(wordsOf(scatter.view(), "wide").contains("Wetted radius, top: 9 mm"));
+        FingerprintView finger;
+        finger.resize(900, 600);
+        finger.show();
+        finger.setCandidates(numbers, {"wide", "slow"});
+        QTRY_VERIFY2(wordsOf(finger.view(), "slow\nWetted radius, top").endsWith(": 4 mm"),
+                     qPrintable(wordsOf(finger.view(), "slow\nWetted radius, top")));
+    }
+
+    void aMapTellsTheRangeOfItsReplicates()
+    {
+        WaterMap shown("cloth");
+        shown.resize(220, 240);
+        shown.setMap(map({0.1, 0, 0, 0}), {}, QSizeF(0.002, 0.002));
+        const QPointF low_left(40, 200);
+        QVERIFY2(shown.wordsAt(low_left).startsWith("cloth: 100 g/m² at"), qPrintable(shown.wordsAt(low_left)));
+        shown.setReplicates(MapRange{map({0.05, 0, 0, 0}), map({0.2, 0, 0, 0}), 4});
+        QVERIFY2(shown.wordsAt(low_left).startsWith("cloth: 100 g/m² (least to most of 4 replicates: 50 to 200) at"),
+                 qPrintable(shown.wordsAt(low_left)));
     }
 
     void aFingerprintGoesFromTheWorstToTheBest()
@@ -171,6 +262,26 @@ private:
         made.run = std::make_shared<RunRecord>();
         made.metrics = std::make_shared<Metrics>();
         made.replicates = {ReplicateRun{{{"maximum_wetted_radius_top_mm", radius}, {"absorbency_time_s", time}}, {}}};
+        return made;
+    }
+
+    /// Its radius grows to that many mm within 1 s.
+    static KeptRun runOfRadius(double radius_mm)
+    {
+        auto metrics = std::make_shared<Metrics>();
+        metrics->series.time = {0, 1};
+        metrics->series.radius_top = {0, 1e-3 * radius_mm};
+        return {QString::number(radius_mm), std::make_shared<RunRecord>(), metrics};
+    }
+
+    static Candidate replicated(const std::string& name, const std::vector<double>& radii)
+    {
+        Candidate made;
+        made.fabric = name;
+        for (const double radius : radii) {
+            made.replicates.emplace_back(ReplicateRun{});
+            made.replicates.back()->trace = std::make_shared<const RunTrace>(trace_of(*runOfRadius(radius).metrics, 1));
+        }
         return made;
     }
 

@@ -53,7 +53,7 @@ private Q_SLOTS:
     {
         const std::vector<KeptRun> runs{runOf(design_, 0, Fidelity::draft, 5)};
         const StudyChoice four{experiment(), Fidelity::draft, 4};
-        QVERIFY(!firstIsAsGiven(design_, design_.fabrics[0].name, experiment())); // its yarns are as uneven as is typical
+        QVERIFY(!first_is_as_given(design_, design_.fabrics[0].name, experiment())); // its yarns are as uneven as is typical
         StudyRow row = studyRows(design_, runs, {}, four)[0];
         QCOMPARE(row.missing.size(), std::size_t{4});
         QVERIFY(std::none_of(row.missing.begin(), row.missing.end(), [](const StudyJob& job) { return job.recorded; }));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/compare/chart_data.h"
 
+#include "core/base/text.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -47,6 +49,25 @@ double shareOf(const Comparison& comparison, const Candidate& candidate, const O
     if (!(high > low)) { return 1; }
     const double share = (own->second.centre - low) / (high - low);
     return criterion.better == Better::less ? 1 - share : share;
+}
+
+/// "grade 4 (75.3 %/s)"
+QString gradeText(const Outcome& outcome)
+{
+    const QString grade = QCoreApplication::translate("hygroloom", "grade %1").arg(*outcome.grade);
+    if (!outcome.value) { return grade; }
+    const ShownValue value = shown(outcome, *outcome.value);
+    const QString number = QString::fromStdString(rounded_text(value.value, 3)) + " " + QString::fromStdString(value.unit);
+    return QString("%1 (%2)").arg(grade, number.trimmed());
+}
+
+/// "3.25 ± 0.04 mm"; empty: it has no such number.
+QString numberText(const Candidate& candidate, const OutcomeInfo& criterion)
+{
+    const auto found = candidate.intervals.find(criterion.key);
+    if (found == candidate.intervals.end()) { return {}; }
+    const std::string text = with_interval(criterion, found->second) + " " + shown(criterion, found->second).unit;
+    return QString::fromStdString(text).trimmed();
 }
 
 std::vector<const Candidate*> named(const Comparison& comparison, const std::vector<std::string>& names)
@@ -101,16 +122,29 @@ std::vector<CurveChoice> curvesOf(ExperimentType type, const std::vector<std::sh
     return choices;
 }
 
-CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveChoice& choice)
+CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveChoice& choice, const Candidate* candidate)
 {
     CurvePoints points;
+    const auto seen = [&choice](double value) { return choice.plot->from_zero ? std::max(0.0, value) : value; };
+    if (const auto range = candidate ? curve_range(*candidate, *choice.plot, choice.curve) : std::nullopt) {
+        points.replicates = range->runs;
+        for (std::size_t i = 0; i < range->time.size(); ++i) {
+            points.values.emplace_back(range->time[i], seen(range->middle[i]));
+            points.low.push_back(seen(range->low[i]));
+            points.high.push_back(seen(range->high[i]));
+        }
+        return points;
+    }
     const std::vector<double> values = plotted(*choice.plot, choice.curve, metrics);
     const CurveError* error = errorOf(choice.curve);
     const bool known = error && numerical_error(run, error->metric, 1).has_value();
     for (std::size_t i = 0; i < std::min(values.size(), metrics.series.time.size()); ++i) {
-        const double value = choice.plot->from_zero ? std::max(0.0, values[i]) : values[i];
+        const double value = seen(values[i]);
         points.values.emplace_back(metrics.series.time[i], value);
-        if (known) { points.half.push_back(*numerical_error(run, error->metric, value)); }
+        if (!known) { continue; }
+        const double half = *numerical_error(run, error->metric, value);
+        points.low.push_back(value - half);
+        points.high.push_back(value + half);
     }
     return points;
 }
@@ -126,6 +160,7 @@ Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::s
     Fingerprint made;
     const std::vector<const Candidate*> all = named(comparison, names);
     made.runs.resize(all.size());
+    made.numbers.resize(all.size());
     if (all.empty()) { return made; }
     made.grades = all.front()->metrics->management.has_value();
     if (made.grades) {
@@ -135,17 +170,24 @@ Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::s
             made.spokes << capital(QString::fromStdString(full_title(outcome)));
             for (std::size_t i = 0; i < all.size(); ++i) {
                 double grade = -1;
+                QString number;
                 for (const Outcome& each : outcomes_of(*all[i]->run, *all[i]->metrics)) {
-                    if (each.key == outcome.key && each.grade) { grade = *each.grade; }
+                    if (each.key != outcome.key || !each.grade) { continue; }
+                    grade = *each.grade;
+                    number = gradeText(each);
                 }
                 made.runs[i].push_back(grade);
+                made.numbers[i] << number;
             }
         }
         return made;
     }
     for (const OutcomeInfo& criterion : comparison.criteria) {
         made.spokes << capital(QString::fromStdString(full_title(criterion)));
-        for (std::size_t i = 0; i < all.size(); ++i) { made.runs[i].push_back(shareOf(comparison, *all[i], criterion)); }
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            made.runs[i].push_back(shareOf(comparison, *all[i], criterion));
+            made.numbers[i] << numberText(*all[i], criterion);
+        }
     }
     return made;
 }

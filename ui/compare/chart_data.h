@@ -2,8 +2,7 @@
 // What the charts of the compare workspace draw, without the drawing.
 #pragma once
 
-#include "core/analysis/comparison.h"
-#include "core/analysis/plots.h"
+#include "core/analysis/replicate_range.h"
 
 #include <QPointF>
 #include <QString>
@@ -26,19 +25,22 @@ struct CurveChoice {
 std::vector<CurveChoice> curvesOf(ExperimentType type, const std::vector<std::shared_ptr<const Metrics>>& runs);
 
 struct CurvePoints {
-    std::vector<QPointF> values;
-    std::vector<double> half; ///< of the band at each; empty: no error of it is known
+    std::vector<QPointF> values;   ///< of several replicates their middle
+    std::vector<double> low, high; ///< of the band at each; empty: there is none
+    int replicates = 0;            ///< that the band is of; 0: it is the numerical error of the run alone
 };
-CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveChoice& choice);
-/// The number whose error the band is; empty: none is measured.
+/// candidate: with the run's replicates; fewer than two that keep the curve do not count.
+CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveChoice& choice, const Candidate* candidate = nullptr);
+/// The number whose error the band of a run alone is; empty: none is measured.
 QString bandText(const CurveChoice& choice);
 
 /// Spokes, and for each run how far it lies on each; less than 0: it has no such number.
 struct Fingerprint {
     QStringList spokes;
     std::vector<std::vector<double>> runs;
-    double most = 1;     ///< at the rim
-    bool grades = false; ///< 1 to 5, else from the worst to the best of all candidates
+    std::vector<QStringList> numbers; ///< of each run, what stands for it on each spoke: "grade 4 (75 %/s)", "3.25 ± 0.04 mm"
+    double most = 1;                  ///< at the rim
+    bool grades = false;              ///< 1 to 5, else from the worst to the best of all candidates
 };
 /// Of the candidates of these names.
 Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::string>& names);

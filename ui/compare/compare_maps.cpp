@@ -4,7 +4,6 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "ui/basics/quantity.h"
-#include "ui/compare/recorded_frame.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -22,12 +21,12 @@ namespace {
 
 constexpr int legend_width = 92;
 constexpr int slider_steps = 200;
-constexpr int crossings_per_cell = 2;
 
-FaceMap mapOf(const KeptRun& run, double time, MapSide side)
+/// How many of its replicates keep maps or curves; those of other versions keep none.
+std::size_t tracesOf(const Candidate& candidate)
 {
-    const Recording recording = recordingOf(run);
-    return faceMap(recording.run(), recording.frame(frameIndexAt(recording, time)), recording.frame(0), side, crossings_per_cell);
+    const auto kept = [](const std::optional<ReplicateRun>& run) { return run && run->trace; };
+    return static_cast<std::size_t>(std::count_if(candidate.replicates.begin(), candidate.replicates.end(), kept));
 }
 
 } // namespace
@@ -111,7 +110,7 @@ bool CompareMaps::differs() const { return shown_->currentIndex() == static_cast
 void CompareMaps::show(Shown shown) { shown_->setCurrentIndex(static_cast<int>(shown)); }
 
 void CompareMaps::setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const QString& hint,
-                          const std::optional<KeptRun>& baseline, const QString& baseline_title)
+                          const std::optional<KeptRun>& baseline, const QString& baseline_title, const Comparison& comparison)
 {
     side_by_side_->setVisible(!runs.empty());
     empty_->setVisible(runs.empty());
@@ -120,14 +119,22 @@ void CompareMaps::setRuns(const std::vector<KeptRun>& runs, const QStringList& t
     baseline_ = baseline;
     baseline_title_ = baseline_title;
     time_->setEnabled(!runs.empty());
-    QStringList identities;
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        identities << titles[static_cast<qsizetype>(i)] + "\n" + runs[i].path + "\n" + QString::fromStdString(runs[i].run->date);
-    }
-    if (baseline) { identities << baseline->path + "\n" + QString::fromStdString(baseline->run->date); }
     runs_ = runs;
     titles_ = titles;
-    if (identities == identities_) { return; }
+    const auto named = [&comparison](const std::string& name) {
+        const auto& all = comparison.candidates;
+        const auto found = std::find_if(all.begin(), all.end(), [&name](const Candidate& each) { return each.fabric == name; });
+        return found == all.end() ? Candidate() : *found;
+    };
+    std::vector<Candidate> candidates;
+    for (const QString& title : titles) { candidates.push_back(named(title.toStdString())); }
+    candidates.push_back(named(baseline_title.toStdString()));
+    std::swap(candidates_, candidates);
+    const QStringList identities = identitiesOf(runs);
+    if (identities == identities_) {
+        candidates_ = candidates; // with the maps that were read
+        return;
+    }
     identities_ = identities;
     qDeleteAll(maps_);
     maps_.clear();
@@ -154,76 +161,125 @@ void CompareMaps::readMaps()
         update();
         return;
     }
-    std::vector<KeptRun> wanted = runs_; // and the baseline, last
-    const bool differences = differs() && baseline_;
-    if (differences) { wanted.push_back(*baseline_); }
-    reader_.run([this, runs = wanted, request = ++requests_, side = side(), time = shownTime(), differences](const NewestJob::Turn& turn) {
-        std::vector<FaceMap> maps;
+    MapsRequest wanted{runs_, candidates_, side(), static_cast<double>(time_->value()) / slider_steps, differs() && baseline_};
+    wanted.candidates.resize(runs_.size());
+    if (wanted.differences) {
+        wanted.runs.push_back(*baseline_);
+        wanted.candidates.push_back(candidates_.back());
+    }
+    reader_.run([this, wanted, request = ++requests_](const NewestJob::Turn& turn) {
+        MapsRead read;
         QString problem;
         try {
-            for (const KeptRun& run : runs) {
-                if (turn.outdated()) { return; }
-                maps.push_back(mapOf(run, time, side));
-            }
+            read = hygroloom::readMaps(wanted, [&turn] { return turn.outdated(); });
         } catch (const std::exception& error) {
             problem = QString::fromStdString(error.what());
         }
-        turn.deliver([this, maps, request, problem, differences] {
+        turn.deliver([this, read = std::move(read), request, problem, differences = wanted.differences] {
             if (request != requests_) { return; }
             showProblem(problem);
             if (!problem.isEmpty()) { return; }
+            std::copy_n(read.candidates.begin(), runs_.size(), candidates_.begin());
+            if (differences) { candidates_.back() = read.candidates.back(); }
+            shown_time_->setText(momentText(read.share * duration(), duration()));
             if (differences) {
-                showDifferences({maps.begin(), maps.end() - 1}, maps.back());
+                showDifferences(read);
             } else {
-                showMaps(maps);
+                showMaps(read);
             }
         });
     });
 }
 
-void CompareMaps::showMaps(const std::vector<FaceMap>& maps)
+void CompareMaps::showMaps(const MapsRead& read)
 {
-    for (std::size_t i = 0; i < maps.size(); ++i) {
-        maximum_ = std::max(maximum_, maps[i].cells.maximum());
-        maps_[i]->setMap(maps[i].cells, maps[i].stain, maps[i].size);
+    int replicates = 0;
+    for (std::size_t i = 0; i < maps_.size(); ++i) {
+        const FaceMap& map = read.maps[i];
+        maximum_ = std::max(maximum_, map.cells.maximum());
+        maps_[i]->setMap(map.cells, map.stain, map.size);
+        maps_[i]->setReplicates(read.ranges[i]);
         maps_[i]->setVisible(true);
+        if (read.ranges[i]) { replicates = std::max(replicates, read.ranges[i]->runs); }
     }
-    grey_->setVisible(false);
+    grey_->setText(tr("Each cloth as given. Under the pointer also the %1.").arg(QString::fromStdString(range_words(replicates))));
+    grey_->setVisible(replicates > 0);
     showRange();
     Q_EMIT mapsChanged();
 }
 
 /// The baseline's own is nothing to look at.
-void CompareMaps::showDifferences(const std::vector<FaceMap>& maps, const FaceMap& baseline)
+void CompareMaps::showDifferences(const MapsRead& read)
 {
     QStringList problems;
     MapError error;
-    for (std::size_t i = 0; i < maps.size(); ++i) {
+    int pairs = 0;
+    const FaceMap& baseline = read.maps.back();
+    for (std::size_t i = 0; i < maps_.size(); ++i) {
         const bool own = runs_[i].path == baseline_->path;
         maps_[i]->setVisible(!own);
         if (own) { continue; }
-        if (const QString why = whyNoDifference(maps[i].cells, baseline.cells); !why.isEmpty()) {
+        const FaceMap& map = read.maps[i];
+        if (const QString why = whyNoDifference(map.cells, baseline.cells); !why.isEmpty()) {
             maps_[i]->clear();
             problems << tr("There is no difference map of %1: %2.").arg(titles_[static_cast<qsizetype>(i)], why);
             continue;
         }
         const MapError each = errorOfMaps(*runs_[i].run, *baseline_->run, side());
-        const MapDifference difference = differenceOf(maps[i].cells, baseline.cells, each);
+        const auto& paired = read.pairs[i];
+        const MapDifference difference =
+            paired ? MapDifference{paired->cells, paired->real} : differenceOf(map.cells, baseline.cells, each);
+        if (paired) { pairs = pairs == 0 ? paired->pairs : std::min(pairs, paired->pairs); }
+        if (!paired && tracesOf(candidates_[i]) > 1) {
+            problems << tr("Of %1 and the baseline fewer than two replicates keep maps: grey is the numerical error alone.")
+                            .arg(titles_[static_cast<qsizetype>(i)]);
+        }
         maximum_ = std::max(maximum_, largestOf(difference));
-        maps_[i]->setDifference(difference, maps[i].size);
+        maps_[i]->setDifference(difference, map.size);
         if (error.of.isEmpty() || each.share.value_or(0) > error.share.value_or(0)) { error = each; }
     }
     if (runs_.size() == 1 && runs_.front().path == baseline_->path) { problems << tr("Tick a second fabric to see how it differs."); }
     showProblem({});
     problem_->setText(problems.join(' '));
     problem_->setVisible(!problems.isEmpty());
-    const QString to = tr("Water less that of %1.").arg(baseline_title_);
-    grey_->setText(error.share ? tr("%1 Grey: the difference is at most %2 % of the wetter one, the numerical error of %3.")
-                                     .arg(to, shownNumber(100 * *error.share, decimals_for(100 * *error.share, 2)), error.of)
-                               : tr("%1 The numerical error of these runs is not known: grey cells are exactly equal.").arg(to));
+    grey_->setText(greyText(error, pairs, read.share));
     grey_->setVisible(true);
     showRange();
     Q_EMIT mapsChanged();
+}
+
+/// pairs: fewest of the maps; 0: the replicates do not count.
+QString CompareMaps::greyText(const MapError& error, int pairs, double share) const
+{
+    const QString to = tr("Water less that of %1.").arg(baseline_title_);
+    const QString percent = error.share ? shownNumber(100 * *error.share, decimals_for(100 * *error.share, 2)) : QString();
+    if (pairs > 0) {
+        const QString numerical = error.share ? tr("a numerical error of %1 %").arg(percent) : tr("no numerical error, which is not known");
+        return tr("%1 Mean of %2 pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of the mean "
+                  "difference, with %4, holds 0.")
+            .arg(to)
+            .arg(pairs)
+            .arg(momentText(share * duration(), duration()), numerical);
+    }
+    return error.share
+               ? tr("%1 Grey: the difference is at most %2 % of the wetter one, the numerical error of %3.").arg(to, percent, error.of)
+               : tr("%1 The numerical error of these runs is not known: grey cells are exactly equal.").arg(to);
+}
+
+/// Title, path, date and replicates of each.
+QStringList CompareMaps::identitiesOf(const std::vector<KeptRun>& runs) const
+{
+    QStringList identities;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        identities << QString("%1\n%2\n%3\n%4")
+                          .arg(titles_[static_cast<qsizetype>(i)], runs[i].path, QString::fromStdString(runs[i].run->date))
+                          .arg(tracesOf(candidates_[i]));
+    }
+    if (baseline_) {
+        identities
+            << QString("%1\n%2\n%3").arg(baseline_->path, QString::fromStdString(baseline_->run->date)).arg(tracesOf(candidates_.back()));
+    }
+    return identities;
 }
 
 /// In the view rather than a dialog, as each step of the slider may repeat it.

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "ui/basics/newest_job.h"
-#include "ui/results/run_history.h"
-#include "ui/results/water_map.h"
+#include "ui/compare/map_reader.h"
 
 #include <QWidget>
 
@@ -20,10 +19,10 @@ class CompareMaps : public QWidget {
 public:
     explicit CompareMaps(QWidget* parent = nullptr);
 
-    /// Of the same experiment, with their titles. Without runs the hint is shown instead. baseline: what differences are to, with its
-    /// title; it may be one of the runs.
+    /// Of the same experiment, with their titles; those whose titles are names of candidates have their replicates. Without runs the hint
+    /// is shown instead. baseline: what differences are to, with its title; it may be one of the runs.
     void setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const QString& hint,
-                 const std::optional<KeptRun>& baseline = {}, const QString& baseline_title = {});
+                 const std::optional<KeptRun>& baseline = {}, const QString& baseline_title = {}, const Comparison& comparison = {});
     enum class Shown { maps, differences };
     void show(Shown shown);
     void setWaterColors(WaterColors colors);
@@ -45,14 +44,17 @@ private:
     MapSide side() const;
     bool differs() const;
     void readMaps();
-    void showMaps(const std::vector<FaceMap>& maps);
-    void showDifferences(const std::vector<FaceMap>& maps, const FaceMap& baseline);
+    QStringList identitiesOf(const std::vector<KeptRun>& runs) const;
+    void showMaps(const MapsRead& read);
+    void showDifferences(const MapsRead& read);
+    QString greyText(const MapError& error, int pairs, double share) const;
     void showProblem(const QString& sentence);
     void showRange();
 
     std::vector<KeptRun> runs_;
     QStringList titles_;
-    QStringList identities_; ///< title, path and date of each run: other ones need other maps
+    std::vector<Candidate> candidates_; ///< of each run and then the baseline
+    QStringList identities_;            ///< title, path and date of each run: other ones need other maps
     QWidget* side_by_side_;
     QHBoxLayout* row_;
     QWidget* legend_;

@@ -120,8 +120,8 @@ void CompareView::refreshHint()
         fidelity = own;
     }
     if (entry() && choiceOf(*entry()).replicates > 1) {
-        notes << tr("Maps and curves are of each cloth as given. In replicates yarns without an unevenness of their own are as uneven as "
-                    "is typical.");
+        notes << tr("Maps and 3D are of each cloth as given; curves and difference maps are of the replicates. In these, yarns without an "
+                    "unevenness of their own are as uneven as is typical.");
         if (const std::string few = few_replicates_text(choiceOf(*entry()).replicates); !few.empty()) {
             notes.prepend(QString::fromStdString(few));
         }
@@ -153,9 +153,9 @@ void CompareView::refreshLower()
         const KeptRun* run = row.fabric == base ? history_.find(row.path) : nullptr;
         if (run) { baseline = *run; }
     }
-    maps_->setRuns(runs, titles, hint, baseline, QString::fromStdString(base));
+    maps_->setRuns(runs, titles, hint, baseline, QString::fromStdString(base), numbers_);
     cloths_->setRuns(runs, titles, hint);
-    curves_->setRuns(runs, titles);
+    curves_->setRuns(runs, titles, numbers_);
     std::vector<std::string> names;
     for (const QString& title : titles) { names.push_back(title.toStdString()); }
     fingerprint_->setCandidates(numbers_, names);

@@ -3,15 +3,17 @@
 
 #include "ui/compare/chart_style.h"
 #include "ui/results/curve_legend.h"
+#include "ui/results/pointed_chart_view.h"
 
 #include <QCategoryAxis>
-#include <QChartView>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineSeries>
 #include <QPolarChart>
 #include <QValueAxis>
+
+#include <cmath>
 
 namespace hygroloom {
 
@@ -22,7 +24,7 @@ constexpr qsizetype fewest_spokes = 3;
 } // namespace
 
 FingerprintView::FingerprintView(QWidget* parent)
-    : QWidget(parent), chart_(new QPolarChart), view_(new QChartView(chart_)), legend_(new CurveLegend),
+    : QWidget(parent), chart_(new QPolarChart), view_(new PointedChartView(chart_)), legend_(new CurveLegend),
       note_(makeNote(tr("What the fingerprint shows")))
 {
     view_->setRenderHint(QPainter::Antialiasing);
@@ -70,6 +72,7 @@ void FingerprintView::addAxes()
 
 void FingerprintView::draw()
 {
+    view_->forget();
     chart_->removeAllSeries();
     const qsizetype spokes = shown_.spokes.size();
     const bool drawn = !shown_.runs.empty() && spokes >= fewest_spokes;
@@ -87,6 +90,10 @@ void FingerprintView::draw()
             line->setPointsVisible(true);
             chart_->addSeries(line);
             for (QAbstractAxis* axis : chart_->axes()) { line->attachAxis(axis); }
+            view_->tell(line, PointedChartView::Told::points, [this, i](const QPointF& at) {
+                const auto spoke = static_cast<qsizetype>(std::lround(at.x())) % shown_.spokes.size();
+                return QString("%1\n%2: %3").arg(titles_.value(static_cast<qsizetype>(i)), shown_.spokes[spoke], shown_.numbers[i][spoke]);
+            });
             entries.push_back({titles_.value(static_cast<qsizetype>(i)), line->pen()});
         }
         styleChart(*chart_, *this);

@@ -6,13 +6,13 @@
 
 #include <QWidget>
 
-class QChartView;
 class QLabel;
 class QPolarChart;
 
 namespace hygroloom {
 
 class CurveLegend;
+class PointedChartView;
 
 class FingerprintView : public QWidget {
     Q_OBJECT
@@ -22,6 +22,7 @@ public:
     /// The candidates of these names, as they stand in the comparison.
     void setCandidates(const Comparison& comparison, const std::vector<std::string>& names);
     const Fingerprint& fingerprint() const { return shown_; }
+    PointedChartView* view() { return view_; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -34,7 +35,7 @@ private:
     QStringList titles_;
     std::size_t candidates_ = 0;
     QPolarChart* chart_;
-    QChartView* view_;
+    PointedChartView* view_;
     CurveLegend* legend_;
     QLabel* note_;
 };

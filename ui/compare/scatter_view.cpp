@@ -4,9 +4,9 @@
 #include "core/base/text.h"
 #include "ui/basics/quantity.h"
 #include "ui/compare/chart_style.h"
+#include "ui/results/pointed_chart_view.h"
 
 #include <QChart>
-#include <QChartView>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -36,6 +36,14 @@ QString directionOf(const OutcomeInfo& info)
     return info.better == Better::less ? ScatterView::tr("smaller is better") : ScatterView::tr("larger is better");
 }
 
+/// "Wetted radius, top: 3.25 ± 0.04 mm"
+QString numberOf(const OutcomeInfo& info, const Interval& interval)
+{
+    const QString title = QString::fromStdString(full_title(info));
+    const std::string number = with_interval(info, interval) + " " + shown(info, interval).unit;
+    return QString("%1: %2").arg(title.left(1).toUpper() + title.mid(1), QString::fromStdString(number).trimmed());
+}
+
 std::vector<ScatterPoint> pointsOf(const Comparison& comparison, std::size_t x, std::size_t y)
 {
     const OutcomeInfo &one = comparison.criteria[x], &other = comparison.criteria[y];
@@ -46,7 +54,9 @@ std::vector<ScatterPoint> pointsOf(const Comparison& comparison, std::size_t x, 
         const auto at = [&](double Interval::*part) {
             return QPointF(shown(one, a->second.*part).value, shown(other, b->second.*part).value);
         };
-        points.push_back({at(&Interval::low), at(&Interval::centre), at(&Interval::high), QString::fromStdString(each.fabric)});
+        const QString name = QString::fromStdString(each.fabric);
+        points.push_back({at(&Interval::low), at(&Interval::centre), at(&Interval::high), name,
+                          QString("%1\n%2\n%3").arg(name, numberOf(one, a->second), numberOf(other, b->second))});
     }
     return points;
 }
@@ -81,7 +91,7 @@ int secondOf(const Comparison& comparison)
 } // namespace
 
 ScatterView::ScatterView(QWidget* parent)
-    : QWidget(parent), x_(new QComboBox), y_(new QComboBox), value_(new QLabel), chart_(new QChart), view_(new QChartView(chart_)),
+    : QWidget(parent), x_(new QComboBox), y_(new QComboBox), value_(new QLabel), chart_(new QChart), view_(new PointedChartView(chart_)),
       across_(new QValueAxis), up_(new QValueAxis), note_(makeNote(tr("What the scatter shows")))
 {
     view_->setRenderHint(QPainter::Antialiasing);
@@ -91,6 +101,7 @@ ScatterView::ScatterView(QWidget* parent)
     x_->setAccessibleName(tr("Number across"));
     y_->setAccessibleName(tr("Number upwards"));
     value_->setAccessibleName(tr("Candidate under the pointer"));
+    value_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // a long name does not widen the window
     chart_->addAxis(across_, Qt::AlignBottom);
     chart_->addAxis(up_, Qt::AlignLeft);
     for (QValueAxis* axis : {across_, up_}) { axis->setLabelFormat("%g"); }
@@ -109,6 +120,7 @@ ScatterView::ScatterView(QWidget* parent)
     layout->addLayout(head);
     layout->addWidget(view_, 1);
     layout->addWidget(note_);
+    connect(view_, &PointedChartView::pointed, this, [this](QString words) { value_->setText(words.replace('\n', ", ")); });
     connect(chart_, &QChart::plotAreaChanged, this, &ScatterView::placeLabels);
     connect(x_, &QComboBox::currentIndexChanged, this, &ScatterView::draw);
     connect(y_, &QComboBox::currentIndexChanged, this, &ScatterView::draw);
@@ -173,10 +185,7 @@ void ScatterView::addPoint(const ScatterPoint& point, const QString& label, bool
     marker->setPointLabelsClipping(false);
     add(marker);
     if (!label.isEmpty()) { labels_.push_back({marker, label, on_front}); }
-    connect(marker, &QScatterSeries::hovered, this, [this, name = point.name](QPointF where, bool on) {
-        const auto text = [](double number) { return shownNumber(number, decimals_for(number, 3)); };
-        value_->setText(on ? QString("%1: %2, %3").arg(name, text(where.x()), text(where.y())) : QString());
-    });
+    view_->tell(marker, PointedChartView::Told::points, [words = point.words](const QPointF&) { return words; });
 }
 
 void ScatterView::setRange(QValueAxis* axis, double low, double high)
@@ -188,6 +197,7 @@ void ScatterView::setRange(QValueAxis* axis, double low, double high)
 
 void ScatterView::draw()
 {
+    view_->forget();
     chart_->removeAllSeries();
     front_.clear();
     labels_.clear();

@@ -8,7 +8,6 @@
 #include <QWidget>
 
 class QChart;
-class QChartView;
 class QComboBox;
 class QLabel;
 class QValueAxis;
@@ -17,10 +16,13 @@ class QXYSeries;
 
 namespace hygroloom {
 
+class PointedChartView;
+
 /// A candidate with its intervals.
 struct ScatterPoint {
     QPointF low, at, high;
     QString name;
+    QString words; ///< name, and both numbers with their intervals and units
 };
 
 class ScatterView : public QWidget {
@@ -35,6 +37,7 @@ public:
     /// Of the markers, those that are seen.
     QStringList labels() const;
     void choose(int x, int y);
+    PointedChartView* view() { return view_; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -59,7 +62,7 @@ private:
     QComboBox* y_;
     QLabel* value_;
     QChart* chart_;
-    QChartView* view_;
+    PointedChartView* view_;
     QValueAxis* across_;
     QValueAxis* up_;
     QLabel* note_;

@@ -24,7 +24,7 @@ const KeptRun* runOf(const Design& design, const std::vector<KeptRun>& runs, con
 void takeReplicates(StudyRow& row, const Design& design, const std::vector<ReplicateSet>& sets, const StudyJob& job)
 {
     const ReplicateSet* set = find_set(sets, keyOf(design, job));
-    const bool as_given = firstIsAsGiven(design, row.fabric, job.experiment);
+    const bool as_given = first_is_as_given(design, row.fabric, job.experiment);
     std::vector<std::optional<ReplicateRun>> replicates(static_cast<std::size_t>(job.of));
     for (int number = 0; number < job.of; ++number) {
         auto& replicate = replicates[static_cast<std::size_t>(number)];
@@ -53,12 +53,6 @@ void takeReplicates(StudyRow& row, const Design& design, const std::vector<Repli
 ReplicateKey keyOf(const Design& design, const StudyJob& job)
 {
     return {part_of_run(design, job.fabric, job.experiment), job.fabric, job.experiment, job.fidelity, 1, job.of};
-}
-
-bool firstIsAsGiven(const Design& design, const std::string& fabric, const std::string& experiment)
-{
-    const Experiment* test = find_experiment(design, experiment);
-    return test->closure != Closure::pores || drawn(design, fabric, experiment, {1, 0, 2}).design == design;
 }
 
 std::vector<StudyRow> studyRows(const Design& design, const std::vector<KeptRun>& runs, const std::vector<ReplicateSet>& sets,

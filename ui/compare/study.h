@@ -47,9 +47,6 @@ std::vector<StudyRow> studyRows(const Design& design, const std::vector<KeptRun>
 /// What the replicates of a fabric are found by.
 ReplicateKey keyOf(const Design& design, const StudyJob& job);
 
-/// Whether the first of several replicates is the run of the design as it is: yarns keep their evenness, or it changes nothing.
-bool firstIsAsGiven(const Design& design, const std::string& fabric, const std::string& experiment);
-
 /// The rows' candidates, not yet judged. The baseline is the first where there is none of that name.
 Comparison comparisonOf(ExperimentType type, const StudyChoice& choice, const std::vector<StudyRow>& rows, const std::string& baseline);
 

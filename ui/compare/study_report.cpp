@@ -32,8 +32,8 @@ QString studyReport(const Comparison& comparison, const std::map<std::string, QS
         if (recording.frames() == 0) { continue; }
         const Frame start = start_of_maps(recording.run(), recording.frame(0)), last = recording.frame(recording.frames() - 1);
         for (const auto& [side, name] : {std::pair(MapSide::top, "top"), std::pair(MapSide::bottom, "bottom")}) {
-            const char* which = comparison.replicates > 1 ? ", as given, " : ", "; // replicates are not recorded
-            maps.emplace_back(candidate.fabric + which + name, map_picture(recording.run(), last, start, side, crossings_per_cell));
+            maps.emplace_back(map_caption(comparison, candidate.fabric, name),
+                              map_picture(recording.run(), last, start, side, crossings_per_cell));
         }
     }
     return QString::fromStdString(comparison_report_html(comparison, pictures_on_one_scale(std::move(maps))));

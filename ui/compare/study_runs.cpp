@@ -114,6 +114,12 @@ StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, 
                 Q_EMIT progressed();
             });
         };
+        MapTracer tracer;
+        const bool traced = !job.recorded && job.mixture == 0;
+        if (traced) {
+            callbacks.started = [&tracer](const RunRecord& record) { tracer.start(record); };
+            callbacks.frame = [&tracer](const std::shared_ptr<const Frame>& frame) { tracer.add(*frame); };
+        }
         const Design& own = result.drawn.design;
         const Experiment& experiment = *find_experiment(own, job.experiment);
         std::optional<MemoryGate::Pass> pass;
@@ -123,6 +129,7 @@ StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, 
         }
         const std::unique_ptr<Backend> machine = make_backend("auto");
         result.finished = run_and_measure(result.drawn.design, job.fabric, job.experiment, how, *machine, control_, callbacks);
+        if (traced) { result.maps = tracer.take(); }
         if (result.finished->device_failure.empty()) { learn_time(result.finished->run); }
     } catch (const Cancelled&) {
     } catch (const std::bad_alloc&) {
@@ -184,6 +191,9 @@ void StudyRuns::keepNumbers(const Slot& slot, const Result& result)
     ReplicateSet set{keyOf(*slot.work.design, slot.work.expected.job), result.drawn.names, {}};
     ReplicateRun run = *candidate.replicates.front();
     run.places = result.drawn.places;
+    RunTrace trace = *run.trace;
+    trace.maps = result.maps;
+    run.trace = std::make_shared<const RunTrace>(std::move(trace));
     set.runs[slot.work.expected.job.number] = std::move(run);
     store_.add(set);
 }

@@ -2,6 +2,7 @@
 // Runs what is missing of a study in the background, one after the other on a CPU, several at a time on a GPU.
 #pragma once
 
+#include "core/analysis/run_trace.h"
 #include "core/analysis/sweep.h"
 #include "core/run/memory_gate.h"
 #include "ui/compare/replicate_store.h"
@@ -15,8 +16,8 @@
 
 namespace hygroloom {
 
-/// Each first run is recorded as an ordinary run of the project; of the other replicates the numbers are stored. What was started runs on
-/// the design as it was then.
+/// Each first run is recorded as an ordinary run of the project; of the other replicates the numbers, curves and a few maps are stored.
+/// What was started runs on the design as it was then.
 class StudyRuns : public QObject {
     Q_OBJECT
 public:
@@ -73,6 +74,7 @@ private:
     struct Result {
         std::optional<FinishedRun> finished;
         Drawn drawn;
+        std::vector<TracedMap> maps; ///< of a run that is not recorded
         QString failure;
     };
     void startNext();

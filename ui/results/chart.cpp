@@ -2,8 +2,10 @@
 #include "ui/results/chart.h"
 
 #include "core/analysis/outcomes.h"
+#include "core/base/text.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/color_map.h"
+#include "ui/basics/quantity.h"
 #include "ui/results/curve_legend.h"
 #include "ui/results/time_chart_view.h"
 
@@ -91,7 +93,6 @@ Chart::PlotView Chart::addPlot()
         plot.lines.push_back(line);
     }
     plot.view = new TimeChartView(plot.chart);
-    plot.view->setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // otherwise parts of the time line stay at their old places
     connect(plot.view, &TimeChartView::timeChosen, this, [this](double time) { playback_.show(playback_.frameAt(time)); });
     return plot;
 }
@@ -117,6 +118,7 @@ void Chart::fill(PlotView& view, const Plot& plot)
     view.chart->setTitle(title);
     view.view->setAccessibleName(title);
     const std::vector<Curve> curves = curvesOf(plot);
+    view.view->forget();
     double lowest = plot.from_zero ? 0 : 1e300, highest = plot.from_zero ? 0 : -1e300;
     for (std::size_t i = 0; i < most_curves; ++i) {
         QLineSeries* line = view.lines[i];
@@ -135,6 +137,12 @@ void Chart::fill(PlotView& view, const Plot& plot)
             }
         }
         line->replace(points);
+        if (points.isEmpty()) { continue; }
+        const auto text = [](double number) { return shownNumber(number, decimals_for(number, 3)); };
+        const QString name = curves.size() > 1 ? QString("%1, %2").arg(plot.title, line->name()) : QString(plot.title);
+        view.view->tell(line, PointedChartView::Told::curve, [text, name, unit = QString(plot.unit)](const QPointF& at) {
+            return tr("%1: %2 %3 at %4 s").arg(name, text(at.y()), unit, text(at.x()));
+        });
     }
     setRanges(view, plot.from_zero, lowest, highest);
     refreshLegend(view);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/fit_chart.h"
 
+#include "core/base/text.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/quantity.h"
 
 #include <QChart>
 #include <QEvent>
@@ -27,8 +29,8 @@ double roundStep(double rough)
 } // namespace
 
 FitChart::FitChart(QWidget* parent)
-    : QChartView(parent), measured_(new QScatterSeries), before_(new QLineSeries), fitted_(new QLineSeries), time_(new QValueAxis),
-      value_(new QValueAxis)
+    : PointedChartView(new QChart, parent), measured_(new QScatterSeries), before_(new QLineSeries), fitted_(new QLineSeries),
+      time_(new QValueAxis), value_(new QValueAxis)
 {
     measured_->setName(tr("measured"));
     before_->setName(tr("before"));
@@ -81,6 +83,14 @@ void FitChart::show(const Calibration& calibration)
     value_->setTickType(QValueAxis::TicksDynamic);
     value_->setTickInterval(roundStep(span / 4));
     chart()->setTitle(QString::fromStdString(calibration.data.quantity));
+    forget();
+    for (QXYSeries* series : std::initializer_list<QXYSeries*>{measured_, before_, fitted_}) {
+        const auto words = [series, unit = QString::fromStdString(calibration.data.unit)](const QPointF& at) {
+            const auto text = [](double number) { return shownNumber(number, decimals_for(number, 3)); };
+            return tr("%1: %2 %3 at %4 s").arg(series->name(), text(at.y()), unit, text(at.x()));
+        };
+        tell(series, series == measured_ ? Told::points : Told::curve, words);
+    }
 }
 
 void FitChart::applyPalette()
@@ -107,7 +117,7 @@ void FitChart::applyPalette()
 void FitChart::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::PaletteChange && measured_) { applyPalette(); }
-    QChartView::changeEvent(event);
+    PointedChartView::changeEvent(event);
 }
 
 } // namespace hygroloom

@@ -4,7 +4,7 @@
 
 #include "core/analysis/calibration.h"
 
-#include <QChartView>
+#include "ui/results/pointed_chart_view.h"
 
 class QLineSeries;
 class QScatterSeries;
@@ -12,7 +12,7 @@ class QValueAxis;
 
 namespace hygroloom {
 
-class FitChart : public QChartView {
+class FitChart : public PointedChartView {
     Q_OBJECT
 public:
     explicit FitChart(QWidget* parent = nullptr);

@@ -6,7 +6,7 @@
 
 namespace hygroloom {
 
-TimeChartView::TimeChartView(QChart* chart, QWidget* parent) : QChartView(chart, parent)
+TimeChartView::TimeChartView(QChart* chart, QWidget* parent) : PointedChartView(chart, parent)
 {
     setRenderHint(QPainter::Antialiasing);
     setFrameShape(QFrame::NoFrame);
@@ -24,7 +24,7 @@ void TimeChartView::setCursorTime(double time)
 
 void TimeChartView::drawForeground(QPainter* painter, const QRectF& rect)
 {
-    QChartView::drawForeground(painter, rect);
+    PointedChartView::drawForeground(painter, rect);
     if (time_ < 0) { return; }
     const QRectF area = chart()->plotArea();
     const double x = chart()->mapToPosition(QPointF(time_, 0)).x();
@@ -39,6 +39,7 @@ void TimeChartView::mousePressEvent(QMouseEvent* event) { choose(event->position
 void TimeChartView::mouseMoveEvent(QMouseEvent* event)
 {
     if (event->buttons() & Qt::LeftButton) { choose(event->position()); }
+    PointedChartView::mouseMoveEvent(event);
 }
 
 void TimeChartView::choose(const QPointF& at)

@@ -2,11 +2,11 @@
 // A chart over time with a cursor at the time shown.
 #pragma once
 
-#include <QChartView>
+#include "ui/results/pointed_chart_view.h"
 
 namespace hygroloom {
 
-class TimeChartView : public QChartView {
+class TimeChartView : public PointedChartView {
     Q_OBJECT
 public:
     explicit TimeChartView(QChart* chart, QWidget* parent = nullptr);

@@ -45,6 +45,7 @@ void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, c
 {
     size_ = size;
     map_ = map;
+    replicates_.reset();
     difference_ = false;
     stain_ = circle.has_value();
     circle_ = circle.value_or(Circle{0, 0, -1});
@@ -55,6 +56,8 @@ void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, c
                 : tr("%1; wetted radius %2 millimetres.").arg(most, shownNumber(std::max(0.0, mm_from_metre(circle_.radius)), 2)));
     update();
 }
+
+void WaterMap::setReplicates(const std::optional<MapRange>& replicates) { replicates_ = replicates; }
 
 void WaterMap::setDifference(const MapDifference& difference, const QSizeF& size)
 {
@@ -111,10 +114,19 @@ QColor WaterMap::colorOf(int column, int row) const
 QString WaterMap::valueText(int column, int row) const
 {
     const double value = 1000 * map_.at(column, row);
-    if (!difference_) { return tr("%1 g/m²").arg(shownNumber(value, 1)); }
+    if (!difference_) {
+        const QString text = tr("%1 g/m²").arg(shownNumber(value, 1));
+        if (!replicates_) { return text; }
+        const CellMap& low = replicates_->low; // its cells may be larger
+        const int x = std::min(low.columns - 1, static_cast<int>((column + 0.5) * map_.cell_width / low.cell_width));
+        const int y = std::min(low.rows - 1, static_cast<int>((row + 0.5) * map_.cell_height / low.cell_height));
+        return tr("%1 (%2: %3 to %4)")
+            .arg(text, QString::fromStdString(range_words(replicates_->runs)), shownNumber(1000 * low.at(x, y), 1),
+                 shownNumber(1000 * replicates_->high.at(x, y), 1));
+    }
     const bool real = real_[static_cast<std::size_t>(row) * map_.columns + column];
     const QString text = value < 0 ? tr("%1 g/m² less than the baseline") : tr("%1 g/m² more than the baseline");
-    return text.arg(shownNumber(std::abs(value), 1)) + (real ? QString() : tr(", within the error"));
+    return text.arg(shownNumber(std::abs(value), 1)) + (real ? QString() : tr(", not shown to differ"));
 }
 
 QRectF WaterMap::mapArea() const
@@ -190,26 +202,34 @@ void WaterMap::paintEvent(QPaintEvent*)
     }
 }
 
-void WaterMap::mouseMoveEvent(QMouseEvent* event)
+QPoint WaterMap::cellAt(const QPointF& at) const
 {
     const QRectF area = mapArea();
-    QPoint cell(-1, -1);
-    QString text;
-    if (!image_.isNull() && area.contains(event->position())) {
-        const double metre = size_.width() / area.width();
-        cell = {std::min(map_.columns - 1, static_cast<int>((event->position().x() - area.left()) * metre / map_.cell_width)),
-                std::min(map_.rows - 1, static_cast<int>((area.bottom() - event->position().y()) * metre / map_.cell_height))};
-        const double x = (cell.x() + 0.5) * map_.cell_width - 0.5 * size_.width();
-        const double y = (cell.y() + 0.5) * map_.cell_height - 0.5 * size_.height();
-        text = tr("%1: %2 at %3, %4 mm")
-                   .arg(title_, valueText(cell.x(), cell.y()), QLocale().toString(mm_from_metre(x), 'f', 1),
-                        QLocale().toString(mm_from_metre(y), 'f', 1));
-    }
+    if (image_.isNull() || !area.contains(at)) { return {-1, -1}; }
+    const double metre = size_.width() / area.width();
+    return {std::min(map_.columns - 1, static_cast<int>((at.x() - area.left()) * metre / map_.cell_width)),
+            std::min(map_.rows - 1, static_cast<int>((area.bottom() - at.y()) * metre / map_.cell_height))};
+}
+
+QString WaterMap::wordsAt(const QPointF& at) const
+{
+    const QPoint cell = cellAt(at);
+    if (cell.x() < 0) { return {}; }
+    const double x = (cell.x() + 0.5) * map_.cell_width - 0.5 * size_.width();
+    const double y = (cell.y() + 0.5) * map_.cell_height - 0.5 * size_.height();
+    return tr("%1: %2 at %3, %4 mm")
+        .arg(title_, valueText(cell.x(), cell.y()), QLocale().toString(mm_from_metre(x), 'f', 1),
+             QLocale().toString(mm_from_metre(y), 'f', 1));
+}
+
+void WaterMap::mouseMoveEvent(QMouseEvent* event)
+{
+    const QPoint cell = cellAt(event->position());
     if (cell != cell_) {
         cell_ = cell;
         update();
     }
-    Q_EMIT pointed(text);
+    Q_EMIT pointed(wordsAt(event->position()));
 }
 
 void WaterMap::leaveEvent(QEvent*)

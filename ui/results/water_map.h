@@ -4,6 +4,7 @@
 
 #include "core/analysis/cell_map.h"
 #include "core/analysis/metrics.h"
+#include "core/analysis/replicate_range.h"
 #include "ui/basics/color_map.h"
 #include "ui/results/map_difference.h"
 
@@ -31,6 +32,10 @@ public:
 
     /// size: of the fabric, m; cells at the far edges may reach beyond it.
     void setMap(const CellMap& map, const std::optional<Circle>& circle, const QSizeF& size);
+    /// What the value under the pointer has beside it, until another map is set; none: nothing.
+    void setReplicates(const std::optional<MapRange>& replicates);
+    /// What is said there, in pixels; empty outside the cloth.
+    QString wordsAt(const QPointF& at) const;
     /// Instead of the map, its difference to a baseline.
     void setDifference(const MapDifference& difference, const QSizeF& size);
     void clear();
@@ -56,12 +61,15 @@ private:
     void render();
     QColor colorOf(int column, int row) const;
     QString valueText(int column, int row) const;
+    /// Column and row; less than 0: outside.
+    QPoint cellAt(const QPointF& at) const;
 
     QString title_;
     CellMap map_;
     Circle circle_;
     bool stain_ = true; ///< whether there is one to speak of
     bool difference_ = false;
+    std::optional<MapRange> replicates_;
     std::vector<bool> real_; ///< cells of a difference, see MapDifference
     QSizeF size_;
     QImage image_;

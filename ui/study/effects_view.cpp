@@ -6,6 +6,7 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
+#include <QLineF>
 #include <QPainter>
 
 #include <algorithm>
@@ -52,9 +53,19 @@ void EffectsChart::setMetric(const StudyAxis* metric)
     redraw();
 }
 
+QString EffectsChart::tipAt(const QPointF& position) const
+{
+    constexpr double reach = 12; // pixels
+    const auto off = [&position](const auto& each) { return QLineF(each.first, position).length(); };
+    const auto nearest =
+        std::min_element(told_.begin(), told_.end(), [&off](const auto& one, const auto& other) { return off(one) < off(other); });
+    return nearest != told_.end() && off(*nearest) <= reach ? nearest->second : QString();
+}
+
 void EffectsChart::drawPicture(QPainter& painter)
 {
     painter.setRenderHint(QPainter::Antialiasing);
+    told_.clear();
     if (!metric_) { return; }
     std::vector<const StudyAxis*> factors;
     for (const StudyAxis& axis : data_->axes) {
@@ -79,7 +90,7 @@ void EffectsChart::drawPicture(QPainter& painter)
 }
 
 void EffectsChart::drawEffect(QPainter& painter, const QRectF& area, const StudyAxis& factor, const StudyAxis& up,
-                              const std::vector<EffectBin>& effect) const
+                              const std::vector<EffectBin>& effect)
 {
     drawAxes(painter, area, factor, up, palette());
     const auto at = [&](const EffectBin& bin, double sds) {
@@ -107,6 +118,9 @@ void EffectsChart::drawEffect(QPainter& painter, const QRectF& area, const Study
         if (!factor.words.empty()) { painter.drawLine(at(bin, -1), at(bin, 1)); }
         painter.setBrush(ink);
         painter.drawEllipse(at(bin, 0), 3, 3);
+        told_.emplace_back(at(bin, 0), tr("%1 %2: mean %3 of %4, standard deviation %5, %6 rows")
+                                           .arg(factor.title, factor.text(bin.at), up.text(bin.mean), metric_->title, up.text(bin.sd))
+                                           .arg(bin.count));
     }
     painter.setBrush(Qt::NoBrush);
 }

@@ -12,15 +12,17 @@ public:
     explicit EffectsChart(QWidget* parent = nullptr);
     /// Of the axes; nullptr: none.
     void setMetric(const StudyAxis* metric);
+    QString tipAt(const QPointF& position) const override;
 
 protected:
     void drawPicture(QPainter& painter) override;
 
 private:
     void drawEffect(QPainter& painter, const QRectF& area, const StudyAxis& factor, const StudyAxis& up,
-                    const std::vector<EffectBin>& effect) const;
+                    const std::vector<EffectBin>& effect);
 
     const StudyAxis* metric_ = nullptr;
+    std::vector<std::pair<QPointF, QString>> told_; ///< the means that are drawn, with their numbers
 };
 
 /// The chart with the choice of its metric.

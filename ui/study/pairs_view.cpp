@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QToolTip>
 
 #include <cmath>
 
@@ -149,15 +148,10 @@ void PairsChart::keyPressEvent(QKeyEvent* event)
     if (next) { Q_EMIT rowChosen(*next); }
 }
 
-bool PairsChart::event(QEvent* event)
+QString PairsChart::tipAt(const QPointF& position) const
 {
-    if (event->type() == QEvent::ToolTip) {
-        auto* help = static_cast<QHelpEvent*>(event);
-        const auto row = rowAt(help->pos());
-        QToolTip::showText(help->globalPos(), row ? "<p>" + rowInWords(*data_, *row).toHtmlEscaped() + "</p>" : QString(), this);
-        return true;
-    }
-    return StudyChart::event(event);
+    const auto row = rowAt(position);
+    return row ? rowInWords(*data_, *row) : QString();
 }
 
 PairsView::PairsView(QWidget* parent)

@@ -16,13 +16,13 @@ public:
     std::optional<QPointF> placeOf(std::size_t row) const;
     /// The row that is nearest, within a few pixels.
     std::optional<std::size_t> rowAt(const QPointF& position) const;
+    QString tipAt(const QPointF& position) const override;
 
 protected:
     void drawPicture(QPainter& painter) override;
     void drawMarks(QPainter& painter) override;
     void mousePressEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    bool event(QEvent* event) override;
 
 private:
     QRectF area() const;

@@ -104,6 +104,15 @@ double ParallelChart::numberAt(std::size_t shown, double y) const
     return data_->axes[shown_[shown]].numberAt((on.bottom() - y) / on.height());
 }
 
+/// Of the nearest axis the number at that height.
+QString ParallelChart::tipAt(const QPointF& position) const
+{
+    if (shown_.empty() || position.y() < area().top() || position.y() > area().bottom()) { return {}; }
+    const std::size_t shown = shownAt(position.x());
+    const StudyAxis& axis = data_->axes[shown_[shown]];
+    return QString("%1: %2").arg(axis.title, axis.text(numberAt(shown, position.y())));
+}
+
 void ParallelChart::drawPicture(QPainter& painter)
 {
     const bool many = data_->table.rows() > many_rows;

@@ -21,6 +21,7 @@ public:
     void clearBrushes();
     /// In the widget: of a number on an axis of the data.
     QPointF placeOf(std::size_t axis, double number) const;
+    QString tipAt(const QPointF& position) const override;
 
 Q_SIGNALS:
     void brushed();

@@ -5,9 +5,10 @@
 #include "ui/basics/color_map.h"
 
 #include <QComboBox>
-#include <QEvent>
+#include <QHelpEvent>
 #include <QPainter>
 #include <QSignalBlocker>
+#include <QToolTip>
 
 #include <algorithm>
 
@@ -62,6 +63,17 @@ void StudyChart::paintEvent(QPaintEvent*)
     if (!hasRows()) { return; }
     painter.setRenderHint(QPainter::Antialiasing);
     drawMarks(painter);
+}
+
+bool StudyChart::event(QEvent* event)
+{
+    if (event->type() == QEvent::ToolTip && hasRows()) {
+        auto* help = static_cast<QHelpEvent*>(event);
+        const QString tip = tipAt(help->pos());
+        QToolTip::showText(help->globalPos(), tip.isEmpty() ? tip : "<p>" + tip.toHtmlEscaped() + "</p>", this);
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 void StudyChart::changeEvent(QEvent* event)

@@ -23,6 +23,8 @@ public:
     /// The row that is marked.
     void setChosen(std::optional<std::size_t> row);
     std::optional<std::size_t> chosen() const { return chosen_; }
+    /// The numbers under the pointer, as text; empty: none.
+    virtual QString tipAt(const QPointF&) const { return {}; }
 
 Q_SIGNALS:
     void rowChosen(std::size_t row);
@@ -36,6 +38,7 @@ protected:
     bool hasRows() const { return data_ && data_->table.rows() > 0; }
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
+    bool event(QEvent* event) override;
     QSize minimumSizeHint() const override { return {260, 200}; }
 
     std::shared_ptr<const StudyData> data_;
