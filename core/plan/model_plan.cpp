@@ -2,11 +2,13 @@
 #include "core/plan/model_plan.h"
 
 #include "core/base/error.h"
+#include "core/base/units.h"
 #include "core/plan/bundles.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 namespace {
@@ -32,6 +34,11 @@ std::vector<std::string> notes_of(const ModelPlan& plan)
         notes.push_back(fmt::format("Yarns side by side went in bundles: {} ends and {} picks as {} and {}.", plan.region.ends,
                                     plan.region.picks, bundles_of(plan.region.ends, plan.crossings_per_cell).count,
                                     bundles_of(plan.region.picks, plan.crossings_per_cell).count));
+    const SceneCounts& scene = plan.counts;
+    if (plan.on("wicking") && scene.closure == name_of(Closure::pores) && scene.suction > 0 && scene.uptake <= 0)
+        notes.push_back(
+            fmt::format("Dry yarns take no liquid in: at a contact angle of {:.3g} degrees it does not run between their fibres.",
+                        std::acos(scene.suction) * 180.0 / pi));
     for (const KnobInfo* knob : changed_knobs(knobs_of(plan.fidelity), plan.knobs))
         if (const auto idle = plan.idle_knobs.find(knob->name); idle != plan.idle_knobs.end())
             notes.push_back(fmt::format("{} was set and had no effect: {}.", knob->name, idle->second));

@@ -125,10 +125,12 @@ public:
     void wicking()
     {
         const std::string angle = fmt::format("The smallest contact angle of a yarn is {:g} degrees", b_.smallest_angle);
+        const bool stay_dry = experiment_.closure == Closure::pores && b_.uptake <= 0;
         const bool on = add(decide("wicking", wet_ && b_.wicks,
-                                   !wet_      ? std::string("No liquid comes to the yarns.")
-                                   : b_.wicks ? angle + ", under 90: its pores draw liquid."
-                                              : angle + ", 90 or more: no pores draw liquid.",
+                                   !wet_       ? std::string("No liquid comes to the yarns.")
+                                   : !b_.wicks ? angle + ", 90 or more: no pores draw liquid."
+                                   : stay_dry  ? angle + ", at which liquid does not run between dry fibres: dry yarns take none in."
+                                               : angle + ", under 90: its pores draw liquid.",
                                    forced_));
         moist_ = on || from_air_ || (wet_ && !drops_) || b_.condenses;
     }

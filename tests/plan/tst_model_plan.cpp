@@ -278,6 +278,21 @@ private Q_SLOTS:
         QVERIFY2(reported[0].starts_with("Yarns side by side went in bundles: "), reported[0].c_str());
         QCOMPARE(reported[1], std::string("settle_share was set and had no effect: no drop falls."));
     }
+    /// Liquid runs between dry fibres up to 63 degrees where half of the yarn is fibre, to 76 where it is 0.7.
+    void yarnsThatStayDryAreNoted()
+    {
+        Design design = drop_design();
+        const auto notes = [&](double angle, Closure closure) {
+            design.fabrics[0].contact_angle_deg = angle;
+            design.experiments[0].closure = closure;
+            return notes_of(plan_of(design));
+        };
+        const std::vector<std::string> dry = notes(80, Closure::pores);
+        QCOMPARE(dry.size(), std::size_t(1));
+        QVERIFY2(dry[0].starts_with("Dry yarns take no liquid in: at a contact angle of 80 degrees "), dry[0].c_str());
+        for (double angle : {35.0, 55.0, 95.0}) QVERIFY2(notes(angle, Closure::pores).empty(), qPrintable(QString::number(angle)));
+        QVERIFY(notes(80, Closure::kissa).empty());
+    }
     /// With the closure of pores the rooms between yarns have their part of it, too.
     void aFeedIsSaidToBeAbsorbedByTheClothNotByItsYarns()
     {
