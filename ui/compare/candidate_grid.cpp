@@ -2,6 +2,7 @@
 #include "ui/compare/candidate_grid.h"
 
 #include "core/base/text.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
 
 #include <QLocale>
@@ -14,7 +15,7 @@ namespace hygroloom {
 
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("hygroloom", text); }
+QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
 
 QString capital(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
 
@@ -23,9 +24,9 @@ GridColumn columnOf(const OutcomeInfo& info)
     GridColumn column;
     column.info = info;
     const QString unit = QString::fromStdString(shown(info, 0.0).unit);
-    column.head = capital(QString::fromStdString(full_title(info)));
+    column.head = capital(coreTitle(info.title, info.face));
     if (!unit.isEmpty()) { column.head += " (" + unit + ")"; }
-    column.tip = info.better == Better::less ? words("Smaller is better.") : words("Larger is better.");
+    column.tip = info.better == Better::less ? tr("Smaller is better.") : tr("Larger is better.");
     return column;
 }
 
@@ -40,12 +41,12 @@ const Candidate* candidateNamed(const Comparison& comparison, const std::string&
 void addVerdict(GridCell& cell, const Comparison& comparison, const Candidate& candidate, const GridEntry& entry, const OutcomeInfo& info)
 {
     if (entry.runs < comparison.replicates) {
-        cell.verdict = words("%1 of %2 runs").arg(entry.runs).arg(comparison.replicates);
+        cell.verdict = tr("%1 of %2 runs").arg(entry.runs).arg(comparison.replicates);
     } else if (candidate.fabric == comparison.baseline) {
-        cell.verdict = comparison.candidates.size() > 1 ? words("baseline") : QString();
+        cell.verdict = comparison.candidates.size() > 1 ? tr("baseline") : QString();
     }
     if (const LoneNumber* lone = lone_number_of(comparison, candidate.fabric, info.key)) {
-        cell.verdict = QString::fromStdString(lone->words);
+        cell.verdict = coreWord(lone->words);
         cell.tip += "\n" + QString::fromStdString(lone->sentence);
     }
     const Compared* found = verdict_of(comparison, candidate.fabric, info.key);
@@ -54,9 +55,9 @@ void addVerdict(GridCell& cell, const Comparison& comparison, const Candidate& c
     const QString base = QString::fromStdString(comparison.baseline);
     const ShownValue low = shown(info, found->low), high = shown(info, found->high);
     const int decimals = decimals_for(std::max(std::abs(low.value), std::abs(high.value)), 2);
-    cell.tip += "\n" + words("Difference to %1: %2 to %3 %4, from %5.")
+    cell.tip += "\n" + tr("Difference to %1: %2 to %3 %4, from %5.")
                            .arg(base, shownNumber(low.value, decimals), shownNumber(high.value, decimals), QString::fromStdString(low.unit),
-                                found->pairs == 1 ? words("one run of each") : words("%1 pairs of runs").arg(found->pairs));
+                                found->pairs == 1 ? tr("one run of each") : tr("%1 pairs of runs").arg(found->pairs));
 }
 
 /// " · measured 7.2 ± 0.1 mm"; empty: it was not.
@@ -65,7 +66,7 @@ QString measuredText(const Comparison& comparison, const std::string& fabric, co
     const LaboratoryValue* found = measured_of(comparison, fabric, info.key);
     if (!found) { return {}; }
     const ShownValue value = shown(info, found->value);
-    QString text = words("measured %1").arg(shownNumber(value.value, decimals_for(std::abs(value.value), 3)));
+    QString text = tr("measured %1").arg(shownNumber(value.value, decimals_for(std::abs(value.value), 3)));
     if (found->spread) {
         const double spread = std::abs(shown(info, found->value + *found->spread).value - value.value);
         text += QStringLiteral(" ± ") + shownNumber(spread, decimals_for(std::abs(value.value), 3));
@@ -86,9 +87,9 @@ GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const Outc
         cell.state = entry.reading                    ? GridCell::State::reading
                      : none && !entry.missing.empty() ? GridCell::State::missing
                                                       : GridCell::State::no_number;
-        cell.tip = words("This run does not give this number.");
+        cell.tip = tr("This run does not give this number.");
         if (const LoneNumber* lone = candidate ? lone_number_of(comparison, entry.name, info.key) : nullptr) {
-            cell.verdict = QString::fromStdString(lone->words);
+            cell.verdict = coreWord(lone->words);
             cell.tip = QString::fromStdString(lone->sentence);
         }
         return cell;
@@ -103,17 +104,17 @@ GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const Outc
     const auto text = [&seen](double number) { // both with equal decimals; never "-0.00"
         return QLocale().toString(std::abs(number) < 0.5 * std::pow(10.0, -seen.decimals) ? 0.0 : number, 'f', seen.decimals);
     };
-    cell.number = seen.cut        ? words("%1 (%2 to %3)").arg(text(seen.value), text(seen.low), text(seen.high))
+    cell.number = seen.cut        ? tr("%1 (%2 to %3)").arg(text(seen.value), text(seen.low), text(seen.high))
                   : seen.half > 0 ? text(seen.value) + QStringLiteral(" ± ") + text(seen.half)
                                   : shownNumber(seen.value, seen.decimals);
     if (!seen.unit.empty()) { cell.number += QChar(0x00a0) + QString::fromStdString(seen.unit); }
     const bool several = interval.runs > 1;
     cell.tip =
-        several ? words("After ±: where one more such cloth is expected, from %1 runs with numerical error, scatter and what is not known "
+        several ? tr("After ±: where one more such cloth is expected, from %1 runs with numerical error, scatter and what is not known "
                         "of the cloth.")
                       .arg(interval.runs)
-                : words("After ±: the numerical error, as measured on runs of this kind.");
-    if (!interval.numerical_known) { cell.tip = words("The numerical error of this number is not known."); }
+                : tr("After ±: the numerical error, as measured on runs of this kind.");
+    if (!interval.numerical_known) { cell.tip = tr("The numerical error of this number is not known."); }
     addVerdict(cell, comparison, *candidate, entry, info);
     return cell;
 }
@@ -148,11 +149,11 @@ void addRank(GridRow& row, const Comparison& comparison)
 QString verdictText(Verdict verdict)
 {
     switch (verdict) {
-    case Verdict::better: return words("better");
-    case Verdict::probably_better: return words("probably better");
-    case Verdict::no_difference: return words("no difference shown");
-    case Verdict::probably_worse: return words("probably worse");
-    case Verdict::worse: return words("worse");
+    case Verdict::better: return tr("better");
+    case Verdict::probably_better: return tr("probably better");
+    case Verdict::no_difference: return tr("no difference shown");
+    case Verdict::probably_worse: return tr("probably worse");
+    case Verdict::worse: return tr("worse");
     }
     return {};
 }

@@ -3,6 +3,8 @@
 
 #include "core/base/text.h"
 
+#include "ui/basics/core_words.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -115,8 +117,8 @@ std::vector<CurveChoice> curvesOf(ExperimentType type, const std::vector<std::sh
                 return std::any_of(values.begin(), values.end(), [](double value) { return value != 0; });
             };
             if (std::none_of(runs.begin(), runs.end(), is_seen)) { continue; }
-            const QString name = plot->curves.size() == 1 ? QString(plot->title) : QString("%1, %2").arg(plot->title, curve.name);
-            choices.push_back({plot, curve, QString("%1 (%2)").arg(name, plot->unit)});
+            const QString name = plot->curves.size() == 1 ? coreWord(plot->title) : coreTitle(plot->title, curve.name);
+            choices.push_back({plot, curve, QString("%1 (%2)").arg(name, coreWord(plot->unit))});
         }
     }
     return choices;
@@ -152,7 +154,7 @@ CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveCh
 QString bandText(const CurveChoice& choice)
 {
     const CurveError* error = errorOf(choice.curve);
-    return error ? QCoreApplication::translate("hygroloom", error->words) : QString();
+    return error ? coreWord(error->words) : QString();
 }
 
 Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::string>& names)
@@ -167,7 +169,7 @@ Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::s
         made.most = 5;
         for (const Outcome& outcome : outcomes_of(*all.front()->run, *all.front()->metrics)) {
             if (!outcome.grade) { continue; }
-            made.spokes << capital(QString::fromStdString(full_title(outcome)));
+            made.spokes << capital(coreTitle(outcome.title, outcome.face));
             for (std::size_t i = 0; i < all.size(); ++i) {
                 double grade = -1;
                 QString number;
@@ -183,7 +185,7 @@ Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::s
         return made;
     }
     for (const OutcomeInfo& criterion : comparison.criteria) {
-        made.spokes << capital(QString::fromStdString(full_title(criterion)));
+        made.spokes << capital(coreTitle(criterion.title, criterion.face));
         for (std::size_t i = 0; i < all.size(); ++i) {
             made.runs[i].push_back(shareOf(comparison, *all[i], criterion));
             made.numbers[i] << numberText(*all[i], criterion);

@@ -2,6 +2,7 @@
 #include "ui/compare/curves_view.h"
 
 #include "core/base/text.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
 #include "ui/compare/chart_style.h"
 #include "ui/results/curve_legend.h"
@@ -159,7 +160,7 @@ std::optional<int> CurvesView::addRun(std::size_t run, const CurveChoice& choice
         series->attachAxis(axis_);
     }
     view_->tell(line, PointedChartView::Told::curve,
-                [title = titles_[static_cast<qsizetype>(run)], unit = QString(choice.plot->unit), points](const QPointF& at) {
+                [title = titles_[static_cast<qsizetype>(run)], unit = coreWord(choice.plot->unit), points](const QPointF& at) {
                     return wordsAt(title, unit, points, at);
                 });
     return banded ? std::optional(points.replicates) : std::nullopt;

@@ -2,6 +2,7 @@
 #include "ui/compare/scatter_view.h"
 
 #include "core/base/text.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
 #include "ui/compare/chart_style.h"
 #include "ui/results/pointed_chart_view.h"
@@ -25,7 +26,7 @@ namespace {
 
 QString titleOf(const OutcomeInfo& info)
 {
-    QString title = QString::fromStdString(full_title(info));
+    QString title = coreTitle(info.title, info.face);
     title = title.left(1).toUpper() + title.mid(1);
     const QString unit = QString::fromStdString(shown(info, 0.0).unit);
     return unit.isEmpty() ? title : QString("%1 (%2)").arg(title, unit);
@@ -39,7 +40,7 @@ QString directionOf(const OutcomeInfo& info)
 /// "Wetted radius, top: 3.25 ± 0.04 mm"
 QString numberOf(const OutcomeInfo& info, const Interval& interval)
 {
-    const QString title = QString::fromStdString(full_title(info));
+    const QString title = coreTitle(info.title, info.face);
     const std::string number = with_interval(info, interval) + " " + shown(info, interval).unit;
     return QString("%1: %2").arg(title.left(1).toUpper() + title.mid(1), QString::fromStdString(number).trimmed());
 }

@@ -3,6 +3,7 @@
 #include "ui/compare/why_view.h"
 
 #include "ui/basics/appearance.h"
+#include "ui/basics/core_words.h"
 #include "ui/compare/chart_style.h"
 #include "ui/compare/why_delegate.h"
 #include "ui/results/plan_dialog.h"
@@ -122,7 +123,7 @@ void WhyView::fillBoxes()
     for (const Candidate& each : comparison.candidates) {
         if (study_.own && find_fabric(*study_.design, each.fabric)) { names << QString::fromStdString(each.fabric); }
     }
-    for (const OutcomeInfo& each : comparison.criteria) { titles << QString::fromStdString(full_title(each)); }
+    for (const OutcomeInfo& each : comparison.criteria) { titles << coreTitle(each.title, each.face); }
     const QString base = QString::fromStdString(comparison.baseline);
     QStringList others = names;
     others.removeAll(base);
@@ -135,7 +136,7 @@ void WhyView::fillBoxes()
     };
     fill(fabric_, names, proposing_ || !names.contains(fabric) ? others.value(0) : fabric);
     fill(against_, names, proposing_ || !names.contains(against) ? base : against);
-    fill(metric_, titles, ranking_ ? QString::fromStdString(full_title(comparison.ranked_by)) : metric);
+    fill(metric_, titles, ranking_ ? coreTitle(comparison.ranked_by.title, comparison.ranked_by.face) : metric);
 }
 
 void WhyView::choose(const QString& fabric, const QString& against, int metric)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/fit_form.h"
 
+#include "ui/basics/core_words.h"
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/zones_form.h"
@@ -87,7 +88,7 @@ FitForm::FitForm(GarmentChoice& choice, QWidget* parent)
     layout->addWidget(own_zones_, 1);
     setWidget(all);
     addGap("default", tr("all others"));
-    for (const std::string& zone : gap_zones()) { addGap(zone, QString::fromStdString(zone)); }
+    for (const std::string& zone : gap_zones()) { addGap(zone, coreWord(zone)); }
     connect(&choice_, &GarmentChoice::changed, this, &FitForm::refresh);
     connect(&choice_, &GarmentChoice::drawingChanged, this, &FitForm::rebuildSeams);
     rebuildSeams();

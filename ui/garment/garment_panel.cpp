@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/garment_panel.h"
 
+#include "ui/basics/core_words.h"
 #include "ui/basics/icon_button.h"
 #include "ui/basics/name_dialog.h"
 #include "ui/basics/typed_value.h"
@@ -95,7 +96,7 @@ QWidget* GarmentPanel::makeHead()
     auto* add = iconButton("add", tr("Add a garment"));
     auto* kinds = new QMenu(add);
     for (const std::string& kind : built_in_garments()) {
-        connect(kinds->addAction(tr("Built-in %1").arg(QString::fromStdString(kind))), &QAction::triggered, this,
+        connect(kinds->addAction(tr("Built-in %1").arg(coreWord(kind))), &QAction::triggered, this,
                 [this, kind] { choice_.setGarmentIndex(addBuiltInGarment(choice_.document(), kind)); });
     }
     kinds->addSeparator();
@@ -268,8 +269,8 @@ void GarmentPanel::refresh()
     gap_->setValue(garment->gap_of("default"));
     gap_->setIssues(choice_.document().issuesAt(where + "wearer.gap_mm.default"));
     QStringList tables;
-    for (const std::string& table : sweat_tables()) { tables << QString::fromStdString(table); }
-    const QString zones = QString::fromStdString(garment->wearer.zones);
+    for (const std::string& table : sweat_tables()) { tables << coreWord(table); }
+    const QString zones = coreWord(garment->wearer.zones);
     if (!tables.contains(zones)) { tables << zones; }
     const int current = static_cast<int>(tables.indexOf(zones));
     setChoices(sweat_, tables << tr("From a CSV File…"), current);

@@ -4,6 +4,7 @@
 #include "ui/garment/garment_view.h"
 
 #include "ui/basics/color_map.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
@@ -336,7 +337,7 @@ QString GarmentView::spotText(const GarmentSpot& spot) const
         text = tr("A: %1; B: %2").arg(there < 0 ? QStringLiteral("–") : values(*playback_.kept(), *playback_.keptFrame(), there), text);
     }
     return tr("%1, zone %2: %3; %4")
-        .arg(name, QString::fromStdString(run.layout().zone_names()[static_cast<std::size_t>(here.zone)]), text, directionWords(run, cell));
+        .arg(name, coreWord(run.layout().zone_names()[static_cast<std::size_t>(here.zone)]), text, directionWords(run, cell));
 }
 
 void GarmentView::setChosenPanel(int panel) { newest_->flat().setChosenPanel(panel); }

@@ -2,6 +2,7 @@
 #include "ui/garment/parts_table.h"
 
 #include "core/base/units.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
 
 #include <QApplication>
@@ -71,7 +72,7 @@ std::vector<Line> linesOf(const WearMetrics& newest, const WearMetrics* kept)
         lines.push_back({tr("Panel: %1").arg(QString::fromStdString(part.name)), &part, kept ? named(kept->panels(), part.name) : nullptr});
     }
     for (const WearPart& part : newest.zones()) {
-        lines.push_back({tr("Zone: %1").arg(QString::fromStdString(part.name)), &part, kept ? named(kept->zones(), part.name) : nullptr});
+        lines.push_back({tr("Zone: %1").arg(coreWord(part.name)), &part, kept ? named(kept->zones(), part.name) : nullptr});
     }
     return lines;
 }

@@ -3,6 +3,7 @@
 
 #include "core/garment/sweat_table.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
 #include "ui/document/sources.h"
 #include "ui/garment/garment_edits.h"
@@ -26,7 +27,7 @@ constexpr QChar line_end(0x200b); // without width: where a line of a long path 
 QString wordsOf(const SweatCourse& course)
 {
     QStringList zones;
-    for (const std::string& zone : course.named) { zones << QString::fromStdString(zone); }
+    for (const std::string& zone : course.named) { zones << coreWord(zone); }
     const QString skin = course.has_temperature ? RatesFile::tr("with skin temperatures") : RatesFile::tr("without skin temperatures");
     return RatesFile::tr("%1 rows from %2 to %3 s, %4. Zones: %5.")
         .arg(course.rows)

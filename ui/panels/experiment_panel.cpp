@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 
+#include "ui/basics/core_words.h"
 #include "ui/basics/icon_button.h"
 #include "ui/panels/climate_course.h"
 #include "ui/panels/droplet_section.h"
@@ -25,14 +26,14 @@ namespace {
 QString titleOf(ExperimentType type)
 {
     const ExperimentTypeInfo& info = info_of(type);
-    return *info.standard ? ExperimentPanel::tr("%1 (%2)").arg(info.title, info.standard) : QString(info.title);
+    return *info.standard ? ExperimentPanel::tr("%1 (%2)").arg(coreWord(info.title), info.standard) : coreWord(info.title);
 }
 
 /// That an experiment of the type has until somebody changes it; a number may follow.
 std::string usualName(ExperimentType type)
 {
-    if (type == ExperimentType::droplet) { return ExperimentPanel::tr("one drop").toStdString(); }
-    return QString::fromUtf8(info_of(type).title).toLower().toStdString();
+    if (type == ExperimentType::droplet) { return QCoreApplication::translate("hygroloom::ExperimentPanel", "one drop").toStdString(); }
+    return coreWord(QString::fromUtf8(info_of(type).title).toLower()).toStdString();
 }
 
 bool isUsualName(const std::string& name, ExperimentType type)

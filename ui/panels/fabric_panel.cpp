@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/project/library.h"
+#include "ui/basics/core_words.h"
 #include "ui/panels/yarn_panel.h"
 
 #include <QAbstractButton>
@@ -135,7 +136,7 @@ void FabricPanel::addFinish()
     auto* finish = new QComboBox;
     finish->addItem(tr("As the fibres"));
     for (const Finish& one : finishes()) {
-        finish->addItem(tr("%1, %2°").arg(QString::fromStdString(one.name)).arg(one.contact_angle_deg));
+        finish->addItem(tr("%1, %2°").arg(coreWord(one.name)).arg(one.contact_angle_deg));
         finish->setItemData(finish->count() - 1, QString::fromStdString(one.note), Qt::ToolTipRole);
     }
     finish->addItem(tr("Own contact angle"));

@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 
+#include "ui/basics/core_words.h"
 #include "ui/basics/icon_button.h"
 
 #include <QHBoxLayout>
@@ -21,7 +22,7 @@ bool inLibrary(const std::string& name) { return find_liquid({}, name) != nullpt
 
 QString shownName(const std::string& name)
 {
-    QString shown = QString::fromStdString(name);
+    QString shown = coreWord(name);
     if (inLibrary(name)) { shown[0] = shown[0].toUpper(); }
     return shown;
 }

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/design/fitted_fabric.h"
 #include "core/design/validate.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
 #include "ui/picture/swatch_painter.h"
 
@@ -35,8 +36,8 @@ QString yarnText(const Yarn& yarn)
     QStringList fibres;
     for (const MaterialShare& share : yarn.material) {
         fibres << (yarn.material.size() > 1
-                       ? PresetGallery::tr("%1 % %2").arg(std::lround(share.share * 100)).arg(QString::fromStdString(share.name))
-                       : QString::fromStdString(share.name));
+                       ? PresetGallery::tr("%1 % %2").arg(std::lround(share.share * 100)).arg(coreWord(share.name))
+                       : coreWord(share.name));
     }
     QString text = fibres.join(", ");
     if (yarn.linear_density_tex) {
@@ -50,7 +51,7 @@ QString yarnText(const Yarn& yarn)
 QString searchText(const Preset& preset)
 {
     return QString::fromStdString(preset.fabric().name + " " + preset.group + " " + preset.note + " " + preset.fabric().weave.pattern()) +
-           " " + yarnText(preset.fabric().warp) + " " + yarnText(preset.fabric().weft);
+           " " + coreWord(preset.group) + " " + yarnText(preset.fabric().warp) + " " + yarnText(preset.fabric().weft);
 }
 
 } // namespace
@@ -137,7 +138,7 @@ void PresetGallery::readUserLibrary()
     groups_->clear();
     groups_->addItem(tr("All groups"));
     for (const Preset& preset : presets_) {
-        if (const QString group = QString::fromStdString(preset.group); groups_->findText(group) < 0) { groups_->addItem(group); }
+        if (const QString group = coreWord(preset.group); groups_->findText(group) < 0) { groups_->addItem(group); }
     }
     groups_->setCurrentIndex(std::max(0, groups_->findText(before)));
     fill();
@@ -157,7 +158,7 @@ void PresetGallery::fill()
     for (std::size_t i = 0; i < presets_.size(); ++i) {
         const Preset& preset = presets_[i];
         const QString text = searchText(preset);
-        const bool inGroup = groups_->currentIndex() <= 0 || QString::fromStdString(preset.group) == groups_->currentText();
+        const bool inGroup = groups_->currentIndex() <= 0 || coreWord(preset.group) == groups_->currentText();
         if (!inGroup ||
             !std::all_of(words.begin(), words.end(), [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); })) {
             continue;

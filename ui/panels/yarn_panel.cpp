@@ -3,6 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/design/yarn_sections.h"
+#include "ui/basics/core_words.h"
 #include "ui/weave/cloth_picture.h"
 
 #include <QCheckBox>
@@ -233,11 +234,12 @@ void YarnPanel::addMaterials()
     blend_ = new QComboBox;
     form_.addRow(tr("Fibre"), fibre_, [this] { return path("material"); });
     form_.addRow(tr("Blended with"), blend_);
-    connect(fibre_, &QComboBox::textActivated, this, [this](const QString& name) {
-        editYarn(tr("%1 fibre").arg(kind_), path("material"), [&](Yarn& y) { y.material.front().name = name.toStdString(); });
+    connect(fibre_, &QComboBox::activated, this, [this](int index) {
+        const std::string name = fibre_->itemData(index).toString().toStdString();
+        editYarn(tr("%1 fibre").arg(kind_), path("material"), [&](Yarn& y) { y.material.front().name = name; });
     });
     connect(blend_, &QComboBox::activated, this, [this](int index) {
-        const std::string name = blend_->itemText(index).toStdString();
+        const std::string name = blend_->itemData(index).toString().toStdString();
         editYarn(tr("%1 blend").arg(kind_), path("material"), [&](Yarn& y) {
             const double share = y.material.size() > 1 ? y.material.front().share : 0.5;
             y.material.resize(1);
@@ -345,7 +347,7 @@ void YarnPanel::refreshChoice()
     choice_->clear();
     for (int i = 0; i < count; ++i) {
         const Yarn& one = fabric->extra_yarns[static_cast<std::size_t>(i)];
-        const QString fibre = one.material.empty() ? QString() : QString::fromStdString(one.material.front().name);
+        const QString fibre = one.material.empty() ? QString() : coreWord(one.material.front().name);
         choice_->addItem(swatch(yarnColor(one, true), form_.palette()), yarnLetter(i + 1) + "  " + fibre);
     }
     choice_->setCurrentIndex(static_cast<int>(stripe()));
@@ -384,12 +386,12 @@ void YarnPanel::refreshMaterials()
     const auto fill = [](QComboBox* box, QStringList items, const QString& current) {
         if (!items.contains(current)) { items << current; }
         QStringList present;
-        for (int i = 0; i < box->count(); ++i) { present << box->itemText(i); }
+        for (int i = 0; i < box->count(); ++i) { present << box->itemData(i).toString(); }
         if (present != items) {
             box->clear();
-            box->addItems(items);
+            for (const QString& item : items) { box->addItem(coreWord(item), item); }
         }
-        box->setCurrentText(current);
+        box->setCurrentIndex(static_cast<int>(items.indexOf(current)));
     };
     const auto& material = yarn()->material;
     const QString none = tr("none");

@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/color_map.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/curve_legend.h"
 #include "ui/results/time_chart_view.h"
@@ -114,7 +115,7 @@ void Chart::fill(PlotView& view, const Plot& plot)
 {
     static const Metrics nothing;
     const Metrics& metrics = playback_.metrics() ? *playback_.metrics() : nothing;
-    const QString title = QString::fromUtf8(plot.title) + ", " + QString::fromUtf8(plot.unit);
+    const QString title = coreTitle(plot.title, plot.unit);
     view.chart->setTitle(title);
     view.view->setAccessibleName(title);
     const std::vector<Curve> curves = curvesOf(plot);
@@ -125,7 +126,7 @@ void Chart::fill(PlotView& view, const Plot& plot)
         line->setVisible(i < curves.size());
         QList<QPointF> points;
         if (i < curves.size()) {
-            line->setName(QString::fromUtf8(curves[i].name));
+            line->setName(coreWord(curves[i].name));
             const std::vector<double> values = plotted(plot, curves[i], metrics);
             const std::size_t count = std::min(metrics.series.time.size(), values.size());
             points.reserve(static_cast<qsizetype>(count));
@@ -139,8 +140,8 @@ void Chart::fill(PlotView& view, const Plot& plot)
         line->replace(points);
         if (points.isEmpty()) { continue; }
         const auto text = [](double number) { return shownNumber(number, decimals_for(number, 3)); };
-        const QString name = curves.size() > 1 ? QString("%1, %2").arg(plot.title, line->name()) : QString(plot.title);
-        view.view->tell(line, PointedChartView::Told::curve, [text, name, unit = QString(plot.unit)](const QPointF& at) {
+        const QString name = curves.size() > 1 ? QString("%1, %2").arg(coreWord(plot.title), line->name()) : coreWord(plot.title);
+        view.view->tell(line, PointedChartView::Told::curve, [text, name, unit = coreWord(plot.unit)](const QPointF& at) {
             return tr("%1: %2 %3 at %4 s").arg(name, text(at.y()), unit, text(at.x()));
         });
     }

@@ -12,7 +12,7 @@ namespace hygroloom {
 
 namespace {
 
-QString words(const char* text) { return QCoreApplication::translate("hygroloom", text); }
+QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
 
 bool areEqualLengths(double one, double other) { return std::abs(one - other) <= 1e-6 * std::max(one, other); }
 
@@ -35,19 +35,19 @@ MapError errorOfMaps(const RunRecord& run, const RunRecord& baseline, MapSide si
     const bool top = side == MapSide::top;
     const char* key = top ? "maximum_wetted_radius_top_mm" : "maximum_wetted_radius_bottom_mm";
     if (const auto share = larger(errorOf(run, key), errorOf(baseline, key))) {
-        return {share, top ? words("the wetted radius, top") : words("the wetted radius, bottom")};
+        return {share, top ? tr("the wetted radius, top") : tr("the wetted radius, bottom")};
     }
-    return {larger(run.plan.expected_error, baseline.plan.expected_error), words("the run’s numbers at most")};
+    return {larger(run.plan.expected_error, baseline.plan.expected_error), tr("the run’s numbers at most")};
 }
 
 QString whyNoDifference(const CellMap& map, const CellMap& baseline)
 {
-    const QString place = words("so no two cells lie at the same place");
+    const QString place = tr("so no two cells lie at the same place");
     if (!areEqualLengths(map.cell_width, baseline.cell_width) || !areEqualLengths(map.cell_height, baseline.cell_height)) {
-        return words("its setts differ from the baseline’s, %1").arg(place);
+        return tr("its setts differ from the baseline’s, %1").arg(place);
     }
     if (map.columns != baseline.columns || map.rows != baseline.rows) {
-        return words("its sample is of another size than the baseline’s, %1").arg(place);
+        return tr("its sample is of another size than the baseline’s, %1").arg(place);
     }
     return {};
 }

@@ -2,6 +2,7 @@
 #include "ui/results/plan_dialog.h"
 
 #include "core/base/text.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
 
 #include <QDialogButtonBox>
@@ -36,7 +37,7 @@ QString inWords(const ModelPlan& plan)
         QString state = part.on ? PlanDialog::tr("modelled") : PlanDialog::tr("left out");
         if (part.forced) { state += PlanDialog::tr(", set by you"); }
         if (part.watched) { state += PlanDialog::tr(", checked during the run"); }
-        html += "<tr><td width='16%'><b>" + escaped(part.name) + "</b></td><td width='18%'>" + state + "</td><td>" + escaped(part.reason) +
+        html += "<tr><td width='16%'><b>" + coreWord(part.name) + "</b></td><td width='18%'>" + state + "</td><td>" + escaped(part.reason) +
                 "</td></tr>";
     }
     return html + "</table><p><b>" + PlanDialog::tr("Region.") + "</b> " +

@@ -6,6 +6,8 @@
 #include "core/analysis/outcomes.h"
 #include "core/analysis/report.h"
 #include "core/base/text.h"
+#include "ui/basics/core_words.h"
+#include "ui/basics/language.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/plan_dialog.h"
 
@@ -26,8 +28,6 @@ namespace hygroloom {
 
 namespace {
 
-QString tr(const char* text) { return ResultsPanel::tr(text); }
-
 /// Three significant digits.
 QString number(double value)
 {
@@ -43,14 +43,14 @@ QString sentence(const QString& words) { return words.left(1).toUpper() + words.
 /// "12.3 mm, grade 4", or why there is no value.
 QString textOf(const Outcome& outcome)
 {
-    if (!outcome.text.empty()) { return QString::fromStdString(outcome.text); }
-    QString text = QString::fromStdString(outcome.missing);
+    if (!outcome.text.empty()) { return coreWord(outcome.text); }
+    QString text = coreWord(outcome.missing);
     if (outcome.value) {
         const ShownValue value = shown(outcome, *outcome.value);
         text = with(value.value, value.unit.c_str());
     }
     if (outcome.grade) { text = QStringLiteral("%1 (%2)").arg(text).arg(*outcome.grade); }
-    return outcome.remark.empty() ? text : text + ", " + QString::fromStdString(outcome.remark);
+    return outcome.remark.empty() ? text : text + ", " + coreWord(outcome.remark);
 }
 
 /// The numbers by which fabrics are compared come first; top and bottom stand on one line.
@@ -64,7 +64,7 @@ void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outco
     std::vector<Line> lines;
     for (const Outcome& outcome : outcomes) {
         if (!is_shown(outcome)) { continue; }
-        const QString name = sentence(QString::fromStdString(outcome.title));
+        const QString name = sentence(coreWord(outcome.title));
         const int rank = outcome.rank > 0 ? outcome.rank : last;
         if (outcome.face == "bottom" && !lines.empty() && lines.back().result.name == name) {
             lines.back().result.bottom = textOf(outcome);
@@ -81,13 +81,13 @@ void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outco
 QString begunAt(const RunRecord& run)
 {
     const QDateTime begun = QDateTime::fromString(QString::fromStdString(run.date), Qt::ISODate);
-    return begun.isValid() ? QLocale().toString(begun.toLocalTime(), QLocale::ShortFormat) : QString();
+    return begun.isValid() ? shortMoment(begun.toLocalTime()) : QString();
 }
 
 QString timeTaken(const RunRecord& run, bool live)
 {
     if (run.wall > 0) { return ResultsPanel::tr("took %1 s").arg(shownNumber(run.wall, decimals_for(run.wall, 2))); }
-    return live ? tr("running") : tr("stopped");
+    return live ? ResultsPanel::tr("running") : ResultsPanel::tr("stopped");
 }
 
 } // namespace
@@ -97,7 +97,7 @@ std::vector<Result> resultsOf(const RunRecord& run, const Metrics& m)
     std::vector<Result> results;
     addOutcomes(results, outcomes_of(run, m));
     for (const BalanceRow& row : water_balance(m.ledger)) {
-        if (row.value != 0) { results.push_back({sentence(QString::fromStdString(row.title)), with(row.value, row.unit.c_str())}); }
+        if (row.value != 0) { results.push_back({sentence(coreWord(row.title)), with(row.value, row.unit.c_str())}); }
     }
     return results;
 }
@@ -106,8 +106,8 @@ QString originOf(const RunRecord& run, bool live)
 {
     QStringList parts{fidelityName(run.plan.fidelity)};
     const std::size_t set = changed_knobs(knobs_of(run.plan.fidelity), run.plan.knobs).size();
-    if (set > 0) { parts << (set == 1 ? tr("1 knob set") : ResultsPanel::tr("%1 knobs set").arg(set)); }
-    parts << expectedError(run.plan) << (run.backend == "cpu" ? tr("on the CPU") : tr("on a GPU"));
+    if (set > 0) { parts << (set == 1 ? ResultsPanel::tr("1 knob set") : ResultsPanel::tr("%1 knobs set").arg(set)); }
+    parts << expectedError(run.plan) << (run.backend == "cpu" ? ResultsPanel::tr("on the CPU") : ResultsPanel::tr("on a GPU"));
     if (const QString begun = begunAt(run); !begun.isEmpty()) { parts << begun; }
     return (parts << timeTaken(run, live)).join(", ");
 }
@@ -131,7 +131,7 @@ QStringList originInFull(const RunRecord& run, bool live)
     for (const PlannedPart& part : run.plan.parts) {
         if (part.forced) {
             lines << (part.on ? ResultsPanel::tr("%1 switched on by the user") : ResultsPanel::tr("%1 switched off by the user"))
-                         .arg(QString::fromStdString(part.name));
+                         .arg(coreWord(part.name));
         }
     }
     lines << ResultsPanel::tr("Device: %1").arg(QString::fromStdString(run.device));

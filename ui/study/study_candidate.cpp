@@ -17,14 +17,14 @@ namespace {
 
 using Role = StudyColumnRole;
 
-QString tr(const char* text) { return QCoreApplication::translate("StudyCandidate", text); }
+QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
 
 /// The fabric that a row ran: its own column says it where there are several.
 std::string fabricOf(const StudyData& data, const Design& design, const Document& document, std::size_t row)
 {
     if (const StudyColumn* column = data.table.find(Role::fabric)) { return column->word(row); }
     if (data.of) { return fabrics_of(data.of->study, design).front(); }
-    if (!document.fabric()) { throw Error(tr("The project has no fabric to begin with; add one.").toStdString()); }
+    if (!document.fabric()) { throw Error(QCoreApplication::translate("hygroloom", "The project has no fabric to begin with; add one.").toStdString()); }
     return document.fabric()->name;
 }
 

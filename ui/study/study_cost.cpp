@@ -78,7 +78,7 @@ StudyCost foretellCost(const Design& design, const Study& study, const std::func
         if (ladder.size() == all_fidelities.size()) { plans = all[static_cast<std::size_t>(choose_fidelity(ladder, target).fidelity)]; }
     }
     if (plans.empty()) {
-        cost.missing = QCoreApplication::translate("StudyCost", "no run can be planned");
+        cost.missing = QCoreApplication::translate("hygroloom", "no run can be planned");
         return cost;
     }
     for (const ModelPlan& plan : plans) {
@@ -95,7 +95,7 @@ StudyCost foretellCost(const Design& design, const Study& study, const std::func
 
 QString costText(const StudyCost& cost)
 {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("StudyCost", text); };
+    const auto tr = [](const char* text) { return QCoreApplication::translate("hygroloom", text); };
     const QString runs = cost.runs == 1 ? tr("1 run") : tr("%1 runs").arg(cost.runs);
     const QString points = cost.points == 1 ? tr("1 point") : tr("%1 points").arg(cost.points);
     if (!cost.missing.isEmpty()) { return tr("%1 (%2); time not known: %3.").arg(runs, points, cost.missing); }

@@ -7,6 +7,8 @@
 #include "core/project/project_json.h"
 #include "core/project/project_value.h"
 
+#include "ui/basics/core_words.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
@@ -79,7 +81,7 @@ void nameField(StudyField& field, const QString& below)
         const auto match = form.match(piece);
         std::string key = match.captured(1).toStdString();
         field.unit = takeUnit(key);
-        QString word = QString::fromStdString(key).replace('_', ' ');
+        QString word = coreWord(QString::fromStdString(key).replace('_', ' '));
         if (!match.captured(2).isEmpty()) { word += QString(" %1").arg(match.captured(2).toInt() + 1); }
         words << word;
     }
@@ -139,7 +141,7 @@ private:
         for (const KnobInfo& knob : knob_table()) {
             if (!knob.words.empty()) { continue; }
             const QString group = QCoreApplication::translate("StudyFields", "Fidelity");
-            fields_.push_back({std::string("fidelity.") + knob.name, group, QString(knob.name).replace('_', ' '), knob.unit, {}});
+            fields_.push_back({std::string("fidelity.") + knob.name, group, coreWord(QString(knob.name).replace('_', ' ')), knob.unit, {}});
         }
     }
 
@@ -197,13 +199,13 @@ QString metricTitle(const std::string& key)
     for (int type = 0; type <= static_cast<int>(ExperimentType::sweat); ++type) {
         for (const OutcomeInfo& info : reported_by(static_cast<ExperimentType>(type))) {
             if (info.key != key) { continue; }
-            const QString title = QString::fromStdString(full_title(info));
+            const QString title = coreTitle(info.title, info.face);
             return info.unit.empty() ? title : QString("%1 (%2)").arg(title, QString::fromStdString(info.unit));
         }
     }
     std::string name = key;
     const QString unit = takeUnit(name);
-    const QString title = QString::fromStdString(name).replace('_', ' ');
+    const QString title = coreWord(QString::fromStdString(name).replace('_', ' '));
     return unit.isEmpty() ? title : QString("%1 (%2)").arg(title, unit);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/weave/order_editor.h"
 
 #include "ui/basics/appearance.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/design_undo.h"
 #include "ui/weave/cloth_picture.h"
 #include "ui/weave/weave_edits.h"
@@ -38,7 +39,7 @@ QIcon swatch(const QColor& first, const QColor& second, const QPalette& palette)
     return pixmap;
 }
 
-QString described(const Yarn& yarn) { return yarn.material.empty() ? QString() : QString::fromStdString(yarn.material.front().name); }
+QString described(const Yarn& yarn) { return yarn.material.empty() ? QString() : coreWord(yarn.material.front().name); }
 
 } // namespace
 

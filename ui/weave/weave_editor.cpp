@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/design_undo.h"
 #include "ui/weave/point_paper.h"
 #include "ui/weave/weave_notes.h"
@@ -90,7 +91,7 @@ void WeaveEditor::addPatterns()
 {
     auto* items = new QStandardItemModel(pattern_);
     for (const WeaveGroup& group : weave_catalogue()) {
-        auto* heading = new QStandardItem(tr(group.name.c_str()));
+        auto* heading = new QStandardItem(coreWord(group.name));
         heading->setFlags(Qt::NoItemFlags);
         QFont font = heading->font();
         font.setBold(true);

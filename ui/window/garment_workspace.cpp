@@ -3,6 +3,7 @@
 #include "ui/window/garment_workspace.h"
 
 #include "ui/basics/appearance.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/typed_value.h"
 #include "ui/compare/run_list.h"
 #include "ui/garment/fit_form.h"
@@ -64,7 +65,7 @@ GarmentWorkspace::~GarmentWorkspace()
 void GarmentWorkspace::fillMenu(QMenu* menu)
 {
     for (const std::string& kind : built_in_garments()) {
-        const QString name = QString::fromStdString(kind);
+        const QString name = coreWord(kind);
         connect(
             addCommand(menu, "add", tr("Add Built-in %1").arg(name), {}, tr("Add a %1 and an experiment in which it is worn.").arg(name)),
             &QAction::triggered, this, [this, kind] { choice_.setGarmentIndex(addBuiltInGarment(document_, kind)); });

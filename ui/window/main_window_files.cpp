@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Opening, saving, recent files, dropped files, closing.
 #include "core/base/error.h"
+#include "ui/basics/language.h"
 #include "ui/basics/typed_value.h"
 #include "ui/compare/compare_view.h"
 #include "ui/document/run_folder.h"
@@ -21,7 +22,6 @@
 #include <QDragEnterEvent>
 #include <QEventLoop>
 #include <QFileDialog>
-#include <QLocale>
 #include <QMimeData>
 #include <QProgressDialog>
 #include <QSaveFile>
@@ -84,7 +84,7 @@ void MainWindow::offer(const LeftOver& left)
     QMessageBox box(QMessageBox::Question, tr("Unsaved work found"),
                     tr("Hygroloom ended before “%1” was saved. Open the recovered copy?").arg(name), QMessageBox::NoButton, this);
     box.setTextFormat(Qt::PlainText);
-    const QString when = tr("Last changed on %1.").arg(QLocale().toString(left.when, QLocale::ShortFormat));
+    const QString when = tr("Last changed on %1.").arg(shortMoment(left.when));
     const QString later =
         tr("The file %1 was saved later. The recovered copy opens separately and asks for a name when you save it.").arg(left.path);
     const auto runs = recordingsIn(left.runs).size();

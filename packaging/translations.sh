@@ -1,0 +1,27 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+# Brings the texts of the sources into resources/translations/*.ts: new ones come unfinished, those that are gone leave.
+# With a folder as argument it writes copies there instead, and leaves the repository alone.
+set -eu
+cd "$(dirname "$0")/.."
+
+lupdate=""
+for place in /usr/lib/qt6/bin/lupdate "$(command -v lupdate6 || true)" "$(command -v lupdate || true)"; do
+  if [ -x "$place" ]; then lupdate="$place"; break; fi
+done
+if [ -z "$lupdate" ]; then
+  echo "There is no lupdate of Qt 6. Run packaging/dependencies.sh." >&2
+  exit 1
+fi
+
+to="resources/translations"
+if [ $# -gt 0 ]; then
+  cp "$to"/*.ts "$1/"
+  to="$1"
+fi
+# From the root, so that lupdate finds the headers that say of which class a text is.
+"$lupdate" -silent -I . app ui -no-obsolete -locations none -no-ui-lines -ts "$to"/*.ts
+unfinished=$(cat "$to"/*.ts | grep -c 'type="unfinished"' || true)
+if [ "$unfinished" -gt 0 ]; then
+  echo "$unfinished texts wait for their translation: grep -B2 'type=\"unfinished\"' $to/*.ts"
+fi
