@@ -3,6 +3,7 @@
 #include "core/project/atomic_file.h"
 #include "core/run/learned_times.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/language.h"
 #include "ui/results/report_file.h"
 #include "ui/window/main_window.h"
 
@@ -45,6 +46,7 @@ int main(int argc, char* argv[])
     QApplication::setOrganizationName("hygroloom");
     QApplication::setApplicationVersion(HYGROLOOM_VERSION);
     QApplication::setDesktopFileName("hygroloom");
+    hygroloom::install_language(application);
 
     QCommandLineParser parser;
     parser.setApplicationDescription(QApplication::translate("main", "Design woven fabrics and simulate how they take up water."));

@@ -5,1655 +5,1656 @@
     <name>QObject</name>
     <message>
         <source>%1 cannot be put into %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht in %2 ablegen: %3</translation>
     </message>
     <message>
         <source>the folder cannot be made</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ordner lässt sich nicht anlegen</translation>
     </message>
     <message>
         <source>Runs cannot be recorded in %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>In %1 lassen sich keine Läufe aufzeichnen: %2.</translation>
     </message>
     <message>
         <source>%1 cannot be deleted: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht löschen: %2.</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Web page (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>Webseite (*.html)</translation>
     </message>
     <message>
         <source>Save Report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht speichern</translation>
     </message>
 </context>
 <context>
     <name>StudyData</name>
     <message>
         <source>fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch</translation>
     </message>
 </context>
 <context>
     <name>StudyFields</name>
     <message>
         <source>Fidelity</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit</translation>
     </message>
 </context>
 <context>
     <name>core</name>
     <message>
         <source>wetted radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Benetzungsradius</translation>
     </message>
     <message>
         <source>wetted radius in 5 mm rings</source>
-        <translation type="unfinished"></translation>
+        <translation>Benetzungsradius in Ringen von 5 mm</translation>
     </message>
     <message>
         <source>stain on top, semi-axis along warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Fleck auf der Oberseite, Halbachse in Kettrichtung</translation>
     </message>
     <message>
         <source>stain on top, semi-axis along weft</source>
-        <translation type="unfinished"></translation>
+        <translation>Fleck auf der Oberseite, Halbachse in Schussrichtung</translation>
     </message>
     <message>
         <source>stain at rest from</source>
-        <translation type="unfinished"></translation>
+        <translation>Fleck in Ruhe ab</translation>
     </message>
     <message>
         <source>water between the yarns</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser zwischen den Garnen</translation>
     </message>
     <message>
         <source>water shed below</source>
-        <translation type="unfinished"></translation>
+        <translation>unten abgegebenes Wasser</translation>
     </message>
     <message>
         <source>absorbency time</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahmezeit</translation>
     </message>
     <message>
         <source>wicking rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Saugrate</translation>
     </message>
     <message>
         <source>wetting time</source>
-        <translation type="unfinished"></translation>
+        <translation>Benetzungszeit</translation>
     </message>
     <message>
         <source>absorption rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahmerate</translation>
     </message>
     <message>
         <source>spreading speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausbreitungsgeschwindigkeit</translation>
     </message>
     <message>
         <source>one-way transport</source>
-        <translation type="unfinished"></translation>
+        <translation>Einwegtransport</translation>
     </message>
     <message>
         <source>overall capability (OMMC)</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesamtvermögen (OMMC)</translation>
     </message>
     <message>
         <source>class</source>
-        <translation type="unfinished"></translation>
+        <translation>Klasse</translation>
     </message>
     <message>
         <source>height</source>
-        <translation type="unfinished"></translation>
+        <translation>Steighöhe</translation>
     </message>
     <message>
         <source>steady drying rate</source>
-        <translation type="unfinished"></translation>
+        <translation>gleichbleibende Trocknungsrate</translation>
     </message>
     <message>
         <source>time to dry</source>
-        <translation type="unfinished"></translation>
+        <translation>Trocknungszeit</translation>
     </message>
     <message>
         <source>steady temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>gleichbleibende Temperatur</translation>
     </message>
     <message>
         <source>regain at the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchteaufnahme am Anfang</translation>
     </message>
     <message>
         <source>regain at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchteaufnahme am Ende</translation>
     </message>
     <message>
         <source>half-change time</source>
-        <translation type="unfinished"></translation>
+        <translation>Halbwertszeit</translation>
     </message>
     <message>
         <source>peak warming above air</source>
-        <translation type="unfinished"></translation>
+        <translation>größte Erwärmung über die Luft</translation>
     </message>
     <message>
         <source>top</source>
-        <translation type="unfinished"></translation>
+        <translation>oben</translation>
     </message>
     <message>
         <source>bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>unten</translation>
     </message>
     <message>
         <source>no 10 s without growth before the end</source>
-        <translation type="unfinished"></translation>
+        <translation>keine 10 s ohne Wachstum vor dem Ende</translation>
     </message>
     <message>
         <source>free liquid is left</source>
-        <translation type="unfinished"></translation>
+        <translation>freie Flüssigkeit ist noch da</translation>
     </message>
     <message>
         <source>some of the liquid dripped off instead of being absorbed</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Teil der Flüssigkeit tropfte ab, statt aufgenommen zu werden</translation>
     </message>
     <message>
         <source>nothing is wet</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts ist nass</translation>
     </message>
     <message>
         <source>this face stayed dry</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Seite blieb trocken</translation>
     </message>
     <message>
         <source>the liquid did not rise</source>
-        <translation type="unfinished"></translation>
+        <translation>die Flüssigkeit stieg nicht</translation>
     </message>
     <message>
         <source>less than 70 % of the water has dried</source>
-        <translation type="unfinished"></translation>
+        <translation>weniger als 70 % des Wassers sind getrocknet</translation>
     </message>
     <message>
         <source>more than 4 % of the water is left</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr als 4 % des Wassers sind noch da</translation>
     </message>
     <message>
         <source>still changing</source>
-        <translation type="unfinished"></translation>
+        <translation>ändert sich noch</translation>
     </message>
     <message>
         <source>the regain did not change</source>
-        <translation type="unfinished"></translation>
+        <translation>die Feuchteaufnahme änderte sich nicht</translation>
     </message>
     <message>
         <source>the computed value is not a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>der berechnete Wert ist keine endliche Zahl</translation>
     </message>
     <message>
         <source>water-proof or water-repellent</source>
-        <translation type="unfinished"></translation>
+        <translation>wasserdicht oder wasserabweisend</translation>
     </message>
     <message>
         <source>moisture management</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchtetransport</translation>
     </message>
     <message>
         <source>water penetration</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasserdurchtritt</translation>
     </message>
     <message>
         <source>slow-absorbing and slow-drying</source>
-        <translation type="unfinished"></translation>
+        <translation>langsam saugend und langsam trocknend</translation>
     </message>
     <message>
         <source>fast-absorbing and quick-drying</source>
-        <translation type="unfinished"></translation>
+        <translation>schnell saugend und schnell trocknend</translation>
     </message>
     <message>
         <source>fast-absorbing and slow-drying</source>
-        <translation type="unfinished"></translation>
+        <translation>schnell saugend und langsam trocknend</translation>
     </message>
     <message>
         <source>water delivered</source>
-        <translation type="unfinished"></translation>
+        <translation>zugeführtes Wasser</translation>
     </message>
     <message>
         <source>free water</source>
-        <translation type="unfinished"></translation>
+        <translation>freies Wasser</translation>
     </message>
     <message>
         <source>water in the pores</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser in den Poren</translation>
     </message>
     <message>
         <source>water absorbed by the fibres</source>
-        <translation type="unfinished"></translation>
+        <translation>von den Fasern aufgenommenes Wasser</translation>
     </message>
     <message>
         <source>water taken from the air</source>
-        <translation type="unfinished"></translation>
+        <translation>aus der Luft aufgenommenes Wasser</translation>
     </message>
     <message>
         <source>water evaporated</source>
-        <translation type="unfinished"></translation>
+        <translation>verdunstetes Wasser</translation>
     </message>
     <message>
         <source>water dripped off</source>
-        <translation type="unfinished"></translation>
+        <translation>abgetropftes Wasser</translation>
     </message>
     <message>
         <source>water imbalance</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler der Wasserbilanz</translation>
     </message>
     <message>
         <source>energy released</source>
-        <translation type="unfinished"></translation>
+        <translation>freigesetzte Energie</translation>
     </message>
     <message>
         <source>energy imbalance</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler der Energiebilanz</translation>
     </message>
     <message>
         <source>Wetted radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Benetzungsradius</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Steighöhe</translation>
     </message>
     <message>
         <source>Water content</source>
-        <translation type="unfinished"></translation>
+        <translation>Wassergehalt</translation>
     </message>
     <message>
         <source>% of dry mass</source>
-        <translation type="unfinished"></translation>
+        <translation>% der Trockenmasse</translation>
     </message>
     <message>
         <source>Water</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser</translation>
     </message>
     <message>
         <source>free</source>
-        <translation type="unfinished"></translation>
+        <translation>frei</translation>
     </message>
     <message>
         <source>in yarns</source>
-        <translation type="unfinished"></translation>
+        <translation>in Garnen</translation>
     </message>
     <message>
         <source>in fibres</source>
-        <translation type="unfinished"></translation>
+        <translation>in Fasern</translation>
     </message>
     <message>
         <source>evaporated</source>
-        <translation type="unfinished"></translation>
+        <translation>verdunstet</translation>
     </message>
     <message>
         <source>dripped off</source>
-        <translation type="unfinished"></translation>
+        <translation>abgetropft</translation>
     </message>
     <message>
         <source>Water in the faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser in den Seiten</translation>
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
     </message>
     <message>
         <source>sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Probe</translation>
     </message>
     <message>
         <source>air</source>
-        <translation type="unfinished"></translation>
+        <translation>Luft</translation>
     </message>
     <message>
         <source>coldest yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>kältestes Garn</translation>
     </message>
     <message>
         <source>warmest yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>wärmstes Garn</translation>
     </message>
     <message>
         <source>Regain</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchteaufnahme</translation>
     </message>
     <message>
         <source>fibres</source>
-        <translation type="unfinished"></translation>
+        <translation>Fasern</translation>
     </message>
     <message>
         <source>the wetted radius, top</source>
-        <translation type="unfinished"></translation>
+        <translation>des Benetzungsradius, oben</translation>
     </message>
     <message>
         <source>the wetted radius, bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>des Benetzungsradius, unten</translation>
     </message>
     <message>
         <source>the height</source>
-        <translation type="unfinished"></translation>
+        <translation>der Steighöhe</translation>
     </message>
     <message>
         <source>absorbs, baseline does not</source>
-        <translation type="unfinished"></translation>
+        <translation>nimmt auf, Bezug nicht</translation>
     </message>
     <message>
         <source>does not absorb, baseline does</source>
-        <translation type="unfinished"></translation>
+        <translation>nimmt nicht auf, Bezug schon</translation>
     </message>
     <message>
         <source>only this has it</source>
-        <translation type="unfinished"></translation>
+        <translation>nur dieses hat den Wert</translation>
     </message>
     <message>
         <source>only baseline has it</source>
-        <translation type="unfinished"></translation>
+        <translation>nur der Bezug hat den Wert</translation>
     </message>
     <message>
         <source>together</source>
-        <translation type="unfinished"></translation>
+        <translation>zusammen</translation>
     </message>
     <message>
         <source>difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschied</translation>
     </message>
     <message>
         <source>Droplets</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropfen</translation>
     </message>
     <message>
         <source>Moisture management</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchtetransport</translation>
     </message>
     <message>
         <source>Vertical wicking</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertikales Saugen</translation>
     </message>
     <message>
         <source>Horizontal wicking</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizontales Saugen</translation>
     </message>
     <message>
         <source>Drying</source>
-        <translation type="unfinished"></translation>
+        <translation>Trocknung</translation>
     </message>
     <message>
         <source>Conditioning</source>
-        <translation type="unfinished"></translation>
+        <translation>Klimatisieren</translation>
     </message>
     <message>
         <source>Sweat</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweiß</translation>
     </message>
     <message>
         <source>vertical wicking</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertikales Saugen</translation>
     </message>
     <message>
         <source>horizontal wicking</source>
-        <translation type="unfinished"></translation>
+        <translation>Horizontales Saugen</translation>
     </message>
     <message>
         <source>drying</source>
-        <translation type="unfinished"></translation>
+        <translation>Trocknung</translation>
     </message>
     <message>
         <source>conditioning</source>
-        <translation type="unfinished"></translation>
+        <translation>Klimatisieren</translation>
     </message>
     <message>
         <source>sweat</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweiß</translation>
     </message>
     <message>
         <source>liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit</translation>
     </message>
     <message>
         <source>wicking</source>
-        <translation type="unfinished"></translation>
+        <translation>Dochtwirkung</translation>
     </message>
     <message>
         <source>sorption</source>
-        <translation type="unfinished"></translation>
+        <translation>Sorption</translation>
     </message>
     <message>
         <source>vapour</source>
-        <translation type="unfinished"></translation>
+        <translation>Dampf</translation>
     </message>
     <message>
         <source>heat</source>
-        <translation type="unfinished"></translation>
+        <translation>Wärme</translation>
     </message>
     <message>
         <source>growth</source>
-        <translation type="unfinished"></translation>
+        <translation>Wachstum</translation>
     </message>
     <message>
         <source>Plain, baskets and ribs</source>
-        <translation type="unfinished"></translation>
+        <translation>Leinwand, Panama und Rips</translation>
     </message>
     <message>
         <source>Twills</source>
-        <translation type="unfinished"></translation>
+        <translation>Köper</translation>
     </message>
     <message>
         <source>Broken and pointed twills</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuz- und Spitzköper</translation>
     </message>
     <message>
         <source>Satins</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettatlas</translation>
     </message>
     <message>
         <source>Sateens</source>
-        <translation type="unfinished"></translation>
+        <translation>Schussatlas</translation>
     </message>
     <message>
         <source>Effects</source>
-        <translation type="unfinished"></translation>
+        <translation>Effektbindungen</translation>
     </message>
     <message>
         <source>Bast fibres</source>
-        <translation type="unfinished"></translation>
+        <translation>Bastfasern</translation>
     </message>
     <message>
         <source>Cotton</source>
-        <translation type="unfinished"></translation>
+        <translation>Baumwolle</translation>
     </message>
     <message>
         <source>Filament</source>
-        <translation type="unfinished"></translation>
+        <translation>Filament</translation>
     </message>
     <message>
         <source>From the paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus dem Aufsatz</translation>
     </message>
     <message>
         <source>Viscose</source>
-        <translation type="unfinished"></translation>
+        <translation>Viskose</translation>
     </message>
     <message>
         <source>Wool</source>
-        <translation type="unfinished"></translation>
+        <translation>Wolle</translation>
     </message>
     <message>
         <source>greige</source>
-        <translation type="unfinished"></translation>
+        <translation>rohweiß</translation>
     </message>
     <message>
         <source>scoured and bleached</source>
-        <translation type="unfinished"></translation>
+        <translation>abgekocht und gebleicht</translation>
     </message>
     <message>
         <source>mercerised</source>
-        <translation type="unfinished"></translation>
+        <translation>merzerisiert</translation>
     </message>
     <message>
         <source>hydrophilic softener</source>
-        <translation type="unfinished"></translation>
+        <translation>hydrophiler Weichmacher</translation>
     </message>
     <message>
         <source>wicking finish on polyester</source>
-        <translation type="unfinished"></translation>
+        <translation>Saugausrüstung auf Polyester</translation>
     </message>
     <message>
         <source>bare polyester</source>
-        <translation type="unfinished"></translation>
+        <translation>Polyester ohne Ausrüstung</translation>
     </message>
     <message>
         <source>durable water repellent</source>
-        <translation type="unfinished"></translation>
+        <translation>dauerhaft wasserabweisend</translation>
     </message>
     <message>
         <source>cotton</source>
-        <translation type="unfinished"></translation>
+        <translation>Baumwolle</translation>
     </message>
     <message>
         <source>wool</source>
-        <translation type="unfinished"></translation>
+        <translation>Wolle</translation>
     </message>
     <message>
         <source>polyester</source>
-        <translation type="unfinished"></translation>
+        <translation>Polyester</translation>
     </message>
     <message>
         <source>hemp</source>
-        <translation type="unfinished"></translation>
+        <translation>Hanf</translation>
     </message>
     <message>
         <source>flax</source>
-        <translation type="unfinished"></translation>
+        <translation>Flachs</translation>
     </message>
     <message>
         <source>silk</source>
-        <translation type="unfinished"></translation>
+        <translation>Seide</translation>
     </message>
     <message>
         <source>viscose</source>
-        <translation type="unfinished"></translation>
+        <translation>Viskose</translation>
     </message>
     <message>
         <source>nylon 6.6</source>
-        <translation type="unfinished"></translation>
+        <translation>Nylon 6.6</translation>
     </message>
     <message>
         <source>acrylic</source>
-        <translation type="unfinished"></translation>
+        <translation>Polyacryl</translation>
     </message>
     <message>
         <source>lyocell</source>
-        <translation type="unfinished"></translation>
+        <translation>Lyocell</translation>
     </message>
     <message>
         <source>modal</source>
-        <translation type="unfinished"></translation>
+        <translation>Modal</translation>
     </message>
     <message>
         <source>polypropylene</source>
-        <translation type="unfinished"></translation>
+        <translation>Polypropylen</translation>
     </message>
     <message>
         <source>elastane</source>
-        <translation type="unfinished"></translation>
+        <translation>Elasthan</translation>
     </message>
     <message>
         <source>water</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser</translation>
     </message>
     <message>
         <source>saline</source>
-        <translation type="unfinished"></translation>
+        <translation>Kochsalzlösung</translation>
     </message>
     <message>
         <source>head</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopf</translation>
     </message>
     <message>
         <source>chest</source>
-        <translation type="unfinished"></translation>
+        <translation>Brust</translation>
     </message>
     <message>
         <source>abdomen</source>
-        <translation type="unfinished"></translation>
+        <translation>Bauch</translation>
     </message>
     <message>
         <source>back</source>
-        <translation type="unfinished"></translation>
+        <translation>Rücken</translation>
     </message>
     <message>
         <source>buttocks</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesäß</translation>
     </message>
     <message>
         <source>upper arm</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberarm</translation>
     </message>
     <message>
         <source>forearm</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterarm</translation>
     </message>
     <message>
         <source>palm</source>
-        <translation type="unfinished"></translation>
+        <translation>Handfläche</translation>
     </message>
     <message>
         <source>back of hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Handrücken</translation>
     </message>
     <message>
         <source>thigh</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberschenkel</translation>
     </message>
     <message>
         <source>shin</source>
-        <translation type="unfinished"></translation>
+        <translation>Schienbein</translation>
     </message>
     <message>
         <source>sole</source>
-        <translation type="unfinished"></translation>
+        <translation>Fußsohle</translation>
     </message>
     <message>
         <source>top of foot</source>
-        <translation type="unfinished"></translation>
+        <translation>Fußrücken</translation>
     </message>
     <message>
         <source>shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>Schulter</translation>
     </message>
     <message>
         <source>taylor-2013 rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Taylor 2013, Ruhe</translation>
     </message>
     <message>
         <source>taylor-2013 exercise</source>
-        <translation type="unfinished"></translation>
+        <translation>Taylor 2013, Belastung</translation>
     </message>
     <message>
         <source>tee</source>
-        <translation type="unfinished"></translation>
+        <translation>T-Shirt</translation>
     </message>
     <message>
         <source>singlet</source>
-        <translation type="unfinished"></translation>
+        <translation>Trägerhemd</translation>
     </message>
     <message>
         <source>leggings</source>
-        <translation type="unfinished"></translation>
+        <translation>Leggings</translation>
     </message>
     <message>
         <source>warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette</translation>
     </message>
     <message>
         <source>weft</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss</translation>
     </message>
     <message>
         <source>extra yarns</source>
-        <translation type="unfinished"></translation>
+        <translation>weitere Garne</translation>
     </message>
     <message>
         <source>climate</source>
-        <translation type="unfinished"></translation>
+        <translation>Klima</translation>
     </message>
     <message>
         <source>before</source>
-        <translation type="unfinished"></translation>
+        <translation>vorher</translation>
     </message>
     <message>
         <source>droplets</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropfen</translation>
     </message>
     <message>
         <source>air speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Luftgeschwindigkeit</translation>
     </message>
     <message>
         <source>areal density</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächengewicht</translation>
     </message>
     <message>
         <source>at</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort</translation>
     </message>
     <message>
         <source>capillary radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Kapillarradius</translation>
     </message>
     <message>
         <source>contact angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Randwinkel</translation>
     </message>
     <message>
         <source>crimp</source>
-        <translation type="unfinished"></translation>
+        <translation>Einwebung</translation>
     </message>
     <message>
         <source>density</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichte</translation>
     </message>
     <message>
         <source>diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser</translation>
     </message>
     <message>
         <source>drop</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropfen</translation>
     </message>
     <message>
         <source>duration</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfäden</translation>
     </message>
     <message>
         <source>feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Zufuhr</translation>
     </message>
     <message>
         <source>fibre diffusivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Diffusivität der Faser</translation>
     </message>
     <message>
         <source>fibre radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Faserradius</translation>
     </message>
     <message>
         <source>fibres per yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Fasern je Garn</translation>
     </message>
     <message>
         <source>filament count</source>
-        <translation type="unfinished"></translation>
+        <translation>Filamentzahl</translation>
     </message>
     <message>
         <source>flyaway</source>
-        <translation type="unfinished"></translation>
+        <translation>abstehende Fasern</translation>
     </message>
     <message>
         <source>hair density</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichte abstehender Enden</translation>
     </message>
     <message>
         <source>hair length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge abstehender Enden</translation>
     </message>
     <message>
         <source>heat of wetting</source>
-        <translation type="unfinished"></translation>
+        <translation>Benetzungswärme</translation>
     </message>
     <message>
         <source>immersion</source>
-        <translation type="unfinished"></translation>
+        <translation>Eintauchtiefe</translation>
     </message>
     <message>
         <source>initial water</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser am Anfang</translation>
     </message>
     <message>
         <source>irregularity</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungleichmäßigkeit</translation>
     </message>
     <message>
         <source>isotherm</source>
-        <translation type="unfinished"></translation>
+        <translation>Isotherme</translation>
     </message>
     <message>
         <source>length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>linear density</source>
-        <translation type="unfinished"></translation>
+        <translation>Fadenfeinheit</translation>
     </message>
     <message>
         <source>loop density</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlingendichte</translation>
     </message>
     <message>
         <source>loop height</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlingenhöhe</translation>
     </message>
     <message>
         <source>material</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkstoff</translation>
     </message>
     <message>
         <source>share</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil</translation>
     </message>
     <message>
         <source>monolayer regain</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchteaufnahme der Monoschicht</translation>
     </message>
     <message>
         <source>packing factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Packungsdichte</translation>
     </message>
     <message>
         <source>picks</source>
-        <translation type="unfinished"></translation>
+        <translation>Schussfäden</translation>
     </message>
     <message>
         <source>plies</source>
-        <translation type="unfinished"></translation>
+        <translation>Fachung</translation>
     </message>
     <message>
         <source>ply twist</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwirndrehung</translation>
     </message>
     <message>
         <source>porosity</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität</translation>
     </message>
     <message>
         <source>rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Rate</translation>
     </message>
     <message>
         <source>receding angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückzugswinkel</translation>
     </message>
     <message>
         <source>relative humidity</source>
-        <translation type="unfinished"></translation>
+        <translation>relative Luftfeuchte</translation>
     </message>
     <message>
         <source>saturation regain</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchteaufnahme bei Sättigung</translation>
     </message>
     <message>
         <source>skin temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauttemperatur</translation>
     </message>
     <message>
         <source>sorption heat</source>
-        <translation type="unfinished"></translation>
+        <translation>Sorptionswärme</translation>
     </message>
     <message>
         <source>specific heat</source>
-        <translation type="unfinished"></translation>
+        <translation>spezifische Wärme</translation>
     </message>
     <message>
         <source>speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>standard regain</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchteaufnahme im Normalklima</translation>
     </message>
     <message>
         <source>strip</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifen</translation>
     </message>
     <message>
         <source>surface tension</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächenspannung</translation>
     </message>
     <message>
         <source>swelling</source>
-        <translation type="unfinished"></translation>
+        <translation>Quellung</translation>
     </message>
     <message>
         <source>temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
     </message>
     <message>
         <source>thermal conductivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Wärmeleitfähigkeit</translation>
     </message>
     <message>
         <source>thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>tortuosity</source>
-        <translation type="unfinished"></translation>
+        <translation>Tortuosität</translation>
     </message>
     <message>
         <source>twist</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>viscosity</source>
-        <translation type="unfinished"></translation>
+        <translation>Viskosität</translation>
     </message>
     <message>
         <source>volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>warp crimp</source>
-        <translation type="unfinished"></translation>
+        <translation>Einwebung der Kette</translation>
     </message>
     <message>
         <source>weft crimp</source>
-        <translation type="unfinished"></translation>
+        <translation>Einwebung des Schusses</translation>
     </message>
     <message>
         <source>initial</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfang</translation>
     </message>
     <message>
         <source>finish face</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrüstung oben</translation>
     </message>
     <message>
         <source>finish back</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrüstung unten</translation>
     </message>
     <message>
         <source>particles per droplet</source>
-        <translation type="unfinished"></translation>
+        <translation>Partikel je Tropfen</translation>
     </message>
     <message>
         <source>fibre shells</source>
-        <translation type="unfinished"></translation>
+        <translation>Schalen je Faser</translation>
     </message>
     <message>
         <source>crossings per cell</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzungspunkte je Zelle</translation>
     </message>
     <message>
         <source>crossings per even cell</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzungspunkte je gleichmäßiger Zelle</translation>
     </message>
     <message>
         <source>network step limit s</source>
-        <translation type="unfinished"></translation>
+        <translation>längster Zeitschritt der Garne</translation>
     </message>
     <message>
         <source>saturation change</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung der Sättigung</translation>
     </message>
     <message>
         <source>step error</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittfehler</translation>
     </message>
     <message>
         <source>liquid step factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittfaktor der Flüssigkeit</translation>
     </message>
     <message>
         <source>steps between absorption</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte zwischen Aufnahmen</translation>
     </message>
     <message>
         <source>density tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichtetoleranz</translation>
     </message>
     <message>
         <source>settle share</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruheanteil</translation>
     </message>
     <message>
         <source>rest tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruhetoleranz</translation>
     </message>
     <message>
         <source>double precision</source>
-        <translation type="unfinished"></translation>
+        <translation>doppelte Genauigkeit</translation>
     </message>
     <message>
         <source>free liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>freie Flüssigkeit</translation>
     </message>
     <message>
         <source>neglected share</source>
-        <translation type="unfinished"></translation>
+        <translation>vernachlässigter Anteil</translation>
     </message>
 </context>
 <context>
     <name>hygroloom</name>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished"></translation>
+        <translation>Warnung</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweis</translation>
     </message>
     <message>
         <source>%1 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 µm</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Smaller is better.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleiner ist besser.</translation>
     </message>
     <message>
         <source>Larger is better.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größer ist besser.</translation>
     </message>
     <message>
         <source>%1 of %2 runs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Läufen</translation>
     </message>
     <message>
         <source>baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Bezug</translation>
     </message>
     <message>
         <source>Difference to %1: %2 to %3 %4, from %5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschied zu %1: %2 bis %3 %4, aus %5.</translation>
     </message>
     <message>
         <source>one run of each</source>
-        <translation type="unfinished"></translation>
+        <translation>je einem Lauf</translation>
     </message>
     <message>
         <source>%1 pairs of runs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Paaren von Läufen</translation>
     </message>
     <message>
         <source>measured %1</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessen %1</translation>
     </message>
     <message>
         <source>This run does not give this number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Lauf ergibt diese Zahl nicht.</translation>
     </message>
     <message>
         <source>%1 (%2 to %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2 bis %3)</translation>
     </message>
     <message>
         <source>After ±: where one more such cloth is expected, from %1 runs with numerical error, scatter and what is not known of the cloth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach ±: wo ein weiteres solches Gewebe zu erwarten ist, aus %1 Läufen, mit numerischem Fehler, Streuung und dem, was vom Gewebe nicht bekannt ist.</translation>
     </message>
     <message>
         <source>After ±: the numerical error, as measured on runs of this kind.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach ±: der numerische Fehler, gemessen an Läufen dieser Art.</translation>
     </message>
     <message>
         <source>The numerical error of this number is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der numerische Fehler dieser Zahl ist nicht bekannt.</translation>
     </message>
     <message>
         <source>better</source>
-        <translation type="unfinished"></translation>
+        <translation>besser</translation>
     </message>
     <message>
         <source>probably better</source>
-        <translation type="unfinished"></translation>
+        <translation>wohl besser</translation>
     </message>
     <message>
         <source>no difference shown</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Unterschied gezeigt</translation>
     </message>
     <message>
         <source>probably worse</source>
-        <translation type="unfinished"></translation>
+        <translation>wohl schlechter</translation>
     </message>
     <message>
         <source>worse</source>
-        <translation type="unfinished"></translation>
+        <translation>schlechter</translation>
     </message>
     <message>
         <source>grade %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Note %1</translation>
     </message>
     <message>
         <source>The recording does not contain its fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung enthält ihr Gewebe nicht.</translation>
     </message>
     <message>
         <source>add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hinzufügen</translation>
     </message>
     <message>
         <source>remove garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück entfernen</translation>
     </message>
     <message>
         <source>A garment needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kleidungsstück braucht einen Namen.</translation>
     </message>
     <message>
         <source>A garment “%1” already exists. Choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kleidungsstück „%1“ gibt es schon. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>An experiment needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Versuch braucht einen Namen.</translation>
     </message>
     <message>
         <source>An experiment “%1” already exists. Choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Versuch „%1“ gibt es schon. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>rename garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück umbenennen</translation>
     </message>
     <message>
         <source>rename wear experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Trageversuch umbenennen</translation>
     </message>
     <message>
         <source>cut all panels from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Schnittteile aus %1 zuschneiden</translation>
     </message>
     <message>
         <source>A zone needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zone braucht einen Namen.</translation>
     </message>
     <message>
         <source>“%1” is a zone of the body. Choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist eine Zone des Körpers. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>A zone “%1” already exists. Choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zone „%1“ gibt es schon. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>draw a zone</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone zeichnen</translation>
     </message>
     <message>
         <source>delete zone</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone löschen</translation>
     </message>
     <message>
         <source>add wear experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Trageversuch hinzufügen</translation>
     </message>
     <message>
         <source>remove wear experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Trageversuch entfernen</translation>
     </message>
     <message>
         <source>Area, m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Fläche, m²</translation>
     </message>
     <message>
         <source>Water, g</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser, g</translation>
     </message>
     <message>
         <source>Water, g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser, g/m²</translation>
     </message>
     <message>
         <source>Of capacity, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Fassungsvermögen, %</translation>
     </message>
     <message>
         <source>Wet area, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Nasse Fläche, %</translation>
     </message>
     <message>
         <source>On skin, g</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf der Haut, g</translation>
     </message>
     <message>
         <source>Evaporated, g</source>
-        <translation type="unfinished"></translation>
+        <translation>Verdunstet, g</translation>
     </message>
     <message>
         <source>Cloth, °C</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoff, °C</translation>
     </message>
     <message>
         <source>Full after, s</source>
-        <translation type="unfinished"></translation>
+        <translation>Voll nach, s</translation>
     </message>
     <message>
         <source>Dry after, s</source>
-        <translation type="unfinished"></translation>
+        <translation>Trocken nach, s</translation>
     </message>
     <message>
         <source>Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück</translation>
     </message>
     <message>
         <source>Panel: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittteil: %1</translation>
     </message>
     <message>
         <source>Zone: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone: %1</translation>
     </message>
     <message>
         <source>the cloth lies level here</source>
-        <translation type="unfinished"></translation>
+        <translation>der Stoff liegt hier waagerecht</translation>
     </message>
     <message>
         <source>the warp runs down here</source>
-        <translation type="unfinished"></translation>
+        <translation>die Kette läuft hier abwärts</translation>
     </message>
     <message>
         <source>the weft runs down here</source>
-        <translation type="unfinished"></translation>
+        <translation>der Schuss läuft hier abwärts</translation>
     </message>
     <message>
         <source>the bias runs down here, %1° from the warp</source>
-        <translation type="unfinished"></translation>
+        <translation>der Schrägzug läuft hier abwärts, %1° von der Kette</translation>
     </message>
     <message>
         <source>The graphics driver rejected a shader: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Grafiktreiber hat einen Shader abgelehnt: %1</translation>
     </message>
     <message>
         <source>The picture needs OpenGL 3.3, which this display does not provide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild braucht OpenGL 3.3, das diese Anzeige nicht bietet.</translation>
     </message>
     <message>
         <source>the wetted radius, top</source>
-        <translation type="unfinished"></translation>
+        <translation>des Benetzungsradius, oben</translation>
     </message>
     <message>
         <source>the wetted radius, bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>des Benetzungsradius, unten</translation>
     </message>
     <message>
         <source>the run’s numbers at most</source>
-        <translation type="unfinished"></translation>
+        <translation>der Zahlen des Laufs höchstens</translation>
     </message>
     <message>
         <source>so no two cells lie at the same place</source>
-        <translation type="unfinished"></translation>
+        <translation>daher liegen keine zwei Zellen am selben Ort</translation>
     </message>
     <message>
         <source>its setts differ from the baseline’s, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Fadendichten weichen von denen des Bezugs ab, %1</translation>
     </message>
     <message>
         <source>its sample is of another size than the baseline’s, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Probe hat eine andere Größe als die des Bezugs, %1</translation>
     </message>
     <message>
         <source>The project has no fabric to begin with; add one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt hat kein Gewebe, mit dem man beginnen kann; fügen Sie eines hinzu.</translation>
     </message>
     <message>
         <source>%1 = %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2</translation>
     </message>
     <message>
         <source>The study has no fabric “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Studie hat kein Gewebe „%1“.</translation>
     </message>
     <message>
         <source>%1, study %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Studie %2</translation>
     </message>
     <message>
         <source>Added the fabric “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gewebe „%1“ ist hinzugefügt.</translation>
     </message>
     <message>
         <source>These factors are no part of it: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Faktoren gehören nicht dazu: %1.</translation>
     </message>
     <message>
         <source>no run can be planned</source>
-        <translation type="unfinished"></translation>
+        <translation>es lässt sich kein Lauf planen</translation>
     </message>
     <message>
         <source>1 run</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Lauf</translation>
     </message>
     <message>
         <source>%1 runs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Läufe</translation>
     </message>
     <message>
         <source>1 point</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Punkt</translation>
     </message>
     <message>
         <source>%1 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Punkte</translation>
     </message>
     <message>
         <source>%1 (%2); time not known: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2); Dauer nicht bekannt: %3.</translation>
     </message>
     <message>
         <source>%1 (%2), %3, %4 at a time with %5 each.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2), %3, %4 zugleich mit je %5.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::CalibrateDialog</name>
     <message>
         <source>Contact angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Randwinkel</translation>
     </message>
     <message>
         <source>Receding angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückzugswinkel</translation>
     </message>
     <message>
         <source>Packing factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Packungsdichte</translation>
     </message>
     <message>
         <source>&amp;Browse…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Durchsuchen…</translation>
     </message>
     <message>
         <source>&amp;Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anwenden</translation>
     </message>
     <message>
         <source>&amp;Save Report…</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht s&amp;peichern…</translation>
     </message>
     <message>
         <source>Calibrate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrieren</translation>
     </message>
     <message numerus="yes">
         <source>%n runs done</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Lauf fertig</numerusform>
+            <numerusform>%n Läufe fertig</numerusform>
         </translation>
     </message>
     <message>
         <source>Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch</translation>
     </message>
     <message>
         <source>&amp;Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Versuch</translation>
     </message>
     <message>
         <source>CSV: time_s and a series such as wick_height_mm, or a table of metrics</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV: time_s und eine Reihe wie wick_height_mm, oder eine Tabelle von Kennzahlen</translation>
     </message>
     <message>
         <source>Measured file</source>
-        <translation type="unfinished"></translation>
+        <translation>Messdatei</translation>
     </message>
     <message>
         <source>&amp;Measured</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gemessen</translation>
     </message>
     <message>
         <source>%1: now %2, from %3 to %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: jetzt %2, von %3 bis %4</translation>
     </message>
     <message>
         <source>%1: known</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: bekannt</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Anpassen</translation>
     </message>
     <message>
         <source>Fidelity</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit</translation>
     </message>
     <message>
         <source>F&amp;idelity</source>
-        <translation type="unfinished"></translation>
+        <translation>Genau&amp;igkeit</translation>
     </message>
     <message>
         <source>before</source>
-        <translation type="unfinished"></translation>
+        <translation>vorher</translation>
     </message>
     <message>
         <source>fitted, 90 %</source>
-        <translation type="unfinished"></translation>
+        <translation>angepasst, 90 %</translation>
     </message>
     <message>
         <source>range</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich</translation>
     </message>
     <message>
         <source>Fitted inputs</source>
-        <translation type="unfinished"></translation>
+        <translation>Angepasste Eingaben</translation>
     </message>
     <message>
         <source>Result of the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis der Kalibrierung</translation>
     </message>
     <message>
         <source>Progress of the runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Läufe</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Measured File</source>
-        <translation type="unfinished"></translation>
+        <translation>Messdatei</translation>
     </message>
     <message>
         <source>Tables (*.csv);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>The project needs a fabric and an experiment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt braucht ein Gewebe und einen Versuch.</translation>
     </message>
     <message>
         <source>The project has errors; correct them first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt hat Fehler; beheben Sie zuerst diese.</translation>
     </message>
     <message>
         <source>Choose a file of what was measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie eine Datei mit Messwerten.</translation>
     </message>
     <message>
         <source>Tick what is to be fitted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzen Sie an, was angepasst werden soll.</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;bbrechen</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Starten</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
         <source>Cancelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen.</translation>
     </message>
     <message>
         <source>Residual: %1 before, %2 after, %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rest: vorher %1, nachher %2, %3.</translation>
     </message>
     <message>
         <source>in spreads</source>
-        <translation type="unfinished"></translation>
+        <translation>in Streuungen</translation>
     </message>
     <message>
         <source>calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::CalibrationRun</name>
     <message>
         <source>Not enough memory for these runs. Choose a smaller sample or a lower fidelity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht für diese Läufe nicht. Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::CandidateTable</name>
     <message>
         <source>Numbers of the candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen der Kandidaten</translation>
     </message>
     <message>
         <source>Rank</source>
-        <translation type="unfinished"></translation>
+        <translation>Rang</translation>
     </message>
     <message>
         <source>Baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Bezug</translation>
     </message>
     <message>
         <source>Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>Click to rank and sort by this number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken ordnet nach dieser Zahl und vergibt den Rang nach ihr.</translation>
     </message>
     <message>
         <source>1 is best by the number that sorts the table, or the first one. “=”: this simulation cannot tell them apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 ist der beste nach der Zahl, die die Tabelle ordnet, sonst nach der ersten. „=“: Diese Simulation kann sie nicht unterscheiden.</translation>
     </message>
     <message>
         <source>The others are compared with %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die anderen werden mit %1 verglichen.</translation>
     </message>
     <message>
         <source>Click to compare the others with %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken vergleicht die anderen mit %1.</translation>
     </message>
     <message>
         <source>%1 is the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist der Bezug</translation>
     </message>
     <message>
         <source>Make %1 the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 zum Bezug machen</translation>
     </message>
     <message>
         <source>run of another design</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf eines anderen Entwurfs</translation>
     </message>
     <message>
         <source>%1. Tick two to four to see their maps and curves below.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Kreuzen Sie zwei bis vier an, um unten ihre Karten und Kurven zu sehen.</translation>
     </message>
     <message>
         <source>Click to open the run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken öffnet den Lauf.</translation>
     </message>
     <message>
         <source>reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gelesen …</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>misslungen</translation>
     </message>
     <message>
         <source>not run</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gerechnet</translation>
     </message>
     <message>
         <source>Use as &amp;Baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Als &amp;Bezug nehmen</translation>
     </message>
     <message>
         <source>&amp;Open This Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Lauf ö&amp;ffnen</translation>
     </message>
     <message>
         <source>&amp;Run What Is Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fehlendes rechnen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::CandidatesPanel</name>
     <message>
         <source>one drop</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Tropfen</translation>
     </message>
     <message>
         <source>This project has no fabric yet.
 Add one to begin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Projekt hat noch kein Gewebe.
+Fügen Sie eines hinzu, um zu beginnen.</translation>
     </message>
     <message>
         <source>Fabrics of the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe des Projekts</translation>
     </message>
     <message>
         <source>&amp;Add Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe &amp;hinzufügen</translation>
     </message>
     <message>
         <source>Add a plain-weave cotton fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Baumwollgewebe in Leinwandbindung hinzufügen</translation>
     </message>
     <message>
         <source>D&amp;uplicate Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe &amp;duplizieren</translation>
     </message>
     <message>
         <source>Add a copy of the selected fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie des gewählten Gewebes hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Rename Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe &amp;umbenennen</translation>
     </message>
     <message>
         <source>Rename the selected fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gewählte Gewebe umbenennen</translation>
     </message>
     <message>
         <source>&amp;Delete Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe &amp;löschen</translation>
     </message>
     <message>
         <source>Delete the selected fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gewählte Gewebe löschen</translation>
     </message>
     <message>
         <source>From &amp;Preset…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus &amp;Vorlage…</translation>
     </message>
     <message>
         <source>Add a fabric from the library</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gewebe aus der Bibliothek hinzufügen</translation>
     </message>
     <message>
         <source>&amp;Save to My Library</source>
-        <translation type="unfinished"></translation>
+        <translation>In meiner &amp;Bibliothek speichern</translation>
     </message>
     <message>
         <source>Save the selected fabric to my library</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gewählte Gewebe in meiner Bibliothek speichern</translation>
     </message>
     <message>
         <source>%1: %2, %3 × %4 per cm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2, %3 × %4 je cm</translation>
     </message>
     <message>
         <source>free weave</source>
-        <translation type="unfinished"></translation>
+        <translation>freie Bindung</translation>
     </message>
     <message>
         <source>New fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Gewebe</translation>
     </message>
     <message>
         <source>add fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe hinzufügen</translation>
     </message>
     <message>
         <source>add %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hinzufügen</translation>
     </message>
     <message>
         <source>Saved %1 to my library.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist in meiner Bibliothek gespeichert.</translation>
     </message>
     <message>
         <source>duplicate fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe duplizieren</translation>
     </message>
     <message>
         <source>%1 copy</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Kopie</translation>
     </message>
     <message>
         <source>delete fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe löschen</translation>
     </message>
     <message>
         <source>rename fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe umbenennen</translation>
     </message>
 </context>
 <context>
@@ -1661,7069 +1662,7074 @@ Add one to begin.</source>
     <message>
         <source>In fibres: water absorbed since the start.
 Click to show that time.</source>
-        <translation type="unfinished"></translation>
+        <translation>In Fasern: Wasser, das seit dem Anfang aufgenommen wurde.
+Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>%1: %2 %3 at %4 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 %3 bei %4 s</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ClimateCourse</name>
     <message>
         <source>Climate over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Klimaverlauf</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Temp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Temp.</translation>
     </message>
     <message>
         <source>Humidity</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchte</translation>
     </message>
     <message>
         <source>Air</source>
-        <translation type="unfinished"></translation>
+        <translation>Luft</translation>
     </message>
     <message>
         <source>Time from the start of the experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit ab Beginn des Versuchs</translation>
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
     </message>
     <message>
         <source>Relative humidity</source>
-        <translation type="unfinished"></translation>
+        <translation>Relative Luftfeuchte</translation>
     </message>
     <message>
         <source>Air speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Luftgeschwindigkeit</translation>
     </message>
     <message>
         <source>Add a time</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeit hinzufügen</translation>
     </message>
     <message>
         <source>Remove the selected time</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Zeit entfernen</translation>
     </message>
     <message>
         <source>About the climate over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Über den Klimaverlauf</translation>
     </message>
     <message>
         <source>Row %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source>The climate changes linearly between these times and is constant after the last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Klima ändert sich zwischen diesen Zeiten linear und bleibt nach der letzten gleich.</translation>
     </message>
     <message>
         <source>The climate is constant. Add a time to change it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Klima bleibt gleich. Fügen Sie eine Zeit hinzu, um es zu ändern.</translation>
     </message>
     <message>
         <source>climate over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Klimaverlauf</translation>
     </message>
     <message>
         <source>add climate time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit des Klimas hinzufügen</translation>
     </message>
     <message>
         <source>remove climate time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit des Klimas entfernen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ClothsView</name>
     <message>
         <source>Problem</source>
-        <translation type="unfinished"></translation>
+        <translation>Problem</translation>
     </message>
     <message>
         <source>Time of all cloths</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit aller Gewebe</translation>
     </message>
     <message>
         <source>%1 in 3D</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in 3D</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ClusterDialog</name>
     <message>
         <source>One &amp;GPU for each task</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine &amp;GPU je Aufgabe</translation>
     </message>
     <message>
         <source>&amp;Write the Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner &amp;schreiben</translation>
     </message>
     <message>
         <source>&amp;Submit Here</source>
-        <translation type="unfinished"></translation>
+        <translation>Von &amp;hier abschicken</translation>
     </message>
     <message>
         <source>Study for a Cluster</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie für einen Cluster</translation>
     </message>
     <message>
         <source>Options for sbatch</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen für sbatch</translation>
     </message>
     <message>
         <source>16 runs each</source>
-        <translation type="unfinished"></translation>
+        <translation>je 16 Läufe</translation>
     </message>
     <message>
         <source>Tasks of the job array</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgaben des Job-Arrays</translation>
     </message>
     <message>
         <source>What to type on the cluster</source>
-        <translation type="unfinished"></translation>
+        <translation>Was auf dem Cluster einzugeben ist</translation>
     </message>
     <message>
         <source>The folder receives the project and the study. It must be on a disk that all machines of the cluster have, or be copied there. Then type on the cluster:</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner erhält das Projekt und die Studie. Er muss auf einem Datenträger liegen, den alle Rechner des Clusters haben, oder dorthin kopiert werden. Geben Sie dann auf dem Cluster ein:</translation>
     </message>
     <message>
         <source>Folder:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner:</translation>
     </message>
     <message>
         <source>Options for sbatch:</source>
-        <translation type="unfinished"></translation>
+        <translation>Optionen für sbatch:</translation>
     </message>
     <message>
         <source>Tasks:</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgaben:</translation>
     </message>
     <message>
         <source>&amp;Copy the Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle &amp;kopieren</translation>
     </message>
     <message>
         <source>Write the folder and submit the job array.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ordner schreiben und das Job-Array abschicken.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>In %1 geschrieben.</translation>
     </message>
     <message>
         <source>Submitted job %1 with %2 tasks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Job %1 mit %2 Aufgaben abgeschickt.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::CommandPalette</name>
     <message>
         <source>No command matches.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Befehl passt.</translation>
     </message>
     <message>
         <source>Find Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl suchen</translation>
     </message>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle</translation>
     </message>
     <message>
         <source>Words of the command</source>
-        <translation type="unfinished"></translation>
+        <translation>Wörter des Befehls</translation>
     </message>
     <message>
         <source>Type letters of a command</source>
-        <translation type="unfinished"></translation>
+        <translation>Buchstaben eines Befehls eingeben</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::CompareBar</name>
     <message>
         <source>&amp;Run All Missing</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle &amp;fehlenden rechnen</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;bbrechen</translation>
     </message>
     <message>
         <source>&amp;Measured…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ge&amp;messenes…</translation>
     </message>
     <message>
         <source>Save &amp;Table…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tabelle speichern…</translation>
     </message>
     <message>
         <source>Save Re&amp;port…</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;richt speichern…</translation>
     </message>
     <message>
         <source>Runs of each fabric. With more than one, inputs are drawn within what is not known of the cloth, and yarns are as uneven as is typical; intervals then hold this scatter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe je Gewebe. Bei mehr als einem werden Eingaben in dem gezogen, was vom Gewebe nicht bekannt ist, und Garne sind so ungleichmäßig wie üblich; die Intervalle enthalten dann diese Streuung.</translation>
     </message>
     <message>
         <source>Progress of the runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Läufe</translation>
     </message>
     <message>
         <source>Missing runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlende Läufe</translation>
     </message>
     <message>
         <source>E&amp;xperiment:</source>
-        <translation type="unfinished"></translation>
+        <translation>Versu&amp;ch:</translation>
     </message>
     <message>
         <source>F&amp;idelity:</source>
-        <translation type="unfinished"></translation>
+        <translation>Genau&amp;igkeit:</translation>
     </message>
     <message>
         <source>R&amp;eplicates:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholungen:</translation>
     </message>
     <message>
         <source>Filter fabrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe filtern</translation>
     </message>
     <message>
         <source>Put a laboratory&apos;s numbers beside the simulated ones, from a CSV file with the columns fabric, metric, value, unit and, if known, spread.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stellt die Zahlen eines Labors neben die simulierten, aus einer CSV-Datei mit den Spalten fabric, metric, value, unit und, wenn bekannt, spread.</translation>
     </message>
     <message>
         <source>Write the numbers as a CSV file for spreadsheets.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt die Zahlen als CSV-Datei für Tabellenprogramme.</translation>
     </message>
     <message>
         <source>Write verdicts, intervals, maps, curves, and what is not known, as PDF or web page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt Urteile, Intervalle, Karten, Kurven und was nicht bekannt ist als PDF oder Webseite.</translation>
     </message>
     <message>
         <source>Cannot run: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt sich nicht rechnen: %1</translation>
     </message>
     <message>
         <source>Nothing is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts fehlt.</translation>
     </message>
     <message>
         <source>1 run</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Lauf</translation>
     </message>
     <message>
         <source>%1 runs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Läufe</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>Run each fabric that has no run of this experiment yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechnet jedes Gewebe, das noch keinen Lauf dieses Versuchs hat.</translation>
     </message>
     <message>
         <source>, %1 left</source>
-        <translation type="unfinished"></translation>
+        <translation>, noch %1</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::CompareMaps</name>
     <message>
         <source>Maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Karten</translation>
     </message>
     <message>
         <source>Difference to baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschied zum Bezug</translation>
     </message>
     <message>
         <source>What the maps show</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Karten zeigen</translation>
     </message>
     <message>
         <source>Top face</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberseite</translation>
     </message>
     <message>
         <source>Bottom face</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterseite</translation>
     </message>
     <message>
         <source>Face of the fabrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite der Gewebe</translation>
     </message>
     <message>
         <source>Time of all maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit aller Karten</translation>
     </message>
     <message>
         <source>Value under the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Wert unter dem Zeiger</translation>
     </message>
     <message>
         <source>Water on %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser auf %1</translation>
     </message>
     <message>
         <source>Each cloth as given. Under the pointer also the %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedes Gewebe wie angegeben. Unter dem Zeiger auch: %1.</translation>
     </message>
     <message>
         <source>There is no difference map of %1: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 gibt es keine Differenzkarte: %2.</translation>
     </message>
     <message>
         <source>Of %1 and the baseline fewer than two replicates keep maps: grey is the numerical error alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 und dem Bezug haben weniger als zwei Wiederholungen Karten: Grau ist nur der numerische Fehler.</translation>
     </message>
     <message>
         <source>Tick a second fabric to see how it differs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzen Sie ein zweites Gewebe an, um zu sehen, wie es sich unterscheidet.</translation>
     </message>
     <message>
         <source>Water less that of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser abzüglich dessen von %1.</translation>
     </message>
     <message>
         <source>a numerical error of %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>einem numerischen Fehler von %1 %</translation>
     </message>
     <message>
         <source>no numerical error, which is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>keinem numerischen Fehler, denn er ist nicht bekannt</translation>
     </message>
     <message>
         <source>%1 Mean of %2 pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of the mean difference, with %4, holds 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Mittel von %2 Paaren von Wiederholungen nach %3, der nächsten Zeit, zu der sie Karten haben. Grau: Das Intervall des mittleren Unterschieds, mit %4, enthält 0.</translation>
     </message>
     <message>
         <source>%1 Grey: the difference is at most %2 % of the wetter one, the numerical error of %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Grau: Der Unterschied ist höchstens %2 % des nasseren, der numerische Fehler %3.</translation>
     </message>
     <message>
         <source>%1 The numerical error of these runs is not known: grey cells are exactly equal.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Der numerische Fehler dieser Läufe ist nicht bekannt: Graue Zellen sind genau gleich.</translation>
     </message>
     <message>
         <source>Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschied</translation>
     </message>
     <message>
         <source>g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>g/m²</translation>
     </message>
     <message>
         <source>Water</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::CompareView</name>
     <message>
         <source>Candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>Kandidaten</translation>
     </message>
     <message>
         <source>All Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Läufe</translation>
     </message>
     <message>
         <source>Maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Karten</translation>
     </message>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven</translation>
     </message>
     <message>
         <source>Fingerprint</source>
-        <translation type="unfinished"></translation>
+        <translation>Fingerabdruck</translation>
     </message>
     <message>
         <source>Scatter</source>
-        <translation type="unfinished"></translation>
+        <translation>Streudiagramm</translation>
     </message>
     <message>
         <source>Why</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum</translation>
     </message>
     <message>
         <source>3D</source>
-        <translation type="unfinished"></translation>
+        <translation>3D</translation>
     </message>
     <message>
         <source>At most four runs can be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstens vier Läufe lassen sich vergleichen.</translation>
     </message>
     <message>
         <source>All experiments</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Versuche</translation>
     </message>
     <message>
         <source>%1, of other runs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, anderer Läufe</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Enter or the button runs it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Eingabetaste oder der Knopf rechnet es.</translation>
     </message>
     <message>
         <source>running…</source>
-        <translation type="unfinished"></translation>
+        <translation>rechnet …</translation>
     </message>
     <message>
         <source>waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>wartet</translation>
     </message>
     <message>
         <source>This project has no fabric. Add one with Fabric ▸ Add Fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Projekt hat kein Gewebe. Fügen Sie eines mit Gewebe ▸ Gewebe hinzufügen hinzu.</translation>
     </message>
     <message>
         <source>This project has no experiment. Add one with Experiment ▸ Add Experiment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Projekt hat keinen Versuch. Fügen Sie einen mit Versuch ▸ Versuch hinzufügen hinzu.</translation>
     </message>
     <message>
         <source>A comparison needs a second fabric: add one with Fabric ▸ Add Fabric, or tick an older run under All Runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Vergleich braucht ein zweites Gewebe: Fügen Sie eines mit Gewebe ▸ Gewebe hinzufügen hinzu oder kreuzen Sie unter Alle Läufe einen älteren Lauf an.</translation>
     </message>
     <message>
         <source>Maps and 3D are of each cloth as given; curves and difference maps are of the replicates. In these, yarns without an unevenness of their own are as uneven as is typical.</source>
-        <translation type="unfinished"></translation>
+        <translation>Karten und 3D zeigen jedes Gewebe wie angegeben; Kurven und Differenzkarten zeigen die Wiederholungen. In diesen sind Garne ohne eigene Ungleichmäßigkeit so ungleichmäßig wie üblich.</translation>
     </message>
     <message>
         <source>These runs have different fidelities, which is part of their difference.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Läufe haben verschiedene Genauigkeiten, was zu ihrem Unterschied beiträgt.</translation>
     </message>
     <message>
         <source>Tick two to four fabrics above to see them side by side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzen Sie oben zwei bis vier Gewebe an, um sie nebeneinander zu sehen.</translation>
     </message>
     <message>
         <source>Nothing has been run yet. “Run All Missing” above runs the experiment on every fabric. Recordings that are opened stand under All Runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist nichts gerechnet. „Alle fehlenden rechnen“ oben rechnet den Versuch mit jedem Gewebe. Geöffnete Aufzeichnungen stehen unter Alle Läufe.</translation>
     </message>
     <message>
         <source>Choose one experiment above to see its maps and curves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie oben einen Versuch, um seine Karten und Kurven zu sehen.</translation>
     </message>
     <message>
         <source>Nothing can be run: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts lässt sich rechnen: %1</translation>
     </message>
     <message>
         <source>Save Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle speichern</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
         <source>Another report is still being written. Save this one when that is done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderer Bericht wird noch geschrieben. Speichern Sie diesen, wenn jener fertig ist.</translation>
     </message>
     <message>
         <source>Measured Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene Zahlen</translation>
     </message>
     <message>
         <source>Tables (*.csv);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen (*.csv);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Runs are in progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe sind im Gang</translation>
     </message>
     <message>
         <source>Stop the runs of Compare?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Läufe des Vergleichs stoppen?</translation>
     </message>
     <message>
         <source>%1. Those are kept with the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Diese bleiben beim Projekt.</translation>
     </message>
     <message>
         <source>Stop the Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe stoppen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::CurveLegend</name>
     <message>
         <source>Curves: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven: %1</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::CurvesView</name>
     <message>
         <source>%1: %2 %3 at %4 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 %3 bei %4 s</translation>
     </message>
     <message>
         <source>numerical error</source>
-        <translation type="unfinished"></translation>
+        <translation>numerischer Fehler</translation>
     </message>
     <message>
         <source>%1 (%2: %3 to %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2: %3 bis %4)</translation>
     </message>
     <message>
         <source>What the bands are</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Bänder sind</translation>
     </message>
     <message>
         <source>Curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurve</translation>
     </message>
     <message>
         <source>Value under the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Wert unter dem Zeiger</translation>
     </message>
     <message>
         <source>Curves of the ticked runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven der angekreuzten Läufe</translation>
     </message>
     <message>
         <source>Time (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit (s)</translation>
     </message>
     <message>
         <source>With replicates the line is their middle, and the band goes from the least to the most of them; of %1 and more, from the 5th to the 95th percentile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Wiederholungen ist die Linie ihre Mitte, und das Band reicht von der kleinsten bis zur größten; ab %1 vom 5. bis zum 95. Perzentil.</translation>
     </message>
     <message>
         <source>Band: the numerical error of %1, as measured on runs of this kind.</source>
-        <translation type="unfinished"></translation>
+        <translation>Band: der numerische Fehler %1, gemessen an Läufen dieser Art.</translation>
     </message>
     <message>
         <source>No numerical error of this curve is known, so there is no band.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von dieser Kurve ist kein numerischer Fehler bekannt, daher gibt es kein Band.</translation>
     </message>
     <message>
         <source>Of %1 the cloth as given is drawn, with its numerical error where that is known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 ist das Gewebe wie angegeben gezeichnet, mit seinem numerischen Fehler, wo er bekannt ist.</translation>
     </message>
     <message>
         <source>Of %1 some replicates were computed by a version that kept no curves, or are too old: they are not in the band.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 wurden manche Wiederholungen von einer Version gerechnet, die keine Kurven behielt, oder sind zu alt: Sie sind nicht im Band.</translation>
     </message>
     <message>
         <source>Tick two to four fabrics above to see their curves over each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzen Sie oben zwei bis vier Gewebe an, um ihre Kurven übereinander zu sehen.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::DesignForm</name>
     <message>
         <source>Show or hide these fields.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Felder zeigen oder verbergen.</translation>
     </message>
     <message>
         <source>The same in other units</source>
-        <translation type="unfinished"></translation>
+        <translation>Dasselbe in anderen Einheiten</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::DesignWorkspace</name>
     <message>
         <source>Candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>Kandidaten</translation>
     </message>
     <message>
         <source>Weave</source>
-        <translation type="unfinished"></translation>
+        <translation>Bindung</translation>
     </message>
     <message>
         <source>Draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief</translation>
     </message>
     <message>
         <source>Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>Water, live</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser, live</translation>
     </message>
     <message>
         <source>Edit the values of “%1” in the project file, under “materials”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ändern Sie die Werte von „%1“ in der Projektdatei unter „materials“.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::Document</name>
     <message>
         <source>Example: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Beispiel: %1</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::DraftEditor</name>
     <message>
         <source>Shafts</source>
-        <translation type="unfinished"></translation>
+        <translation>Schäfte</translation>
     </message>
     <message>
         <source>Treadles</source>
-        <translation type="unfinished"></translation>
+        <translation>Tritte</translation>
     </message>
     <message>
         <source>Find Draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief finden</translation>
     </message>
     <message>
         <source>Find the draft of this weave with the fewest shafts and treadles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet den Webbrief dieser Bindung mit den wenigsten Schäften und Tritten.</translation>
     </message>
     <message>
         <source>About the draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Über den Webbrief</translation>
     </message>
     <message>
         <source>Show the cloth in the colours of its yarns</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gewebe in den Farben seiner Garne zeigen</translation>
     </message>
     <message>
         <source>Zoom into the draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief vergrößern</translation>
     </message>
     <message>
         <source>Zoom out of the draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief verkleinern</translation>
     </message>
     <message>
         <source>Treadling or liftplan</source>
-        <translation type="unfinished"></translation>
+        <translation>Trittfolge oder Hebeplan</translation>
     </message>
     <message>
         <source>Tie-up and treadling</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnürung und Trittfolge</translation>
     </message>
     <message>
         <source>Liftplan</source>
-        <translation type="unfinished"></translation>
+        <translation>Hebeplan</translation>
     </message>
     <message>
         <source>A treadle lifts the shafts tied to it. A liftplan lists the shafts of each pick. Both weave the same cloth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Tritt hebt die an ihn geschnürten Schäfte. Ein Hebeplan nennt die Schäfte jedes Schusses. Beide weben dasselbe Gewebe.</translation>
     </message>
     <message>
         <source>Shed</source>
-        <translation type="unfinished"></translation>
+        <translation>Fach</translation>
     </message>
     <message>
         <source>Rising shed</source>
-        <translation type="unfinished"></translation>
+        <translation>Hochfach</translation>
     </message>
     <message>
         <source>Sinking shed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tieffach</translation>
     </message>
     <message>
         <source>Whether the marked shafts rise or sink. The marks stay; the cloth turns over.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob die markierten Schäfte steigen oder sinken. Die Marken bleiben; das Gewebe wendet sich.</translation>
     </message>
     <message>
         <source>tie-up and treadling</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnürung und Trittfolge</translation>
     </message>
     <message>
         <source>liftplan</source>
-        <translation type="unfinished"></translation>
+        <translation>Hebeplan</translation>
     </message>
     <message>
         <source>rising shed</source>
-        <translation type="unfinished"></translation>
+        <translation>Hochfach</translation>
     </message>
     <message>
         <source>sinking shed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tieffach</translation>
     </message>
     <message>
         <source>The weave has no draft of its own; this is the smallest one. Change it here or press Find Draft to keep it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bindung hat keinen eigenen Webbrief; dies ist der kleinste. Ändern Sie ihn hier oder behalten Sie ihn mit Webbrief finden.</translation>
     </message>
     <message>
         <source>drawdown</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebebild</translation>
     </message>
     <message>
         <source>threading</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzug</translation>
     </message>
     <message>
         <source>tie-up</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnürung</translation>
     </message>
     <message>
         <source>order of the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge der Kettfäden</translation>
     </message>
     <message>
         <source>order of the picks</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge der Schussfäden</translation>
     </message>
     <message>
         <source>treadling</source>
-        <translation type="unfinished"></translation>
+        <translation>Trittfolge</translation>
     </message>
     <message>
         <source>find draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief finden</translation>
     </message>
     <message>
         <source>number of shafts</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Schäfte</translation>
     </message>
     <message>
         <source>number of treadles</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Tritte</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::DraftPaper</name>
     <message>
         <source>Draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief</translation>
     </message>
     <message>
         <source>Threading above, treadling on the right, tie-up in the corner, yarns along both edges. Click or drag to change; with Ctrl a second shaft or treadle is added. Arrow keys move, Space changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzug oben, Trittfolge rechts, Schnürung in der Ecke, Garne an beiden Rändern. Klicken oder ziehen ändert; mit Strg kommt ein zweiter Schaft oder Tritt dazu. Pfeiltasten bewegen, die Leertaste ändert.</translation>
     </message>
     <message>
         <source>Scroll along the picks</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der Schüsse rollen</translation>
     </message>
     <message>
         <source>Scroll along the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der Kettfäden rollen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::DropletSection</name>
     <message>
         <source>Droplets</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropfen</translation>
     </message>
     <message>
         <source>Add a droplet</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Tropfen hinzufügen</translation>
     </message>
     <message>
         <source>Remove the droplet</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Tropfen entfernen</translation>
     </message>
     <message>
         <source>Place the droplet: click on the fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Tropfen setzen: auf das Gewebe klicken</translation>
     </message>
     <message>
         <source>No droplet yet. Add one to wet the fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch kein Tropfen. Fügen Sie einen hinzu, um das Gewebe zu benetzen.</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>droplet volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen des Tropfens</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>droplet time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit des Tropfens</translation>
     </message>
     <message>
         <source>Time at which the drop appears.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit, zu der der Tropfen erscheint.</translation>
     </message>
     <message>
         <source>Position along weft</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort in Schussrichtung</translation>
     </message>
     <message>
         <source>droplet position</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort des Tropfens</translation>
     </message>
     <message>
         <source>Distance from the sample&apos;s centre.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand von der Mitte der Probe.</translation>
     </message>
     <message>
         <source>Position along warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort in Kettrichtung</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>droplet height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe des Tropfens</translation>
     </message>
     <message>
         <source>Height of its lowest point above the fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe seines tiefsten Punktes über dem Gewebe.</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>droplet speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit des Tropfens</translation>
     </message>
     <message>
         <source>Downward speed when it appears.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit abwärts, wenn er erscheint.</translation>
     </message>
     <message>
         <source>%1: %2 µl at %3 s, at (%4, %5) mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 µl bei %3 s, an (%4, %5) mm</translation>
     </message>
     <message>
         <source>add droplet</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropfen hinzufügen</translation>
     </message>
     <message>
         <source>remove droplet</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropfen entfernen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::EffectsChart</name>
     <message>
         <source>Main effects of the factors</source>
-        <translation type="unfinished"></translation>
+        <translation>Haupteffekte der Faktoren</translation>
     </message>
     <message>
         <source>%1 %2: mean %3 of %4, standard deviation %5, %6 rows</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2: Mittel %3 von %4, Standardabweichung %5, %6 Zeilen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::EffectsView</name>
     <message>
         <source>Metric of the effects</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennzahl der Effekte</translation>
     </message>
     <message>
         <source>Metric:</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennzahl:</translation>
     </message>
     <message>
         <source>What the effects show</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Effekte zeigen</translation>
     </message>
     <message>
         <source>Line: the mean over all rows near a factor&apos;s value, whatever the others are. Band: one standard deviation of the rows either way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie: das Mittel aller Zeilen nahe einem Wert des Faktors, wie die anderen auch sind. Band: eine Standardabweichung der Zeilen nach beiden Seiten.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ExperimentPanel</name>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>one drop</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Tropfen</translation>
     </message>
     <message>
         <source>Along the weft</source>
-        <translation type="unfinished"></translation>
+        <translation>In Schussrichtung</translation>
     </message>
     <message>
         <source>Along the warp</source>
-        <translation type="unfinished"></translation>
+        <translation>In Kettrichtung</translation>
     </message>
     <message>
         <source>sample width</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite der Probe</translation>
     </message>
     <message>
         <source>sample height</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe der Probe</translation>
     </message>
     <message>
         <source>Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch</translation>
     </message>
     <message>
         <source>Add an experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Versuch hinzufügen</translation>
     </message>
     <message>
         <source>Rename the experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Versuch umbenennen</translation>
     </message>
     <message>
         <source>Delete the experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Versuch löschen</translation>
     </message>
     <message>
         <source>A new type sets the climate, sample and duration of its standard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine neue Art setzt Klima, Probe und Dauer ihrer Norm.</translation>
     </message>
     <message>
         <source>Type of experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Art des Versuchs</translation>
     </message>
     <message>
         <source>Climate</source>
-        <translation type="unfinished"></translation>
+        <translation>Klima</translation>
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
     </message>
     <message>
         <source>temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
     </message>
     <message>
         <source>Humidity</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchte</translation>
     </message>
     <message>
         <source>relative humidity</source>
-        <translation type="unfinished"></translation>
+        <translation>relative Luftfeuchte</translation>
     </message>
     <message>
         <source>Relative humidity of the air, and of the fabric before the first drop.</source>
-        <translation type="unfinished"></translation>
+        <translation>Relative Feuchte der Luft, und des Gewebes vor dem ersten Tropfen.</translation>
     </message>
     <message>
         <source>Air speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Luftgeschwindigkeit</translation>
     </message>
     <message>
         <source>air speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Luftgeschwindigkeit</translation>
     </message>
     <message>
         <source>Sample</source>
-        <translation type="unfinished"></translation>
+        <translation>Probe</translation>
     </message>
     <message>
         <source>Duration</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>duration</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>volume of liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen der Flüssigkeit</translation>
     </message>
     <message>
         <source>Feed time</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer der Zufuhr</translation>
     </message>
     <message>
         <source>feed time</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer der Zufuhr</translation>
     </message>
     <message>
         <source>Time for which the pump runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit, in der die Pumpe läuft.</translation>
     </message>
     <message>
         <source>Drop volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropfenvolumen</translation>
     </message>
     <message>
         <source>drop volume of the feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropfenvolumen der Zufuhr</translation>
     </message>
     <message>
         <source>The feed comes in equal drops of at most this volume, each when the pump has delivered it. Drops join a pool that the cloth absorbs. 0: the feed flows evenly.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zufuhr kommt in gleichen Tropfen von höchstens diesem Volumen, jeder, sobald die Pumpe ihn gefördert hat. Tropfen fließen in eine Lache, die das Gewebe aufnimmt. 0: Die Zufuhr fließt gleichmäßig.</translation>
     </message>
     <message>
         <source>Strip</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifen</translation>
     </message>
     <message>
         <source>direction of the strip</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtung des Streifens</translation>
     </message>
     <message>
         <source>Immersion</source>
-        <translation type="unfinished"></translation>
+        <translation>Eintauchtiefe</translation>
     </message>
     <message>
         <source>immersion</source>
-        <translation type="unfinished"></translation>
+        <translation>Eintauchtiefe</translation>
     </message>
     <message>
         <source>Depth of the strip&apos;s end below the liquid surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiefe des Streifenendes unter der Flüssigkeitsoberfläche.</translation>
     </message>
     <message>
         <source>Initial water</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser am Anfang</translation>
     </message>
     <message>
         <source>initial water</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser am Anfang</translation>
     </message>
     <message>
         <source>Liquid water in the fabric at the start, in addition to its regain in this climate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssiges Wasser im Gewebe am Anfang, zusätzlich zu seiner Feuchteaufnahme in diesem Klima.</translation>
     </message>
     <message>
         <source>Initial temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur am Anfang</translation>
     </message>
     <message>
         <source>initial temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur am Anfang</translation>
     </message>
     <message>
         <source>Temperature of the air in which the sample was conditioned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur der Luft, in der die Probe klimatisiert wurde.</translation>
     </message>
     <message>
         <source>Initial humidity</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchte am Anfang</translation>
     </message>
     <message>
         <source>initial humidity</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchte am Anfang</translation>
     </message>
     <message>
         <source>Relative humidity of the air in which the sample was conditioned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Relative Feuchte der Luft, in der die Probe klimatisiert wurde.</translation>
     </message>
     <message>
         <source>Sweat rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweißrate</translation>
     </message>
     <message>
         <source>sweat rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweißrate</translation>
     </message>
     <message>
         <source>Bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>Unten</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben</translation>
     </message>
     <message>
         <source>Face</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>sweating face</source>
-        <translation type="unfinished"></translation>
+        <translation>schwitzende Seite</translation>
     </message>
     <message>
         <source>Liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit</translation>
     </message>
     <message>
         <source>Kissa (measured)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kissa (gemessen)</translation>
     </message>
     <message>
         <source>Li and Zhu</source>
-        <translation type="unfinished"></translation>
+        <translation>Li und Zhu</translation>
     </message>
     <message>
         <source>Mao et al. (as printed)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mao u. a. (wie gedruckt)</translation>
     </message>
     <message>
         <source>Pores in and between yarns</source>
-        <translation type="unfinished"></translation>
+        <translation>Poren in und zwischen Garnen</translation>
     </message>
     <message>
         <source>How liquid moves in the pores of the yarns. Mao et al.: pores of 0.2 mm, one contact angle for all fibres, uptake in proportion to regain. Pores in and between yarns: liquid follows suction, and a stain stops.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sich Flüssigkeit in den Poren der Garne bewegt. Mao u. a.: Poren von 0.2 mm, ein Randwinkel für alle Fasern, Aufnahme im Verhältnis zur Feuchteaufnahme. Poren in und zwischen Garnen: Flüssigkeit folgt dem Sog, und ein Fleck kommt zur Ruhe.</translation>
     </message>
     <message>
         <source>Wicking model</source>
-        <translation type="unfinished"></translation>
+        <translation>Saugmodell</translation>
     </message>
     <message>
         <source>wicking model</source>
-        <translation type="unfinished"></translation>
+        <translation>Saugmodell</translation>
     </message>
     <message>
         <source>Wet fibres swell</source>
-        <translation type="unfinished"></translation>
+        <translation>Nasse Fasern quellen</translation>
     </message>
     <message>
         <source>swelling</source>
-        <translation type="unfinished"></translation>
+        <translation>Quellung</translation>
     </message>
     <message>
         <source>Strip width</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifenbreite</translation>
     </message>
     <message>
         <source>Strip length</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifenlänge</translation>
     </message>
     <message>
         <source>type of experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Art des Versuchs</translation>
     </message>
     <message>
         <source>add experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch hinzufügen</translation>
     </message>
     <message>
         <source>Rename experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch umbenennen</translation>
     </message>
     <message>
         <source>Name:</source>
-        <translation type="unfinished"></translation>
+        <translation>Name:</translation>
     </message>
     <message>
         <source>rename experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch umbenennen</translation>
     </message>
     <message>
         <source>delete experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch löschen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ExportDialog</name>
     <message>
         <source>&amp;Close the ends with caps</source>
-        <translation type="unfinished"></translation>
+        <translation>Enden mit &amp;Kappen schließen</translation>
     </message>
     <message>
         <source>&amp;Loops and hairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlin&amp;gen und abstehende Fasern</translation>
     </message>
     <message>
         <source>&amp;Open Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ordner öffnen</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished"></translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Export Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz exportieren</translation>
     </message>
     <message>
         <source>Size of the export</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe des Exports</translation>
     </message>
     <message>
         <source>Result of the export</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis des Exports</translation>
     </message>
     <message>
         <source>Progress of the export</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt des Exports</translation>
     </message>
     <message>
         <source>Not enough memory for this piece. Choose a smaller one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht für dieses Stück nicht. Wählen Sie ein kleineres.</translation>
     </message>
     <message>
         <source>%1 samples per crossing are too few for this twist. Use %2 for smooth fibres.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Stützstellen je Kreuzungspunkt sind für diese Drehung zu wenige. Nehmen Sie %2 für glatte Fasern.</translation>
     </message>
     <message>
         <source>%1 ends × %2 picks</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Kettfäden × %2 Schüsse</translation>
     </message>
     <message>
         <source>%1 curves with %2 points</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Kurven mit %2 Punkten</translation>
     </message>
     <message>
         <source>%1 triangles, %2 vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Dreiecke, %2 Ecken</translation>
     </message>
     <message>
         <source>about %1</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa %1</translation>
     </message>
     <message>
         <source>The file may need up to %1; only %2 are free on the disk.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei braucht vielleicht bis zu %1; auf dem Datenträger sind nur %2 frei.</translation>
     </message>
     <message>
         <source>Many programs cannot open files larger than 1 GB.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viele Programme können Dateien über 1 GB nicht öffnen.</translation>
     </message>
     <message>
         <source>Wrote %1, %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 geschrieben, %2.</translation>
     </message>
     <message>
         <source> and </source>
-        <translation type="unfinished"></translation>
+        <translation> und </translation>
     </message>
     <message>
         <source>Cancelled. No file was written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen. Es wurde keine Datei geschrieben.</translation>
     </message>
     <message>
         <source>Not enough memory for this export. Choose a smaller piece.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht für diesen Export nicht. Wählen Sie ein kleineres Stück.</translation>
     </message>
     <message>
         <source>Cancelling…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird abgebrochen …</translation>
     </message>
     <message>
         <source>Exported %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist exportiert.</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>%1 already exists. Replace it?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
     </message>
     <message>
         <source>%1 already exist. Replace them?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
     </message>
     <message>
         <source>weft × warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss × Kette</translation>
     </message>
     <message>
         <source>Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>Format</translation>
     </message>
     <message>
         <source>For&amp;mat</source>
-        <translation type="unfinished"></translation>
+        <translation>For&amp;mat</translation>
     </message>
     <message>
         <source>Yarn centrelines</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittellinien der Garne</translation>
     </message>
     <message>
         <source>Yarn surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächen der Garne</translation>
     </message>
     <message>
         <source>Single fibres</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzelne Fasern</translation>
     </message>
     <message>
         <source>Detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Detail</translation>
     </message>
     <message>
         <source>&amp;Detail</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Detail</translation>
     </message>
     <message>
         <source>Repeats of the fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapporte des Gewebes</translation>
     </message>
     <message>
         <source>By size</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Größe</translation>
     </message>
     <message>
         <source>Piece</source>
-        <translation type="unfinished"></translation>
+        <translation>Stück</translation>
     </message>
     <message>
         <source>&amp;Piece</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;tück</translation>
     </message>
     <message>
         <source>Along the weft.</source>
-        <translation type="unfinished"></translation>
+        <translation>In Schussrichtung.</translation>
     </message>
     <message>
         <source>Along the warp.</source>
-        <translation type="unfinished"></translation>
+        <translation>In Kettrichtung.</translation>
     </message>
     <message>
         <source>Repeats along the weft</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapporte in Schussrichtung</translation>
     </message>
     <message>
         <source>Repeats along the warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapporte in Kettrichtung</translation>
     </message>
     <message>
         <source>Width along the weft</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite in Schussrichtung</translation>
     </message>
     <message>
         <source>Height along the warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe in Kettrichtung</translation>
     </message>
     <message>
         <source>&amp;Repeats</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rapporte</translation>
     </message>
     <message>
         <source>Si&amp;ze</source>
-        <translation type="unfinished"></translation>
+        <translation>Grö&amp;ße</translation>
     </message>
     <message>
         <source>Samples per crossing</source>
-        <translation type="unfinished"></translation>
+        <translation>Stützstellen je Kreuzungspunkt</translation>
     </message>
     <message>
         <source>Rings of a tube, or points of a curve, from one crossing to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ringe eines Schlauchs oder Punkte einer Kurve von einem Kreuzungspunkt zum nächsten.</translation>
     </message>
     <message>
         <source>Sides</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten</translation>
     </message>
     <message>
         <source>Sides of the tube that represents a yarn or a fibre.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten des Schlauchs, der ein Garn oder eine Faser darstellt.</translation>
     </message>
     <message>
         <source>&amp;Samples per crossing</source>
-        <translation type="unfinished"></translation>
+        <translation>Stüt&amp;zstellen je Kreuzungspunkt</translation>
     </message>
     <message>
         <source>Sides of a &amp;tube</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten eines Schlauc&amp;hs</translation>
     </message>
     <message>
         <source>Close the ends with caps</source>
-        <translation type="unfinished"></translation>
+        <translation>Enden mit Kappen schließen</translation>
     </message>
     <message>
         <source>Seed of the fibres</source>
-        <translation type="unfinished"></translation>
+        <translation>Startzahl der Fasern</translation>
     </message>
     <message>
         <source>Start of the random numbers: equal seeds give equal fibres.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginn der Zufallszahlen: Gleiche Startzahlen geben gleiche Fasern.</translation>
     </message>
     <message>
         <source>Seed of the &amp;fibres</source>
-        <translation type="unfinished"></translation>
+        <translation>Startzahl der &amp;Fasern</translation>
     </message>
     <message>
         <source>&amp;Browse…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Durchsuchen…</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>F&amp;ile</source>
-        <translation type="unfinished"></translation>
+        <translation>Date&amp;i</translation>
     </message>
     <message>
         <source>Sample of the experiment, %1 × %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Probe des Versuchs, %1 × %2 mm</translation>
     </message>
     <message>
         <source>Sample of the experiment (there is none)</source>
-        <translation type="unfinished"></translation>
+        <translation>Probe des Versuchs (es gibt keine)</translation>
     </message>
     <message>
         <source>Simulated piece with its water at %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Simuliertes Stück mit seinem Wasser bei %1 s</translation>
     </message>
     <message>
         <source>Simulated piece (open a recording, or run)</source>
-        <translation type="unfinished"></translation>
+        <translation>Simuliertes Stück (Aufzeichnung öffnen oder rechnen)</translation>
     </message>
     <message>
         <source>This project has no fabric to export.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Projekt hat kein Gewebe zum Exportieren.</translation>
     </message>
     <message>
         <source>This fabric has an error and cannot be exported. See the Issues panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gewebe hat einen Fehler und lässt sich nicht exportieren. Siehe das Feld Meldungen.</translation>
     </message>
     <message>
         <source>Enter a file name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie einen Dateinamen ein.</translation>
     </message>
     <message>
         <source>This is a folder. Enter a file name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist ein Ordner. Geben Sie einen Dateinamen ein.</translation>
     </message>
     <message>
         <source>The folder %1 does not exist.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ordner %1 gibt es nicht.</translation>
     </message>
     <message>
         <source>The folder %1 cannot be written to.</source>
-        <translation type="unfinished"></translation>
+        <translation>In den Ordner %1 lässt sich nicht schreiben.</translation>
     </message>
     <message>
         <source>%1 (*%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (*%2)</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::FabricPanel</name>
     <message>
         <source>Construction</source>
-        <translation type="unfinished"></translation>
+        <translation>Konstruktion</translation>
     </message>
     <message>
         <source>Ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfäden</translation>
     </message>
     <message>
         <source>ends per cm</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfäden je cm</translation>
     </message>
     <message>
         <source>Warp yarns per centimetre. You can type “89 epi”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfäden je Zentimeter. Sie können „89 epi“ eingeben.</translation>
     </message>
     <message>
         <source>Picks</source>
-        <translation type="unfinished"></translation>
+        <translation>Schüsse</translation>
     </message>
     <message>
         <source>picks per cm</source>
-        <translation type="unfinished"></translation>
+        <translation>Schüsse je cm</translation>
     </message>
     <message>
         <source>Weft yarns per centimetre. You can type “89 ppi”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schussfäden je Zentimeter. Sie können „89 ppi“ eingeben.</translation>
     </message>
     <message>
         <source>%1 /in</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 /in</translation>
     </message>
     <message>
         <source>Thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke</translation>
     </message>
     <message>
         <source>thickness</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke</translation>
     </message>
     <message>
         <source>Leave empty to calculate it from the yarns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leer lassen, um sie aus den Garnen zu berechnen.</translation>
     </message>
     <message>
         <source>Auto</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto</translation>
     </message>
     <message>
         <source>Calculate the thickness from the yarns</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dicke aus den Garnen berechnen</translation>
     </message>
     <message>
         <source>Contact angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Randwinkel</translation>
     </message>
     <message>
         <source>contact angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Randwinkel</translation>
     </message>
     <message>
         <source>Advancing contact angle of water on the finished fabric. Leave empty to use that of each yarn&apos;s fibres. Above 90° the yarns do not absorb water.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschreitender Randwinkel von Wasser auf dem ausgerüsteten Gewebe. Leer lassen, um den der Fasern jedes Garns zu nehmen. Über 90° nehmen die Garne kein Wasser auf.</translation>
     </message>
     <message>
         <source>As the fibres</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Fasern</translation>
     </message>
     <message>
         <source>%1, %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2°</translation>
     </message>
     <message>
         <source>Own contact angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigener Randwinkel</translation>
     </message>
     <message>
         <source>Sets the contact angle above to a typical value for the finish. Measure your own fabric if you can.</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt den Randwinkel oben auf einen typischen Wert der Ausrüstung. Messen Sie Ihr eigenes Gewebe, wenn Sie können.</translation>
     </message>
     <message>
         <source>Finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrüstung</translation>
     </message>
     <message>
         <source>finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrüstung</translation>
     </message>
     <message>
         <source>Receding angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückzugswinkel</translation>
     </message>
     <message>
         <source>Contact angle of water that draws back, of warp and weft; 0 on cotton, flax, hemp and viscose, else 20° less than the contact angle, both assumed, unless the material gives one. Acts in the closure “pores” only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Randwinkel von Wasser, das sich zurückzieht, von Kette und Schuss; 0 auf Baumwolle, Flachs, Hanf und Viskose, sonst 20° weniger als der Randwinkel, beides angenommen, wenn der Werkstoff keinen nennt. Wirkt nur im Saugmodell mit Poren.</translation>
     </message>
     <message>
         <source>Contact angle of a finish on this face alone. Leave empty for the yarns&apos; own. Acts in the closure “pores” only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Randwinkel einer Ausrüstung nur auf dieser Seite. Leer lassen für den der Garne selbst. Wirkt nur im Saugmodell mit Poren.</translation>
     </message>
     <message>
         <source>Finish, top face</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrüstung, Oberseite</translation>
     </message>
     <message>
         <source>finish of the top face</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrüstung der Oberseite</translation>
     </message>
     <message>
         <source>Finish, back</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrüstung, Rückseite</translation>
     </message>
     <message>
         <source>finish of the back</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrüstung der Rückseite</translation>
     </message>
     <message>
         <source>%1° × %2°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1° × %2°</translation>
     </message>
     <message>
         <source>How much longer the yarn is than the fabric. Leave empty to share the crimp between warp and weft by their stiffness.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um wie viel länger das Garn ist als das Gewebe. Leer lassen, um die Einwebung nach der Steifigkeit auf Kette und Schuss zu verteilen.</translation>
     </message>
     <message>
         <source>Warp crimp</source>
-        <translation type="unfinished"></translation>
+        <translation>Einwebung der Kette</translation>
     </message>
     <message>
         <source>warp crimp</source>
-        <translation type="unfinished"></translation>
+        <translation>Einwebung der Kette</translation>
     </message>
     <message>
         <source>Weft crimp</source>
-        <translation type="unfinished"></translation>
+        <translation>Einwebung Schuss</translation>
     </message>
     <message>
         <source>weft crimp</source>
-        <translation type="unfinished"></translation>
+        <translation>Einwebung des Schusses</translation>
     </message>
     <message>
         <source>Calculated</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechnet</translation>
     </message>
     <message>
         <source>Weight</source>
-        <translation type="unfinished"></translation>
+        <translation>Flächengewicht</translation>
     </message>
     <message>
         <source>Dry mass per area.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trockenmasse je Fläche.</translation>
     </message>
     <message>
         <source>Cover factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckungsgrad</translation>
     </message>
     <message>
         <source>Share of the area that yarns hide, seen from above; the rest are holes between them. 1: no hole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Fläche, den Garne von oben gesehen verdecken; der Rest sind Löcher zwischen ihnen. 1: kein Loch.</translation>
     </message>
     <message>
         <source>Yarn path</source>
-        <translation type="unfinished"></translation>
+        <translation>Garnverlauf</translation>
     </message>
     <message>
         <source>Round: yarns cross in circular arcs (Peirce). Flattened: the sett is too dense for full arcs, so yarns are flattened where they cross.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rund: Garne kreuzen sich in Kreisbögen (Peirce). Abgeflacht: Die Fadendichte ist für volle Bögen zu groß, daher sind die Garne an den Kreuzungspunkten abgeflacht.</translation>
     </message>
     <message>
         <source>Porosity</source>
-        <translation type="unfinished"></translation>
+        <translation>Porosität</translation>
     </message>
     <message>
         <source>Share of the fabric&apos;s volume that is air, in yarns and between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil des Gewebevolumens, der Luft ist, in Garnen und zwischen ihnen.</translation>
     </message>
     <message>
         <source>Yarn layer</source>
-        <translation type="unfinished"></translation>
+        <translation>Garnschicht</translation>
     </message>
     <message>
         <source>Thickness of the interlaced yarns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dicke der verwebten Garne.</translation>
     </message>
     <message>
         <source>Gaps</source>
-        <translation type="unfinished"></translation>
+        <translation>Lücken</translation>
     </message>
     <message>
         <source>Between neighbouring ends × between neighbouring picks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen benachbarten Kettfäden × zwischen benachbarten Schüssen.</translation>
     </message>
     <message>
         <source>%1 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 g/m²</translation>
     </message>
     <message>
         <source>flattened at crossings</source>
-        <translation type="unfinished"></translation>
+        <translation>an Kreuzungen abgeflacht</translation>
     </message>
     <message>
         <source>round (Peirce)</source>
-        <translation type="unfinished"></translation>
+        <translation>rund (Peirce)</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1 × %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 mm</translation>
     </message>
     <message>
         <source>Flyaways</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstehende Fasern</translation>
     </message>
     <message>
         <source>Loops</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlingen</translation>
     </message>
     <message>
         <source>loop density</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlingendichte</translation>
     </message>
     <message>
         <source>Fibres that leave the yarn and come back to it, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fasern, die das Garn verlassen und zurückkehren, je mm Garn. Im Saugmodell mit Poren halten sie fallende Tropfen von trockenen Garnen fern.</translation>
     </message>
     <message>
         <source>Hairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Faserenden</translation>
     </message>
     <message>
         <source>hair density</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichte abstehender Enden</translation>
     </message>
     <message>
         <source>Fibre ends that stand out of the yarn, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faserenden, die vom Garn abstehen, je mm Garn. Im Saugmodell mit Poren halten sie fallende Tropfen von trockenen Garnen fern.</translation>
     </message>
     <message>
         <source>Loop height</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlingenhöhe</translation>
     </message>
     <message>
         <source>loop height</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlingenhöhe</translation>
     </message>
     <message>
         <source>Height of the highest loop above the yarn; the lowest is half as high. Loops make the cloth thicker, and the still air among them slows drying.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe der höchsten Schlinge über dem Garn; die niedrigste ist halb so hoch. Schlingen machen das Gewebe dicker, und die ruhende Luft in ihnen verlangsamt das Trocknen.</translation>
     </message>
     <message>
         <source>Hair length</source>
-        <translation type="unfinished"></translation>
+        <translation>Faserendenlänge</translation>
     </message>
     <message>
         <source>hair length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge abstehender Enden</translation>
     </message>
     <message>
         <source>Mean length of the fibre ends; the shortest have half of it, the longest one and a half times.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Länge der Faserenden; die kürzesten haben die Hälfte, die längsten das Anderthalbfache.</translation>
     </message>
     <message>
         <source>Measured in the laboratory</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Labor gemessen</translation>
     </message>
     <message>
         <source>Replaces the calculated value. Leave empty to use the calculated one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzt den berechneten Wert. Leer lassen, um den berechneten zu nehmen.</translation>
     </message>
     <message>
         <source>measured porosity</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessene Porosität</translation>
     </message>
     <message>
         <source>measured weight</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessenes Flächengewicht</translation>
     </message>
     <message>
         <source>Pore radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Porenradius</translation>
     </message>
     <message>
         <source>measured pore radius</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessener Porenradius</translation>
     </message>
     <message>
         <source>Tortuosity</source>
-        <translation type="unfinished"></translation>
+        <translation>Tortuosität</translation>
     </message>
     <message>
         <source>measured tortuosity</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessene Tortuosität</translation>
     </message>
     <message>
         <source>Crimp</source>
-        <translation type="unfinished"></translation>
+        <translation>Einwebung</translation>
     </message>
     <message>
         <source>measured crimp</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessene Einwebung</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::FactorForm</name>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
         <source>%1, step %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Schritt %2</translation>
     </message>
     <message>
         <source>%1, logarithmic</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, logarithmisch</translation>
     </message>
     <message>
         <source>normal, %1 ± %2</source>
-        <translation type="unfinished"></translation>
+        <translation>normal, %1 ± %2</translation>
     </message>
     <message>
         <source>lognormal, %1 ± %2</source>
-        <translation type="unfinished"></translation>
+        <translation>lognormal, %1 ± %2</translation>
     </message>
     <message>
         <source>%1, most often %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, am häufigsten %2</translation>
     </message>
     <message>
         <source>Range</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich</translation>
     </message>
     <message>
         <source>List of values</source>
-        <translation type="unfinished"></translation>
+        <translation>Werteliste</translation>
     </message>
     <message>
         <source>Range, logarithmic</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich, logarithmisch</translation>
     </message>
     <message>
         <source>Normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Normal</translation>
     </message>
     <message>
         <source>Lognormal</source>
-        <translation type="unfinished"></translation>
+        <translation>Lognormal</translation>
     </message>
     <message>
         <source>Triangular</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreieck</translation>
     </message>
     <message>
         <source>How the factor is spread</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie der Faktor verteilt ist</translation>
     </message>
     <message>
         <source>Spread:</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilung:</translation>
     </message>
     <message>
         <source>Values:</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte:</translation>
     </message>
     <message>
         <source>Numbers or words, separated by commas: 20, 40, 60</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen oder Wörter, durch Kommas getrennt: 20, 40, 60</translation>
     </message>
     <message>
         <source>Mean:</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel:</translation>
     </message>
     <message>
         <source>Standard deviation:</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardabweichung:</translation>
     </message>
     <message>
         <source>From:</source>
-        <translation type="unfinished"></translation>
+        <translation>Von:</translation>
     </message>
     <message>
         <source>Most often:</source>
-        <translation type="unfinished"></translation>
+        <translation>Am häufigsten:</translation>
     </message>
     <message>
         <source>To:</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis:</translation>
     </message>
     <message>
         <source>Step:</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt:</translation>
     </message>
     <message>
         <source>Only values that are whole steps from the lowest; empty: any value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Werte, die ganze Schritte vom kleinsten entfernt sind; leer: jeder Wert.</translation>
     </message>
     <message>
         <source>Levels:</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufen:</translation>
     </message>
     <message>
         <source>On a grid, and one at a time; empty: as many as the points allow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf einem Gitter und bei einzeln; leer: so viele, wie die Punkte erlauben.</translation>
     </message>
     <message>
         <source>Base:</source>
-        <translation type="unfinished"></translation>
+        <translation>Grundwert:</translation>
     </message>
     <message>
         <source>Where other factors change one at a time; empty: the project&apos;s own value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo andere Faktoren sich einzeln ändern; leer: der Wert des Projekts.</translation>
     </message>
     <message>
         <source>no bound</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Grenze</translation>
     </message>
     <message>
         <source>%1 is missing; type a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 fehlt; geben Sie eine Zahl ein.</translation>
     </message>
     <message>
         <source>%1 must be a number; given is “%2”.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 muss eine Zahl sein; eingegeben ist „%2“.</translation>
     </message>
     <message>
         <source>The list is empty; type values separated by commas.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Liste ist leer; geben Sie durch Kommas getrennte Werte ein.</translation>
     </message>
     <message>
         <source>The mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Mittel</translation>
     </message>
     <message>
         <source>The standard deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Standardabweichung</translation>
     </message>
     <message>
         <source>The lowest value</source>
-        <translation type="unfinished"></translation>
+        <translation>Der kleinste Wert</translation>
     </message>
     <message>
         <source>The most frequent value</source>
-        <translation type="unfinished"></translation>
+        <translation>Der häufigste Wert</translation>
     </message>
     <message>
         <source>The highest value</source>
-        <translation type="unfinished"></translation>
+        <translation>Der größte Wert</translation>
     </message>
     <message>
         <source>The step</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schritt</translation>
     </message>
     <message>
         <source>The number of levels</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl der Stufen</translation>
     </message>
     <message>
         <source>The number of levels must be a whole number from 2 to 10000; given is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahl der Stufen muss eine ganze Zahl von 2 bis 10000 sein; eingegeben ist %1.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::FieldPicker</name>
     <message>
         <source>Add Factors</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktoren hinzufügen</translation>
     </message>
     <message>
         <source>Letters of a name, such as “angle” or “weft twist”</source>
-        <translation type="unfinished"></translation>
+        <translation>Buchstaben eines Namens, etwa „Winkel“ oder „Schuss Drehung“</translation>
     </message>
     <message>
         <source>Find a field</source>
-        <translation type="unfinished"></translation>
+        <translation>Feld suchen</translation>
     </message>
     <message>
         <source>Fields of the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Felder des Projekts</translation>
     </message>
     <message>
         <source>Field</source>
-        <translation type="unfinished"></translation>
+        <translation>Feld</translation>
     </message>
     <message>
         <source>Now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Path</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfad</translation>
     </message>
     <message>
         <source>&amp;Add</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hinzufügen</translation>
     </message>
     <message>
         <source>A study changes these. Hold Ctrl to choose several.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Studie ändert diese. Mit gehaltener Strg-Taste wählen Sie mehrere.</translation>
     </message>
     <message>
         <source>not set</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gesetzt</translation>
     </message>
     <message>
         <source>It is a factor already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es ist schon ein Faktor.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::FingerprintView</name>
     <message>
         <source>What the fingerprint shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Fingerabdruck zeigt</translation>
     </message>
     <message>
         <source>Fingerprint of the ticked runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Fingerabdruck der angekreuzten Läufe</translation>
     </message>
     <message>
         <source>Tick two to four fabrics above to see their fingerprints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzen Sie oben zwei bis vier Gewebe an, um ihre Fingerabdrücke zu sehen.</translation>
     </message>
     <message>
         <source>A fingerprint needs three numbers or more; this experiment has %1. See Scatter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Fingerabdruck braucht drei Zahlen oder mehr; dieser Versuch hat %1. Siehe Streudiagramm.</translation>
     </message>
     <message>
         <source>Grades of AATCC 195 of each cloth as given: 1 poor (inside) to 5 excellent (rim).</source>
-        <translation type="unfinished"></translation>
+        <translation>Noten nach AATCC 195 jedes Gewebes wie angegeben: 1 schlecht (innen) bis 5 ausgezeichnet (Rand).</translation>
     </message>
     <message>
         <source>Each number from the worst (middle) to the best (rim) of the %1 candidates in the table. Differences are drawn however small they are: the table says which are real.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Zahl vom schlechtesten (Mitte) bis zum besten (Rand) der %1 Kandidaten der Tabelle. Unterschiede sind gezeichnet, wie klein sie auch sind: Die Tabelle sagt, welche echt sind.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::FitChart</name>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>gemessen</translation>
     </message>
     <message>
         <source>before</source>
-        <translation type="unfinished"></translation>
+        <translation>vorher</translation>
     </message>
     <message>
         <source>fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>angepasst</translation>
     </message>
     <message>
         <source>time, s</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit, s</translation>
     </message>
     <message>
         <source>Measured and simulated curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemessene und simulierte Kurven</translation>
     </message>
     <message>
         <source>%1: %2 %3 at %4 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 %3 bei %4 s</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::FitForm</name>
     <message>
         <source>Gaps between skin and cloth</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände zwischen Haut und Stoff</translation>
     </message>
     <message>
         <source>Zone</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone</translation>
     </message>
     <message>
         <source>Gap</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand</translation>
     </message>
     <message>
         <source>Seams</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähte</translation>
     </message>
     <message>
         <source>Seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht</translation>
     </message>
     <message>
         <source>Passes</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt durch</translation>
     </message>
     <message>
         <source>Gap between skin and cloth</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand zwischen Haut und Stoff</translation>
     </message>
     <message>
         <source>Share of the water that seams pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil des Wassers, den Nähte durchlassen</translation>
     </message>
     <message>
         <source>all others</source>
-        <translation type="unfinished"></translation>
+        <translation>alle anderen</translation>
     </message>
     <message>
         <source>Gap: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand: %1</translation>
     </message>
     <message>
         <source>change gap: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand ändern: %1</translation>
     </message>
     <message>
         <source>Where cloth rests on the shoulder. Empty: as the zone there. 0: they touch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Stoff auf der Schulter aufliegt. Leer: wie die Zone dort. 0: Sie berühren sich.</translation>
     </message>
     <message>
         <source>Of zones that have no gap of their own. Empty: 3 mm. 0: they touch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Zonen, die keinen eigenen Abstand haben. Leer: 3 mm. 0: Sie berühren sich.</translation>
     </message>
     <message>
         <source>Empty: as all others. 0: they touch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leer: wie alle anderen. 0: Sie berühren sich.</translation>
     </message>
     <message>
         <source>Seam: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht: %1</translation>
     </message>
     <message>
         <source>change seam: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Naht ändern: %1</translation>
     </message>
     <message>
         <source>Of seams that have no share of their own. Empty: 100 %, as where cloth overlaps; 0 %: taped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Nähten, die keinen eigenen Anteil haben. Leer: 100 %, wie wo Stoff sich überlappt; 0 %: verklebt.</translation>
     </message>
     <message>
         <source>100 %: as where cloth overlaps; 0 %: taped. Empty: as all others.</source>
-        <translation type="unfinished"></translation>
+        <translation>100 %: wie wo Stoff sich überlappt; 0 %: verklebt. Leer: wie alle anderen.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::FlatView</name>
     <message>
         <source>Flat panels of the garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Flache Schnittteile des Kleidungsstücks</translation>
     </message>
     <message>
         <source>Drag to move, wheel to zoom, click to pin a place. Plus and minus zoom, Home shows all panels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen verschiebt, das Rad vergrößert, Klicken heftet einen Ort an. Plus und Minus vergrößern und verkleinern, Pos1 zeigt alle Schnittteile.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::GarmentPanel</name>
     <message>
         <source>Fabrics to drag onto panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe, die sich auf Schnittteile ziehen lassen</translation>
     </message>
     <message>
         <source>Drag a fabric onto a panel. A double click cuts all panels from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen Sie ein Gewebe auf ein Schnittteil. Ein Doppelklick schneidet alle Schnittteile aus ihm zu.</translation>
     </message>
     <message>
         <source>Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittteile</translation>
     </message>
     <message>
         <source>Fabrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>Wearer</source>
-        <translation type="unfinished"></translation>
+        <translation>Träger</translation>
     </message>
     <message>
         <source>Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück</translation>
     </message>
     <message>
         <source>Add a garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kleidungsstück hinzufügen</translation>
     </message>
     <message>
         <source>Built-in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingebaut: %1</translation>
     </message>
     <message>
         <source>Pattern or Mesh from a File…</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt oder Netz aus einer Datei…</translation>
     </message>
     <message>
         <source>Rename the garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Kleidungsstück umbenennen</translation>
     </message>
     <message>
         <source>Rename the Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück umbenennen</translation>
     </message>
     <message>
         <source>Remove the garment and its experiments</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Kleidungsstück und seine Versuche entfernen</translation>
     </message>
     <message>
         <source>Chest</source>
-        <translation type="unfinished"></translation>
+        <translation>Brust</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Ease</source>
-        <translation type="unfinished"></translation>
+        <translation>Zugabe</translation>
     </message>
     <message>
         <source>Sleeve</source>
-        <translation type="unfinished"></translation>
+        <translation>Ärmel</translation>
     </message>
     <message>
         <source>change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ändern</translation>
     </message>
     <message>
         <source>Skin temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauttemperatur</translation>
     </message>
     <message>
         <source>change skin temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Hauttemperatur ändern</translation>
     </message>
     <message>
         <source>Gap between skin and cloth</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand zwischen Haut und Stoff</translation>
     </message>
     <message>
         <source>change gap</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand ändern</translation>
     </message>
     <message>
         <source>Air between skin and cloth, where the project names no other gap for a zone; 0: they touch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Luft zwischen Haut und Stoff, wo das Projekt für eine Zone keinen anderen Abstand nennt; 0: Sie berühren sich.</translation>
     </message>
     <message>
         <source>Sweat rates of the zones</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweißraten der Zonen</translation>
     </message>
     <message>
         <source>Sweat of each zone of the body: Taylor and Machado-Moreira 2013, table 4, or a CSV with the columns zone and g_m2_h.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweiß jeder Zone des Körpers: Taylor und Machado-Moreira 2013, Tafel 4, oder eine CSV-Datei mit den Spalten zone und g_m2_h.</translation>
     </message>
     <message>
         <source>Skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Haut</translation>
     </message>
     <message>
         <source>Gap to skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand zur Haut</translation>
     </message>
     <message>
         <source>Sweat</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweiß</translation>
     </message>
     <message>
         <source>Sweat Rates</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweißraten</translation>
     </message>
     <message>
         <source>Tables of zones (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen von Zonen (*.csv)</translation>
     </message>
     <message>
         <source>choose sweat rates</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweißraten wählen</translation>
     </message>
     <message>
         <source>Add a Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück hinzufügen</translation>
     </message>
     <message>
         <source>Patterns and meshes (*.json *.obj *.glb *.gltf *.fbx *.ply *.dae);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitte und Netze (*.json *.obj *.glb *.gltf *.fbx *.ply *.dae);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Hip</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte</translation>
     </message>
     <message>
         <source>From a CSV File…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus einer CSV-Datei…</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::GarmentRun</name>
     <message>
         <source>Not enough memory for this run. Choose a lower fidelity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht für diesen Lauf nicht. Wählen Sie eine geringere Genauigkeit.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::GarmentView</name>
     <message>
         <source>%1, %2: %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: %3, %4</translation>
     </message>
     <message>
         <source>%1, stopped at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, gestoppt bei %2</translation>
     </message>
     <message>
         <source>Place under the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort unter dem Zeiger</translation>
     </message>
     <message>
         <source>This project has no garment yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Projekt hat noch kein Kleidungsstück.</translation>
     </message>
     <message>
         <source>Add the built-in tee</source>
-        <translation type="unfinished"></translation>
+        <translation>Das eingebaute T-Shirt hinzufügen</translation>
     </message>
     <message>
         <source>Adds a tee, cut from the project&apos;s first fabric, and an experiment in which it is worn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt ein T-Shirt hinzu, aus dem ersten Gewebe des Projekts geschnitten, und einen Versuch, in dem es getragen wird.</translation>
     </message>
     <message>
         <source>Steps…</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufen…</translation>
     </message>
     <message>
         <source>Set where each of the eight colours ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt, wo jede der acht Farben endet.</translation>
     </message>
     <message>
         <source>cut %1 from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 aus %2 zuschneiden</translation>
     </message>
     <message>
         <source>Reading the garment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Kleidungsstück wird gelesen.</translation>
     </message>
     <message>
         <source>%1 in its fabrics</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in seinen Geweben</translation>
     </message>
     <message>
         <source>. Not an experiment of this project.</source>
-        <translation type="unfinished"></translation>
+        <translation>. Kein Versuch dieses Projekts.</translation>
     </message>
     <message>
         <source>. Out of date: the design has changed. Run again.</source>
-        <translation type="unfinished"></translation>
+        <translation>. Veraltet: Der Entwurf hat sich geändert. Rechnen Sie neu.</translation>
     </message>
     <message>
         <source>Difference B − A</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz B − A</translation>
     </message>
     <message>
         <source>, ended before this time</source>
-        <translation type="unfinished"></translation>
+        <translation>, endete vor dieser Zeit</translation>
     </message>
     <message>
         <source>, at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, bei %1</translation>
     </message>
     <message>
         <source>Share of capacity, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil am Fassungsvermögen, %</translation>
     </message>
     <message>
         <source>Water, g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser, g/m²</translation>
     </message>
     <message>
         <source>Difference B − A, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz B − A, %</translation>
     </message>
     <message>
         <source>Difference B − A, g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz B − A, g/m²</translation>
     </message>
     <message>
         <source>Point at a cell to read its value; click to pin it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen Sie auf eine Zelle, um ihren Wert zu lesen; klicken Sie, um sie anzuheften.</translation>
     </message>
     <message>
         <source>Drag a fabric onto a panel, or choose it in the table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen Sie ein Gewebe auf ein Schnittteil oder wählen Sie es in der Tabelle.</translation>
     </message>
     <message>
         <source>%1: %2, grain %3°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2, Fadenlauf %3°</translation>
     </message>
     <message>
         <source>%1 has no fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat kein Gewebe</translation>
     </message>
     <message>
         <source>%1 g/m², %2 % of capacity</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 g/m², %2 % des Fassungsvermögens</translation>
     </message>
     <message>
         <source>A: %1; B: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>A: %1; B: %2</translation>
     </message>
     <message>
         <source>%1, zone %2: %3; %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Zone %2: %3; %4</translation>
     </message>
     <message>
         <source>What is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gezeichnet ist</translation>
     </message>
     <message>
         <source>3D and flat</source>
-        <translation type="unfinished"></translation>
+        <translation>3D und flach</translation>
     </message>
     <message>
         <source>3D</source>
-        <translation type="unfinished"></translation>
+        <translation>3D</translation>
     </message>
     <message>
         <source>Flat</source>
-        <translation type="unfinished"></translation>
+        <translation>Flach</translation>
     </message>
     <message>
         <source>What the colours show</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Farben zeigen</translation>
     </message>
     <message>
         <source>Fabrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>Share of capacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil am Fassungsvermögen</translation>
     </message>
     <message>
         <source>Which runs are drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Läufe gezeichnet sind</translation>
     </message>
     <message>
         <source>Newest run</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuester Lauf</translation>
     </message>
     <message>
         <source>A | B</source>
-        <translation type="unfinished"></translation>
+        <translation>A | B</translation>
     </message>
     <message>
         <source>A | B | B − A</source>
-        <translation type="unfinished"></translation>
+        <translation>A | B | B − A</translation>
     </message>
     <message>
         <source>End of the scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Ende der Skala</translation>
     </message>
     <message>
         <source>Keep as A</source>
-        <translation type="unfinished"></translation>
+        <translation>Als A behalten</translation>
     </message>
     <message>
         <source>Keeps this run, to compare the next ones with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält diesen Lauf, um die nächsten mit ihm zu vergleichen.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Show the whole garment (Home).</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ganze Kleidungsstück zeigen (Pos1).</translation>
     </message>
     <message>
         <source>The steps have ends of their own; Steps… under the legend edits and resets them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Stufen haben eigene Enden; Stufen… unter der Legende ändert sie und setzt sie zurück.</translation>
     </message>
     <message>
         <source>Where the eight steps of the colours end. Empty: at a round number over the most that the runs hold.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die acht Stufen der Farben enden. Leer: bei einer runden Zahl über dem Höchsten, das die Läufe enthalten.</translation>
     </message>
     <message>
         <source>About the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Über die Aufzeichnung</translation>
     </message>
     <message>
         <source>Open Its Design</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihren Entwurf öffnen</translation>
     </message>
     <message>
         <source>Edit the design from which this run was made, in place of the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Entwurf bearbeiten, aus dem dieser Lauf entstand, statt des Projekts.</translation>
     </message>
     <message>
         <source>A recording of “%1” in “%2”, which this project does not hold. It cannot be edited; the forms edit the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufzeichnung von „%1“ in „%2“, die dieses Projekt nicht hat. Sie lässt sich nicht ändern; die Felder ändern das Projekt.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::GarmentWorkspace</name>
     <message>
         <source>Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück</translation>
     </message>
     <message>
         <source>Gaps and Seams</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände und Nähte</translation>
     </message>
     <message>
         <source>Wear</source>
-        <translation type="unfinished"></translation>
+        <translation>Tragen</translation>
     </message>
     <message>
         <source>Wear Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Tragelauf</translation>
     </message>
     <message>
         <source>Time of Wear</source>
-        <translation type="unfinished"></translation>
+        <translation>Tragezeit</translation>
     </message>
     <message>
         <source>Panels and Zones</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile und Zonen</translation>
     </message>
     <message>
         <source>Garment Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsläufe</translation>
     </message>
     <message>
         <source>Add Built-in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingebaut hinzufügen: %1</translation>
     </message>
     <message>
         <source>Add a %1 and an experiment in which it is worn.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hinzufügen und einen Versuch, in dem es getragen wird.</translation>
     </message>
     <message>
         <source>Add Garment from a &amp;File…</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück aus &amp;Datei hinzufügen…</translation>
     </message>
     <message>
         <source>Add a sewing pattern, or a mesh with flat coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Schnitt oder ein Netz mit flachen Koordinaten hinzufügen.</translation>
     </message>
     <message>
         <source>Remove &amp;Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück en&amp;tfernen</translation>
     </message>
     <message>
         <source>Remove the chosen garment and its experiments.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gewählte Kleidungsstück und seine Versuche entfernen.</translation>
     </message>
     <message>
         <source>&amp;Run the Wear Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>T&amp;rageversuch starten</translation>
     </message>
     <message>
         <source>Run the experiment on this garment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Versuch mit diesem Kleidungsstück rechnen.</translation>
     </message>
     <message>
         <source>&amp;Pause the Wear Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Trageversuch &amp;pausieren</translation>
     </message>
     <message>
         <source>Pause or resume the run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Lauf pausieren oder fortsetzen.</translation>
     </message>
     <message>
         <source>S&amp;top the Wear Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Trageversuch &amp;stoppen</translation>
     </message>
     <message>
         <source>Stop the run. What was computed is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Lauf stoppen. Das bisher Berechnete bleibt.</translation>
     </message>
     <message>
         <source>&amp;Keep This Run as A</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen &amp;Lauf als A behalten</translation>
     </message>
     <message>
         <source>Compare the next runs with this one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die nächsten Läufe mit diesem vergleichen.</translation>
     </message>
     <message>
         <source>&amp;Drop A</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;A verwerfen</translation>
     </message>
     <message>
         <source>Show the newest run alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur den neuesten Lauf zeigen.</translation>
     </message>
     <message>
         <source>S&amp;teps of the Colours…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Farbstufen…</translation>
     </message>
     <message>
         <source>Set where each of the eight colours ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt, wo jede der acht Farben endet.</translation>
     </message>
     <message>
         <source>&amp;Open Recording of a Garment…</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf&amp;zeichnung eines Kleidungsstücks öffnen…</translation>
     </message>
     <message>
         <source>Show a recorded run of a garment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen aufgezeichneten Lauf eines Kleidungsstücks zeigen.</translation>
     </message>
     <message>
         <source>Open the &amp;Design of the Recording of a Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Entwurf der Aufzeichnung eines Kleidungsstücks öffnen</translation>
     </message>
     <message>
         <source>Edit the design from which the run on screen was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Entwurf bearbeiten, aus dem der gezeigte Lauf entstand.</translation>
     </message>
     <message>
         <source>Save R&amp;un As…</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Write the run that is shown to another recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den gezeigten Lauf in eine andere Aufzeichnung schreiben.</translation>
     </message>
     <message>
         <source>Save &amp;A As…</source>
-        <translation type="unfinished"></translation>
+        <translation>A speichern u&amp;nter…</translation>
     </message>
     <message>
         <source>Write the run that is kept as A to another recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den als A behaltenen Lauf in eine andere Aufzeichnung schreiben.</translation>
     </message>
     <message>
         <source>Save &amp;Map…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Karte speichern…</translation>
     </message>
     <message>
         <source>Write pictures and textures of the panels, a table of cells, OBJ and GLB of the time shown to a folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt Bilder und Texturen der Schnittteile, eine Tabelle der Zellen, OBJ und GLB der gezeigten Zeit in einen Ordner.</translation>
     </message>
     <message>
         <source>Save Rep&amp;ort of the Garment…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bericht über das Kleidungsstück speichern…</translation>
     </message>
     <message>
         <source>Save numbers, maps at each quarter of the run and curves, as PDF or web page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichert Zahlen, Karten zu jedem Viertel des Laufs und Kurven als PDF oder Webseite.</translation>
     </message>
     <message>
         <source>&amp;Copy Numbers as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen als &amp;CSV kopieren</translation>
     </message>
     <message>
         <source>Copy the numbers per panel and zone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahlen je Schnittteil und Zone kopieren.</translation>
     </message>
     <message>
         <source>Resume the Wear Ex&amp;periment</source>
-        <translation type="unfinished"></translation>
+        <translation>Trageversuch f&amp;ortsetzen</translation>
     </message>
     <message>
         <source>Open Recording of a Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung eines Kleidungsstücks öffnen</translation>
     </message>
     <message>
         <source>Recordings (*.hygrorec)</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnungen (*.hygrorec)</translation>
     </message>
     <message>
         <source>Another recording is being opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Aufzeichnung wird geöffnet.</translation>
     </message>
     <message>
         <source>A garment is being worn. Stop that run, then open the recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kleidungsstück wird getragen. Stoppen Sie diesen Lauf und öffnen Sie dann die Aufzeichnung.</translation>
     </message>
     <message>
         <source>Design of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf von %1</translation>
     </message>
     <message>
         <source>Making the report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bericht wird erstellt.</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert.</translation>
     </message>
     <message>
         <source>Save Map in a Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte in einem Ordner speichern</translation>
     </message>
     <message>
         <source>%1 at %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bei %2 s</translation>
     </message>
     <message>
         <source>%1: The folder cannot be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Der Ordner lässt sich nicht anlegen.</translation>
     </message>
     <message>
         <source>Saved %1 files to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Dateien in %2 gespeichert.</translation>
     </message>
     <message>
         <source>Save Run of a Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf eines Kleidungsstücks speichern</translation>
     </message>
     <message>
         <source>Save A</source>
-        <translation type="unfinished"></translation>
+        <translation>A speichern</translation>
     </message>
     <message>
         <source>Saved the run to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Lauf ist in %1 gespeichert.</translation>
     </message>
     <message>
         <source>A garment is being worn</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kleidungsstück wird getragen</translation>
     </message>
     <message>
         <source>Stop the run of the garment?</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Lauf des Kleidungsstücks stoppen?</translation>
     </message>
     <message>
         <source>What is recorded up to now is kept with the project&apos;s runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was bis jetzt aufgezeichnet ist, bleibt bei den Läufen des Projekts.</translation>
     </message>
     <message>
         <source>Stop the Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf stoppen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::HelpWindow</name>
     <message>
         <source>Hygroloom User&apos;s Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Handbuch zu Hygroloom (englisch)</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Forward</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor</translation>
     </message>
     <message>
         <source>Contents</source>
-        <translation type="unfinished"></translation>
+        <translation>Inhalt</translation>
     </message>
     <message>
         <source>Find on this page</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dieser Seite suchen</translation>
     </message>
     <message>
         <source>Page of the guide</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite des Handbuchs</translation>
     </message>
     <message>
         <source>Not on this page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht auf dieser Seite.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ImportDialog</name>
     <message>
         <source>Import Draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief importieren</translation>
     </message>
     <message>
         <source>Name of the fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Gewebes</translation>
     </message>
     <message>
         <source>&amp;Name</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Name</translation>
     </message>
     <message>
         <source>What was understood, and what was repaired</source>
-        <translation type="unfinished"></translation>
+        <translation>Was verstanden und was berichtigt wurde</translation>
     </message>
     <message>
         <source>Ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfäden</translation>
     </message>
     <message>
         <source>per cm</source>
-        <translation type="unfinished"></translation>
+        <translation>je cm</translation>
     </message>
     <message>
         <source>Picks</source>
-        <translation type="unfinished"></translation>
+        <translation>Schüsse</translation>
     </message>
     <message>
         <source>Warp diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser der Kette</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished"></translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>Weft diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser des Schusses</translation>
     </message>
     <message>
         <source>Use these values from the file:</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Werte der Datei übernehmen:</translation>
     </message>
     <message>
         <source>The file contains neither sett nor thickness. Set them in the Fabric panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei enthält weder Fadendichte noch Dicke. Setzen Sie sie im Feld Gewebe.</translation>
     </message>
     <message>
         <source>Add Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe hinzufügen</translation>
     </message>
     <message>
         <source>Report of the import</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht über den Import</translation>
     </message>
     <message>
         <source>Understood</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstanden</translation>
     </message>
     <message>
         <source>Repaired</source>
-        <translation type="unfinished"></translation>
+        <translation>Berichtigt</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>The cloth in the colours of its yarns</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gewebe in den Farben seiner Garne</translation>
     </message>
     <message>
         <source>%1 × %2 crossings in one repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 Kreuzungspunkte je Rapport</translation>
     </message>
     <message>
         <source>%1 shafts</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Schäfte</translation>
     </message>
     <message>
         <source>%1 more yarns in stripes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 weitere Garne in Streifen</translation>
     </message>
     <message>
         <source>%1: %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 %3</translation>
     </message>
     <message>
         <source> – doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation> – zweifelhaft</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::IndicesChart</name>
     <message>
         <source>Sensitivity indices</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensitivitätsindizes</translation>
     </message>
     <message>
         <source>%1: alone %2, with others %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: allein %2, mit anderen %3</translation>
     </message>
     <message>
         <source>Not known: too few runs have this metric, or all have the same number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht bekannt: Zu wenige Läufe haben diese Kennzahl, oder alle haben dieselbe.</translation>
     </message>
     <message>
         <source>Compute shows which factors matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechnen zeigt, welche Faktoren wichtig sind.</translation>
     </message>
     <message>
         <source>alone</source>
-        <translation type="unfinished"></translation>
+        <translation>allein</translation>
     </message>
     <message>
         <source>with others</source>
-        <translation type="unfinished"></translation>
+        <translation>mit anderen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::IndicesView</name>
     <message>
         <source>Co&amp;mpute</source>
-        <translation type="unfinished"></translation>
+        <translation>Bere&amp;chnen</translation>
     </message>
     <message>
         <source>What the indices rest on</source>
-        <translation type="unfinished"></translation>
+        <translation>Worauf die Indizes beruhen</translation>
     </message>
     <message>
         <source>Metric of the indices</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennzahl der Indizes</translation>
     </message>
     <message>
         <source>Compute the indices from the study&apos;s results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Indizes aus den Ergebnissen der Studie berechnen.</translation>
     </message>
     <message>
         <source>Metric:</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennzahl:</translation>
     </message>
     <message>
         <source>Co&amp;mpute Anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu bere&amp;chnen</translation>
     </message>
     <message>
         <source>Alone: the share of the variance that a factor makes by itself. With others: with all that it does together with other factors. Whiskers: 95 %. Method: %1, %2 points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Allein: der Anteil an der Varianz, den ein Faktor für sich bewirkt. Mit anderen: mit allem, was er zusammen mit anderen Faktoren bewirkt. Striche: 95 %. Verfahren: %1, %2 Punkte.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::IssuesPanel</name>
     <message>
         <source>warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette</translation>
     </message>
     <message>
         <source>weft</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss</translation>
     </message>
     <message>
         <source>yarn %1 (extra yarn %2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Garn %1 (weiteres Garn %2)</translation>
     </message>
     <message>
         <source>droplet %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropfen %1</translation>
     </message>
     <message>
         <source>initial climate</source>
-        <translation type="unfinished"></translation>
+        <translation>Klima am Anfang</translation>
     </message>
     <message>
         <source>climate, row %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Klima, Zeile %1</translation>
     </message>
     <message>
         <source>Fabric %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe %1</translation>
     </message>
     <message>
         <source>Experiment %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch %1</translation>
     </message>
     <message>
         <source>Liquid %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit %1</translation>
     </message>
     <message>
         <source>Material %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkstoff %1</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1, %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2: %3</translation>
     </message>
     <message>
         <source>No issues.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Meldungen.</translation>
     </message>
     <message>
         <source>Issues of the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldungen zum Projekt</translation>
     </message>
     <message>
         <source>%1 at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bei %2</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::LiquidPanel</name>
     <message>
         <source>Liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit</translation>
     </message>
     <message>
         <source>liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit</translation>
     </message>
     <message>
         <source>About the liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Über die Flüssigkeit</translation>
     </message>
     <message>
         <source>Liquids of the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeiten des Projekts</translation>
     </message>
     <message>
         <source>Liquid of the project</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit des Projekts</translation>
     </message>
     <message>
         <source>Add a liquid like the experiment&apos;s, and use it</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Flüssigkeit wie die des Versuchs hinzufügen und verwenden</translation>
     </message>
     <message>
         <source>Duplicate the liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Flüssigkeit duplizieren</translation>
     </message>
     <message>
         <source>Rename the liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Flüssigkeit umbenennen</translation>
     </message>
     <message>
         <source>Delete the liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Flüssigkeit löschen</translation>
     </message>
     <message>
         <source>Experiments that use the liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche, die die Flüssigkeit verwenden</translation>
     </message>
     <message>
         <source>At 20 °C. Other temperatures scale it as for water.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei 20 °C. Andere Temperaturen ändern sie wie bei Wasser.</translation>
     </message>
     <message>
         <source>Surface tension</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächenspannung</translation>
     </message>
     <message>
         <source>surface tension</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächenspannung</translation>
     </message>
     <message>
         <source>Viscosity</source>
-        <translation type="unfinished"></translation>
+        <translation>Viskosität</translation>
     </message>
     <message>
         <source>viscosity</source>
-        <translation type="unfinished"></translation>
+        <translation>Viskosität</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichte</translation>
     </message>
     <message>
         <source>density</source>
-        <translation type="unfinished"></translation>
+        <translation>Dichte</translation>
     </message>
     <message>
         <source>“%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“</translation>
     </message>
     <message>
         <source>%1 (missing)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (fehlt)</translation>
     </message>
     <message>
         <source>%1, %2, %3 at 20 °C</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2, %3 bei 20 °C</translation>
     </message>
     <message>
         <source>The project has no liquid of this name. Choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt hat keine Flüssigkeit dieses Namens. Wählen Sie eine andere.</translation>
     </message>
     <message>
         <source>None yet. Add one to choose its surface tension, viscosity and density.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine. Fügen Sie eine hinzu, um Oberflächenspannung, Viskosität und Dichte zu wählen.</translation>
     </message>
     <message>
         <source>No experiment uses it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Versuch verwendet sie.</translation>
     </message>
     <message>
         <source>Used by %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwendet von %1.</translation>
     </message>
     <message>
         <source>add liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit hinzufügen</translation>
     </message>
     <message>
         <source>duplicate liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit duplizieren</translation>
     </message>
     <message>
         <source>A liquid needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Flüssigkeit braucht einen Namen.</translation>
     </message>
     <message>
         <source>A liquid “%1” already exists. Choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Flüssigkeit „%1“ gibt es schon. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>rename liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit umbenennen</translation>
     </message>
     <message>
         <source>delete liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit löschen</translation>
     </message>
     <message>
         <source>Name:</source>
-        <translation type="unfinished"></translation>
+        <translation>Name:</translation>
     </message>
     <message>
         <source>Rename liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit umbenennen</translation>
     </message>
     <message>
         <source>Delete liquid</source>
-        <translation type="unfinished"></translation>
+        <translation>Flüssigkeit löschen</translation>
     </message>
     <message>
         <source>“%1” is used by %2. They will use %3 instead.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wird von %2 verwendet. Stattdessen wird dort %3 verwendet.</translation>
     </message>
     <message>
         <source>the library&apos;s liquid of the same name</source>
-        <translation type="unfinished"></translation>
+        <translation>die Flüssigkeit gleichen Namens aus der Bibliothek</translation>
     </message>
     <message>
         <source>water</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::LiveAnswer</name>
     <message>
         <source>Not enough memory for this experiment. Choose a smaller sample.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht für diesen Versuch nicht. Wählen Sie eine kleinere Probe.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::LivePanel</name>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben</translation>
     </message>
     <message>
         <source>Refine when I pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfeinern, wenn ich pausiere</translation>
     </message>
     <message>
         <source>What the map shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Karte zeigt</translation>
     </message>
     <message>
         <source>After a second without an edit the whole experiment runs at draft, then at standard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach einer Sekunde ohne Änderung läuft der ganze Versuch als Entwurf, dann als Standard.</translation>
     </message>
     <message>
         <source>Add an experiment to see its water here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie einen Versuch hinzu, um hier sein Wasser zu sehen.</translation>
     </message>
     <message>
         <source>Add a fabric to see its water here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie ein Gewebe hinzu, um hier sein Wasser zu sehen.</translation>
     </message>
     <message>
         <source>The fabric has an error. Mend it to see its water here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gewebe hat einen Fehler. Beheben Sie ihn, um hier sein Wasser zu sehen.</translation>
     </message>
     <message>
         <source>Off while this machine runs on its battery.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus, solange dieser Rechner mit der Batterie läuft.</translation>
     </message>
     <message>
         <source>The whole follows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ganze folgt.</translation>
     </message>
     <message>
         <source>Draft is being computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf wird gerechnet.</translation>
     </message>
     <message>
         <source>Standard is being computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Standard wird gerechnet.</translation>
     </message>
     <message>
         <source>%1: %2, %3; %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2, %3; %4.</translation>
     </message>
     <message>
         <source>after %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nach %1</translation>
     </message>
     <message>
         <source>after %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>nach %1 von %2</translation>
     </message>
     <message>
         <source>%1 / %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
     <message>
         <source>Water</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser</translation>
     </message>
     <message>
         <source>g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>g/m²</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::MainWindow</name>
     <message>
         <source>Issues</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldungen</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert</translation>
     </message>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Titel</translation>
     </message>
     <message>
         <source>%1[*] – Hygroloom</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] – Hygroloom</translation>
     </message>
     <message>
         <source>This project has no fabric. Add one with Fabric ▸ Add Fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Projekt hat kein Gewebe. Fügen Sie eines mit Gewebe ▸ Gewebe hinzufügen hinzu.</translation>
     </message>
     <message>
         <source>Out of date: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Veraltet: %1</translation>
     </message>
     <message>
         <source>1 error</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Fehler</translation>
     </message>
     <message>
         <source>%1 errors</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Fehler</translation>
     </message>
     <message>
         <source>1 warning</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Warnung</translation>
     </message>
     <message>
         <source>%1 warnings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Warnungen</translation>
     </message>
     <message>
         <source>1 note</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Hinweis</translation>
     </message>
     <message>
         <source>%1 notes</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Hinweise</translation>
     </message>
     <message>
         <source>No issues</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Meldungen</translation>
     </message>
     <message>
         <source>Issues: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Meldungen: %1</translation>
     </message>
     <message>
         <source>Show or hide the issues of the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Meldungen zum Projekt zeigen oder verbergen.</translation>
     </message>
     <message>
         <source>Hygroloom</source>
-        <translation type="unfinished"></translation>
+        <translation>Hygroloom</translation>
     </message>
     <message>
         <source>F&amp;abric</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gewebe</translation>
     </message>
     <message>
         <source>E&amp;xperiment</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Versuch</translation>
     </message>
     <message>
         <source>&amp;Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kleidung</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;New Project</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neues Projekt</translation>
     </message>
     <message>
         <source>Start with a plain-weave fabric and one droplet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem Gewebe in Leinwandbindung und einem Tropfen beginnen.</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Open a project or a recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Projekt oder eine Aufzeichnung öffnen.</translation>
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>&amp;Examples</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beispiele</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt speichern.</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Save the project under another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>&amp;Import Draft…</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief &amp;importieren…</translation>
     </message>
     <message>
         <source>Add a fabric from a WIF draft, a text grid or a picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gewebe aus einem WIF-Webbrief, einem Textraster oder einem Bild hinzufügen.</translation>
     </message>
     <message>
         <source>E&amp;xport Draft (WIF)…</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief e&amp;xportieren (WIF)…</translation>
     </message>
     <message>
         <source>Write the selected fabric&apos;s draft for other weaving programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Webbrief des gewählten Gewebes für andere Webprogramme schreiben.</translation>
     </message>
     <message>
         <source>Export &amp;Mesh…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne&amp;tz exportieren…</translation>
     </message>
     <message>
         <source>Write yarns or fibres for modelling and rendering programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Garne oder Fasern für Modellier- und Darstellungsprogramme schreiben.</translation>
     </message>
     <message>
         <source>Save &amp;Picture…</source>
-        <translation type="unfinished"></translation>
+        <translation>Bi&amp;ld speichern…</translation>
     </message>
     <message>
         <source>Save the fabric or garment as it is seen, or in Compare the maps side by side, as a PNG file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe oder Kleidungsstück, wie es zu sehen ist, im Vergleich die Karten nebeneinander, als PNG-Datei speichern.</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>B&amp;eenden</translation>
     </message>
     <message>
         <source>Close the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster schließen.</translation>
     </message>
     <message>
         <source>&amp;Mao et al.: Hygroscopicity of Woven Textiles</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mao u. a.: Hygroskopizität von Geweben</translation>
     </message>
     <message>
         <source>The experiments of Mao et al., “Yarn-Level Simulation of Hygroscopicity of Woven Textiles”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Versuche von Mao u. a., „Yarn-Level Simulation of Hygroscopicity of Woven Textiles“.</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig:</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederherstellen:</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>Colour &amp;Range</source>
-        <translation type="unfinished"></translation>
+        <translation>Farb&amp;bereich</translation>
     </message>
     <message>
         <source>Full: 0 to 100 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Voll: 0 bis 100 %</translation>
     </message>
     <message>
         <source>Follow the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Lauf folgen</translation>
     </message>
     <message>
         <source>Follow the time shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gezeigten Zeit folgen</translation>
     </message>
     <message>
         <source>&amp;Water Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wasserfarben</translation>
     </message>
     <message>
         <source>Blue</source>
-        <translation type="unfinished"></translation>
+        <translation>Blau</translation>
     </message>
     <message>
         <source>Cividis</source>
-        <translation type="unfinished"></translation>
+        <translation>Cividis</translation>
     </message>
     <message>
         <source>Natural: wet yarns darken (maps stay blue)</source>
-        <translation type="unfinished"></translation>
+        <translation>Natürlich: Nasse Garne werden dunkler (Karten bleiben blau)</translation>
     </message>
     <message>
         <source>&amp;Appearance</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Aussehen</translation>
     </message>
     <message>
         <source>&amp;Panels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Felder</translation>
     </message>
     <message>
         <source>R&amp;eset Layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Anordnung &amp;zurücksetzen</translation>
     </message>
     <message>
         <source>Restore the original arrangement of the panels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ursprüngliche Anordnung der Felder wiederherstellen.</translation>
     </message>
     <message>
         <source>&amp;Design</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Entwerfen</translation>
     </message>
     <message>
         <source>Edit the fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gewebe bearbeiten.</translation>
     </message>
     <message>
         <source>&amp;Simulate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Simulieren</translation>
     </message>
     <message>
         <source>Run an experiment on the fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Versuch mit dem Gewebe rechnen.</translation>
     </message>
     <message>
         <source>Co&amp;mpare</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vergleichen</translation>
     </message>
     <message>
         <source>Compare runs of the same experiment side by side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe desselben Versuchs nebeneinander vergleichen.</translation>
     </message>
     <message>
         <source>Cut a garment from fabrics, and wear it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kleidungsstück aus Geweben zuschneiden und tragen.</translation>
     </message>
     <message>
         <source>S&amp;tudy</source>
-        <translation type="unfinished"></translation>
+        <translation>St&amp;udie</translation>
     </message>
     <message>
         <source>Run many points, and see what matters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viele Punkte rechnen und sehen, worauf es ankommt.</translation>
     </message>
     <message>
         <source>As the &amp;Desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die &amp;Arbeitsfläche</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hell</translation>
     </message>
     <message>
         <source>D&amp;ark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dunkel</translation>
     </message>
     <message>
         <source>High &amp;Contrast</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoher &amp;Kontrast</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;User&apos;s Guide</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Handbuch (englisch)</translation>
     </message>
     <message>
         <source>Explain this workspace or experiment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Arbeitsbereich oder Versuch erklären.</translation>
     </message>
     <message>
         <source>&amp;Find Command…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Befehl suchen…</translation>
     </message>
     <message>
         <source>Find a command by letters of its name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Befehl nach Buchstaben seines Namens finden.</translation>
     </message>
     <message>
         <source>&amp;About Hygroloom</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Über Hygroloom</translation>
     </message>
     <message>
         <source>Version and licence.</source>
-        <translation type="unfinished"></translation>
+        <translation>Version und Lizenz.</translation>
     </message>
     <message>
         <source>About &amp;Qt</source>
-        <translation type="unfinished"></translation>
+        <translation>Über &amp;Qt</translation>
     </message>
     <message>
         <source>The toolkit of this program.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Werkzeugkasten dieses Programms.</translation>
     </message>
     <message>
         <source>Tools</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeuge</translation>
     </message>
     <message>
         <source>Workspace %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeitsbereich %1</translation>
     </message>
     <message>
         <source>About Hygroloom</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Hygroloom</translation>
     </message>
     <message>
         <source>Simulates how woven fabrics take up, spread and dry water.</source>
-        <translation type="unfinished"></translation>
+        <translation>Simuliert, wie Gewebe Wasser aufnehmen, verteilen und trocknen.</translation>
     </message>
     <message>
         <source>This program is free software under the GNU General Public License, version 3 or later, with an additional permission to link with the CUDA runtime. It comes with no warranty, to the extent the law permits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Programm ist freie Software unter der GNU General Public License, Version 3 oder später, mit der zusätzlichen Erlaubnis, es mit der CUDA-Laufzeitbibliothek zu verbinden. Es gibt keine Gewähr, soweit das Gesetz es erlaubt.</translation>
     </message>
     <message>
         <source>Unsaved work found</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Arbeit gefunden</translation>
     </message>
     <message>
         <source>Hygroloom ended before “%1” was saved. Open the recovered copy?</source>
-        <translation type="unfinished"></translation>
+        <translation>Hygroloom endete, bevor „%1“ gespeichert war. Die wiederhergestellte Kopie öffnen?</translation>
     </message>
     <message>
         <source>Last changed on %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geändert am %1.</translation>
     </message>
     <message>
         <source>The file %1 was saved later. The recovered copy opens separately and asks for a name when you save it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei %1 wurde später gespeichert. Die wiederhergestellte Kopie öffnet sich getrennt und fragt beim Speichern nach einem Namen.</translation>
     </message>
     <message>
         <source>1 run belongs to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Lauf gehört dazu.</translation>
     </message>
     <message>
         <source>%1 runs belong to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Läufe gehören dazu.</translation>
     </message>
     <message>
         <source>&amp;Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verwerfen</translation>
     </message>
     <message>
         <source>&amp;Ask Again Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Später &amp;wieder fragen</translation>
     </message>
     <message>
         <source>one drop</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Tropfen</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Projects and recordings (*.hygro *.hygrorec);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekte und Aufzeichnungen (*.hygro *.hygrorec);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save Project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt speichern</translation>
     </message>
     <message>
         <source>Projects (*.hygro)</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekte (*.hygro)</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert.</translation>
     </message>
     <message>
         <source>There is no garment to save a picture of. Add one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Kleidungsstück, von dem ein Bild zu speichern wäre. Fügen Sie eines hinzu.</translation>
     </message>
     <message>
         <source>No runs are compared, so there is no picture to save. Tick the runs in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es werden keine Läufe verglichen, daher gibt es kein Bild zu speichern. Kreuzen Sie die Läufe in der Liste an.</translation>
     </message>
     <message>
         <source>This display cannot draw the fabric, so there is no picture to save.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Anzeige kann das Gewebe nicht zeichnen, daher gibt es kein Bild zu speichern.</translation>
     </message>
     <message>
         <source>study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie</translation>
     </message>
     <message>
         <source>comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich</translation>
     </message>
     <message>
         <source>garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück</translation>
     </message>
     <message>
         <source>Save Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild speichern</translation>
     </message>
     <message>
         <source>Pictures (*.png)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder (*.png)</translation>
     </message>
     <message>
         <source>The picture cannot be written to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild lässt sich nicht in %1 schreiben.</translation>
     </message>
     <message>
         <source>Import Draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief importieren</translation>
     </message>
     <message>
         <source>Drafts, text grids and pictures (*.wif *.txt *.png *.bmp);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbriefe, Textraster und Bilder (*.wif *.txt *.png *.bmp);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>import of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Import von %1</translation>
     </message>
     <message>
         <source>This fabric has an error and its draft cannot be exported. See the Issues panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gewebe hat einen Fehler, und sein Webbrief lässt sich nicht exportieren. Siehe das Feld Meldungen.</translation>
     </message>
     <message>
         <source>Export Draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief exportieren</translation>
     </message>
     <message>
         <source>Drafts (*.wif)</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbriefe (*.wif)</translation>
     </message>
     <message>
         <source>and %1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>und %1 weitere</translation>
     </message>
     <message>
         <source>Runs are not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe sind nicht gespeichert</translation>
     </message>
     <message>
         <source>Save the project, so that its runs are kept beside it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt speichern, damit seine Läufe bei ihm bleiben?</translation>
     </message>
     <message>
         <source>Otherwise these runs are deleted:</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst werden diese Läufe gelöscht:</translation>
     </message>
     <message>
         <source>&amp;Delete the Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf &amp;löschen</translation>
     </message>
     <message>
         <source>&amp;Delete the Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe &amp;löschen</translation>
     </message>
     <message>
         <source>Runs are being copied to the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe werden zum Projekt kopiert.</translation>
     </message>
     <message>
         <source>&amp;Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;bbrechen</translation>
     </message>
     <message>
         <source>Copying runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe werden kopiert</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
         <source>Save the changes to “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderungen an „%1“ speichern?</translation>
     </message>
     <message>
         <source>Otherwise they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst gehen sie verloren.</translation>
     </message>
     <message>
         <source>An export is in progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Export ist im Gang</translation>
     </message>
     <message>
         <source>Stop the export?</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Export stoppen?</translation>
     </message>
     <message>
         <source>No file will be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird keine Datei geschrieben.</translation>
     </message>
     <message>
         <source>Stop the Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Export stoppen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::NameDialog</name>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>Why the name cannot be taken</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum der Name nicht möglich ist</translation>
     </message>
     <message>
         <source>&amp;Name</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Name</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::NewestJob</name>
     <message>
         <source>Work in the background ended early: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeit im Hintergrund endete vorzeitig: %1</translation>
     </message>
     <message>
         <source>the memory did not suffice</source>
-        <translation type="unfinished"></translation>
+        <translation>der Speicher reichte nicht</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::NumberDelegate</name>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechnen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::OrderEditor</name>
     <message>
         <source>Type counts and yarn letters, such as 12A 4B.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie Anzahlen und Garnbuchstaben ein, etwa 12A 4B.</translation>
     </message>
     <message>
         <source>There is no yarn %1; the last one is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Garn %1; das letzte ist %2.</translation>
     </message>
     <message>
         <source>Each stripe needs at least 1 yarn; all together at most %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Streifen braucht mindestens 1 Garn; alle zusammen höchstens %1.</translation>
     </message>
     <message>
         <source>all A</source>
-        <translation type="unfinished"></translation>
+        <translation>alle A</translation>
     </message>
     <message>
         <source>One repeat of the stripes, such as 12A 4B. A is the fabric&apos;s own yarn. Leave empty for no stripes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Rapport der Streifen, etwa 12A 4B. A ist das eigene Garn des Gewebes. Leer lassen für keine Streifen.</translation>
     </message>
     <message>
         <source>Yarns of the fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Garne des Gewebes</translation>
     </message>
     <message>
         <source>Select a yarn, then drag over the bars along the draft. Double-click it to edit its fibre, count and twist.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie ein Garn und ziehen Sie über die Balken am Webbrief. Ein Doppelklick bearbeitet Faser, Feinheit und Drehung.</translation>
     </message>
     <message>
         <source>Add a yarn like the warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Garn wie die Kette hinzufügen</translation>
     </message>
     <message>
         <source>Remove the selected yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gewählte Garn entfernen</translation>
     </message>
     <message>
         <source>Colour of the selected yarn…</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe des gewählten Garns…</translation>
     </message>
     <message>
         <source>Order of the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge der Kettfäden</translation>
     </message>
     <message>
         <source>Order of the picks</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge der Schussfäden</translation>
     </message>
     <message>
         <source>Ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfäden</translation>
     </message>
     <message>
         <source>Picks</source>
-        <translation type="unfinished"></translation>
+        <translation>Schüsse</translation>
     </message>
     <message>
         <source>A  warp | weft</source>
-        <translation type="unfinished"></translation>
+        <translation>A  Kette | Schuss</translation>
     </message>
     <message>
         <source>add yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Garn hinzufügen</translation>
     </message>
     <message>
         <source>remove yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Garn entfernen</translation>
     </message>
     <message>
         <source>yarn colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Garnfarbe</translation>
     </message>
     <message>
         <source>Yarn Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Garnfarbe</translation>
     </message>
     <message>
         <source>order of the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge der Kettfäden</translation>
     </message>
     <message>
         <source>order of the picks</source>
-        <translation type="unfinished"></translation>
+        <translation>Folge der Schussfäden</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::PairsChart</name>
     <message>
         <source>Two columns against each other</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Spalten gegeneinander</translation>
     </message>
     <message>
         <source>Left and Right choose the next row across.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links und Rechts wählen die nächste Zeile waagerecht.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::PairsView</name>
     <message>
         <source>Column across</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte waagerecht</translation>
     </message>
     <message>
         <source>Column upwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte senkrecht</translation>
     </message>
     <message>
         <source>Column that colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte, die färbt</translation>
     </message>
     <message>
         <source>Across:</source>
-        <translation type="unfinished"></translation>
+        <translation>Waagerecht:</translation>
     </message>
     <message>
         <source>Upwards:</source>
-        <translation type="unfinished"></translation>
+        <translation>Senkrecht:</translation>
     </message>
     <message>
         <source>Colour:</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe:</translation>
     </message>
     <message>
         <source>What the pairs show</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Paare zeigen</translation>
     </message>
     <message>
         <source>Each point is a row. Click one to choose it; it can then become a candidate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Punkt ist eine Zeile. Klicken wählt sie; sie kann dann ein Kandidat werden.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::PanelTable</name>
     <message>
         <source>Panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittteil</translation>
     </message>
     <message>
         <source>Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>Grain</source>
-        <translation type="unfinished"></translation>
+        <translation>Fadenlauf</translation>
     </message>
     <message>
         <source>Top face</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberseite</translation>
     </message>
     <message>
         <source>Angle of the warp from the pattern&apos;s upward direction, counter-clockwise seen from outside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel der Kette zur Aufwärtsrichtung des Schnitts, gegen den Uhrzeigersinn von außen gesehen.</translation>
     </message>
     <message>
         <source>Where the fabric&apos;s top face lies.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Oberseite des Gewebes liegt.</translation>
     </message>
     <message>
         <source>left sleeve</source>
-        <translation type="unfinished"></translation>
+        <translation>linker Ärmel</translation>
     </message>
     <message>
         <source>outside</source>
-        <translation type="unfinished"></translation>
+        <translation>außen</translation>
     </message>
     <message>
         <source>Panels of the garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnittteile des Kleidungsstücks</translation>
     </message>
     <message>
         <source>Fabric of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe von %1</translation>
     </message>
     <message>
         <source>cut %1 from %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 aus %2 zuschneiden</translation>
     </message>
     <message>
         <source>Grain of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fadenlauf von %1</translation>
     </message>
     <message>
         <source>turn the grain of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fadenlauf von %1 drehen</translation>
     </message>
     <message>
         <source>inside</source>
-        <translation type="unfinished"></translation>
+        <translation>innen</translation>
     </message>
     <message>
         <source>Top face of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberseite von %1</translation>
     </message>
     <message>
         <source>turn %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wenden</translation>
     </message>
     <message>
         <source>This panel has no fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Schnittteil hat kein Gewebe.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ParallelChart</name>
     <message>
         <source>Parallel coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Parallele Koordinaten</translation>
     </message>
     <message>
         <source>Left and Right choose an axis, Up and Down move its range, with Shift they widen it, Escape keeps all rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links und Rechts wählen eine Achse, Auf und Ab verschieben ihren Bereich, mit Umschalt erweitern sie ihn, Escape behält alle Zeilen.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ParallelView</name>
     <message>
         <source>Column that colours the lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte, die die Linien färbt</translation>
     </message>
     <message>
         <source>Show &amp;All Rows</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alle Zeilen zeigen</translation>
     </message>
     <message>
         <source>Take away the ranges on the axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bereiche auf den Achsen aufheben.</translation>
     </message>
     <message>
         <source>Colour:</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe:</translation>
     </message>
     <message>
         <source>What the parallel coordinates show</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die parallelen Koordinaten zeigen</translation>
     </message>
     <message>
         <source>Each line is a row. Drag along an axis to keep the rows in that range, here and in the table; a click takes the range away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Linie ist eine Zeile. Ziehen Sie an einer Achse, um hier und in der Tabelle die Zeilen in diesem Bereich zu behalten; ein Klick hebt den Bereich auf.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::PartsTable</name>
     <message>
         <source>Numbers per panel and zone</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen je Schnittteil und Zone</translation>
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil</translation>
     </message>
     <message>
         <source>Copy as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Als CSV kopieren</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::PlanDialog</name>
     <message>
         <source>numerical error %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>numerischer Fehler %1 %</translation>
     </message>
     <message>
         <source>%1 on %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mit %2, %3</translation>
     </message>
     <message>
         <source>modelled</source>
-        <translation type="unfinished"></translation>
+        <translation>modelliert</translation>
     </message>
     <message>
         <source>left out</source>
-        <translation type="unfinished"></translation>
+        <translation>ausgelassen</translation>
     </message>
     <message>
         <source>, set by you</source>
-        <translation type="unfinished"></translation>
+        <translation>, von Ihnen gesetzt</translation>
     </message>
     <message>
         <source>, checked during the run</source>
-        <translation type="unfinished"></translation>
+        <translation>, im Lauf geprüft</translation>
     </message>
     <message>
         <source>Region.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebiet.</translation>
     </message>
     <message>
         <source>%1 × %2 crossings, %3 yarn segments.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 Kreuzungspunkte, %3 Garnabschnitte.</translation>
     </message>
     <message>
         <source>Resolution.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflösung.</translation>
     </message>
     <message>
         <source>One frame every %1 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild alle %1 s.</translation>
     </message>
     <message>
         <source>Expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu erwarten.</translation>
     </message>
     <message>
         <source>Live</source>
-        <translation type="unfinished"></translation>
+        <translation>Live</translation>
     </message>
     <message>
         <source>Draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf</translation>
     </message>
     <message>
         <source>Standard</source>
-        <translation type="unfinished"></translation>
+        <translation>Standard</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>under 1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>unter 1 s</translation>
     </message>
     <message>
         <source>about %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa %1 s</translation>
     </message>
     <message>
         <source>about %1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa %1 min</translation>
     </message>
     <message>
         <source>about %1 h</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa %1 h</translation>
     </message>
     <message>
         <source>%1 of %2 simulated in %3 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 in %3 s simuliert</translation>
     </message>
     <message>
         <source>, paused.</source>
-        <translation type="unfinished"></translation>
+        <translation>, pausiert.</translation>
     </message>
     <message>
         <source>, %1 left.</source>
-        <translation type="unfinished"></translation>
+        <translation>, noch %1.</translation>
     </message>
     <message>
         <source>numerical error not known</source>
-        <translation type="unfinished"></translation>
+        <translation>numerischer Fehler nicht bekannt</translation>
     </message>
     <message>
         <source>reference for numerical errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Bezug für numerische Fehler</translation>
     </message>
     <message>
         <source>%1, %2 of memory, %3. %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 Speicher, %3. %4</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>expected numerical error not known</source>
-        <translation type="unfinished"></translation>
+        <translation>erwarteter numerischer Fehler nicht bekannt</translation>
     </message>
     <message>
         <source>the reference for numerical errors</source>
-        <translation type="unfinished"></translation>
+        <translation>der Bezug für numerische Fehler</translation>
     </message>
     <message>
         <source>expected %1</source>
-        <translation type="unfinished"></translation>
+        <translation>erwarteter %1</translation>
     </message>
     <message>
         <source>What the next run models, and why</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der nächste Lauf modelliert, und warum</translation>
     </message>
     <message>
         <source>The next run: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der nächste Lauf: %1</translation>
     </message>
     <message>
         <source>What was modelled, and why</source>
-        <translation type="unfinished"></translation>
+        <translation>Was modelliert wurde, und warum</translation>
     </message>
     <message>
         <source>The run on screen: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der gezeigte Lauf: %1</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::Playback</name>
     <message>
         <source>%1 more frames are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 weitere Bilder sind ausgelassen.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::PointPaper</name>
     <message>
         <source>Weave on point paper</source>
-        <translation type="unfinished"></translation>
+        <translation>Bindung als Patrone</translation>
     </message>
     <message>
         <source>A filled square means the warp end lies over the weft pick. Arrow keys move, with Shift they select, Space uses the tool.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein gefülltes Feld bedeutet: Der Kettfaden liegt über dem Schuss. Pfeiltasten bewegen, mit Umschalt wählen sie aus, die Leertaste benutzt das Werkzeug.</translation>
     </message>
     <message>
         <source>Scroll along the picks</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der Schüsse rollen</translation>
     </message>
     <message>
         <source>Scroll along the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der Kettfäden rollen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::PresetGallery</name>
     <message>
         <source>%1 % %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % %2</translation>
     </message>
     <message>
         <source>, %1 tex</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 tex</translation>
     </message>
     <message>
         <source>, %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 mm</translation>
     </message>
     <message>
         <source>My library</source>
-        <translation type="unfinished"></translation>
+        <translation>Meine Bibliothek</translation>
     </message>
     <message>
         <source>Saved by you.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Ihnen gespeichert.</translation>
     </message>
     <message>
         <source>Add a Fabric from the Library</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe aus der Bibliothek hinzufügen</translation>
     </message>
     <message>
         <source>Group of fabrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe von Geweben</translation>
     </message>
     <message>
         <source>Search the library</source>
-        <translation type="unfinished"></translation>
+        <translation>Bibliothek durchsuchen</translation>
     </message>
     <message>
         <source>Search: name, fibre, weave</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche: Name, Faser, Bindung</translation>
     </message>
     <message>
         <source>Fabrics of the library</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe der Bibliothek</translation>
     </message>
     <message>
         <source>About the selected fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Über das gewählte Gewebe</translation>
     </message>
     <message>
         <source>Add Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe hinzufügen</translation>
     </message>
     <message>
         <source>Remove from My Library</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus meiner Bibliothek entfernen</translation>
     </message>
     <message>
         <source>All groups</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Gruppen</translation>
     </message>
     <message>
         <source>No fabric matches. Use fewer words.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Gewebe passt. Nehmen Sie weniger Wörter.</translation>
     </message>
     <message>
         <source>%1 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 g/m²</translation>
     </message>
     <message>
         <source>%1 × %2 per cm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 je cm</translation>
     </message>
     <message>
         <source>Warp: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette: %1</translation>
     </message>
     <message>
         <source>Weft: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss: %1</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ProjectRuns</name>
     <message>
         <source>cannot be read</source>
-        <translation type="unfinished"></translation>
+        <translation>lässt sich nicht lesen</translation>
     </message>
     <message>
         <source>%1 cannot be read; Garment Runs lists why.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht lesen; Kleidungsläufe nennt den Grund.</translation>
     </message>
     <message>
         <source>%1 cannot be read; Compare lists why.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht lesen; der Vergleich nennt den Grund.</translation>
     </message>
     <message>
         <source>Runs of this project cannot be read.
 
 %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe dieses Projekts lassen sich nicht lesen.
+
+%1</translation>
     </message>
     <message>
         <source>%1 is not deleted: it is no longer the run that was listed. Open the project again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird nicht gelöscht: Es ist nicht mehr der aufgelistete Lauf. Öffnen Sie das Projekt neu.</translation>
     </message>
     <message>
         <source>%1 is not deleted: it is being copied. Wait until that is done.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird nicht gelöscht: Es wird gerade kopiert. Warten Sie, bis das fertig ist.</translation>
     </message>
     <message>
         <source>%1 is not deleted: a run is writing it. Stop that run first.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird nicht gelöscht: Ein Lauf schreibt es gerade. Stoppen Sie zuerst diesen Lauf.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::Quantity</name>
     <message>
         <source>Allowed: %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erlaubt: %1 bis %2.</translation>
     </message>
     <message>
         <source>“%1” does not begin with a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ beginnt nicht mit einer Zahl.</translation>
     </message>
     <message>
         <source>“%1” is not a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine ganze Zahl.</translation>
     </message>
     <message>
         <source>This number has no unit; remove “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Zahl hat keine Einheit; entfernen Sie „%1“.</translation>
     </message>
     <message>
         <source>“%1” is not a unit of this field. Use %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Einheit dieses Felds. Nehmen Sie %2.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::QuantityEdit</name>
     <message>
         <source>%1 is out of range. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 liegt außerhalb des Bereichs. %2</translation>
     </message>
     <message>
         <source>auto</source>
-        <translation type="unfinished"></translation>
+        <translation>auto</translation>
     </message>
     <message>
         <source>auto %1</source>
-        <translation type="unfinished"></translation>
+        <translation>auto %1</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::RatesFile</name>
     <message>
         <source>with skin temperatures</source>
-        <translation type="unfinished"></translation>
+        <translation>mit Hauttemperaturen</translation>
     </message>
     <message>
         <source>without skin temperatures</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Hauttemperaturen</translation>
     </message>
     <message>
         <source>%1 rows from %2 to %3 s, %4. Zones: %5.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zeilen von %2 bis %3 s, %4. Zonen: %5.</translation>
     </message>
     <message>
         <source>Use the Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle verwenden</translation>
     </message>
     <message>
         <source>Take the zones&apos; rates over time from a CSV with the columns time_s, zone, g_m2_h and, if you have them, skin_temperature_c.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Raten der Zonen über die Zeit aus einer CSV-Datei nehmen, mit den Spalten time_s, zone, g_m2_h und, wenn Sie sie haben, skin_temperature_c.</translation>
     </message>
     <message>
         <source>Leave the file, and let the wearer sweat as the table of activity says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei weglassen und den Träger nach der Tabelle der Aktivität schwitzen lassen.</translation>
     </message>
     <message>
         <source>What the file of rates holds</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Datei der Raten enthält</translation>
     </message>
     <message>
         <source>Rates over Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Raten über die Zeit</translation>
     </message>
     <message>
         <source>Tables of rates (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen von Raten (*.csv)</translation>
     </message>
     <message>
         <source>choose rates over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Raten über die Zeit wählen</translation>
     </message>
     <message>
         <source>leave rates over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Raten über die Zeit weglassen</translation>
     </message>
     <message>
         <source>Another CSV File…</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere CSV-Datei…</translation>
     </message>
     <message>
         <source>From a CSV File…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus einer CSV-Datei…</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::RecentFiles</name>
     <message>
         <source>&amp;Clear List</source>
-        <translation type="unfinished"></translation>
+        <translation>Liste &amp;leeren</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::Recovery</name>
     <message>
         <source>%1 cannot be locked. Check that the folder can be written to.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht sperren. Prüfen Sie, ob in den Ordner geschrieben werden kann.</translation>
     </message>
     <message>
         <source>Unsaved work cannot be kept for recovery: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Arbeit lässt sich nicht zur Wiederherstellung aufheben: %1</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ReplicateStore</name>
     <message>
         <source>The numbers of earlier replicates cannot be read: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahlen früherer Wiederholungen lassen sich nicht lesen: %1</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ResultsPanel</name>
     <message>
         <source>took %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>dauerte %1 s</translation>
     </message>
     <message>
         <source>running</source>
-        <translation type="unfinished"></translation>
+        <translation>läuft</translation>
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>gestoppt</translation>
     </message>
     <message>
         <source>1 knob set</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Stellgröße gesetzt</translation>
     </message>
     <message>
         <source>%1 knobs set</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Stellgrößen gesetzt</translation>
     </message>
     <message>
         <source>on the CPU</source>
-        <translation type="unfinished"></translation>
+        <translation>auf der CPU</translation>
     </message>
     <message>
         <source>on a GPU</source>
-        <translation type="unfinished"></translation>
+        <translation>auf einer GPU</translation>
     </message>
     <message>
         <source>Fidelity: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit: %1</translation>
     </message>
     <message>
         <source>%1 set to %2 (%3 has %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 auf %2 gesetzt (%3 hat %4)</translation>
     </message>
     <message>
         <source>%1 switched on by the user</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 vom Benutzer eingeschaltet</translation>
     </message>
     <message>
         <source>%1 switched off by the user</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 vom Benutzer ausgeschaltet</translation>
     </message>
     <message>
         <source>Device: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät: %1</translation>
     </message>
     <message>
         <source>Started: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Begonnen: %1</translation>
     </message>
     <message>
         <source>About the results</source>
-        <translation type="unfinished"></translation>
+        <translation>Über die Ergebnisse</translation>
     </message>
     <message>
         <source>How the results were computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Ergebnisse berechnet wurden</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Copy the Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse kopieren</translation>
     </message>
     <message>
         <source>top (grade)</source>
-        <translation type="unfinished"></translation>
+        <translation>oben (Note)</translation>
     </message>
     <message>
         <source>top</source>
-        <translation type="unfinished"></translation>
+        <translation>oben</translation>
     </message>
     <message>
         <source>bottom (grade)</source>
-        <translation type="unfinished"></translation>
+        <translation>unten (Note)</translation>
     </message>
     <message>
         <source>bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>unten</translation>
     </message>
     <message>
         <source>No results yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Ergebnisse.</translation>
     </message>
     <message>
         <source>Run the experiment to see its results here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Starten Sie den Versuch, um hier seine Ergebnisse zu sehen.</translation>
     </message>
     <message>
         <source>%1. &lt;a href=&apos;plan&apos;&gt;What was modelled…&lt;/a&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. &lt;a href=&apos;plan&apos;&gt;Was modelliert wurde…&lt;/a&gt;</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::RunActions</name>
     <message>
         <source>&amp;Keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Beha&amp;lten</translation>
     </message>
     <message>
         <source>For&amp;get…</source>
-        <translation type="unfinished"></translation>
+        <translation>V&amp;ergessen…</translation>
     </message>
     <message>
         <source>Forget &amp;Older…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ältere vergessen…</translation>
     </message>
     <message>
         <source>Mark the selected run: Forget Older leaves it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Markiert den gewählten Lauf: Ältere vergessen lässt ihn stehen.</translation>
     </message>
     <message>
         <source>Delete the selected run&apos;s recording, after a question. A recording that was opened only leaves the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Löscht nach einer Rückfrage die Aufzeichnung des gewählten Laufs. Eine nur geöffnete Aufzeichnung verlässt bloß die Liste.</translation>
     </message>
     <message>
         <source>Delete the runs of older designs that are not marked with Keep, after a question.</source>
-        <translation type="unfinished"></translation>
+        <translation>Löscht nach einer Rückfrage die Läufe älterer Entwürfe, die nicht mit Behalten markiert sind.</translation>
     </message>
     <message>
         <source>Size of the project&apos;s runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe der Läufe des Projekts</translation>
     </message>
     <message>
         <source>1 run, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Lauf, %1</translation>
     </message>
     <message>
         <source>%1 runs, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Läufe, %2</translation>
     </message>
     <message>
         <source>Forget this run?</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Lauf vergessen?</translation>
     </message>
     <message>
         <source>Forget these %1 runs, %2?</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese %1 Läufe, %2, vergessen?</translation>
     </message>
     <message>
         <source>Forget runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe vergessen</translation>
     </message>
     <message>
         <source>Its recording is deleted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seine Aufzeichnung wird gelöscht.</translation>
     </message>
     <message>
         <source>Their recordings are deleted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Aufzeichnungen werden gelöscht.</translation>
     </message>
     <message>
         <source>&amp;Forget</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vergessen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::RunForm</name>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Starten</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>Resume</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Progress of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt des Laufs</translation>
     </message>
     <message>
         <source>State of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand des Laufs</translation>
     </message>
     <message>
         <source>Paused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pausiert.</translation>
     </message>
     <message>
         <source>Resuming.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird fortgesetzt.</translation>
     </message>
     <message>
         <source>Cells about 12 mm wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen etwa 12 mm breit.</translation>
     </message>
     <message>
         <source>Cells about 6 mm wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen etwa 6 mm breit.</translation>
     </message>
     <message>
         <source>Cells about 3 mm wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen etwa 3 mm breit.</translation>
     </message>
     <message>
         <source>Cells about 1.5 mm wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen etwa 1.5 mm breit.</translation>
     </message>
     <message>
         <source>Fidelity: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit: %1</translation>
     </message>
     <message>
         <source>Expected</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu erwarten</translation>
     </message>
     <message>
         <source>%1 (not usable)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (nicht nutzbar)</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Processor that runs the experiment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozessor, der den Versuch rechnet.</translation>
     </message>
     <message>
         <source>Add a garment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie ein Kleidungsstück hinzu.</translation>
     </message>
     <message>
         <source>Add an experiment on this garment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie einen Versuch mit diesem Kleidungsstück hinzu.</translation>
     </message>
     <message>
         <source>Cutting the garment into cells.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Kleidungsstück wird in Zellen geschnitten.</translation>
     </message>
     <message>
         <source>%1 %2, %3; %4 on two cores.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2, %3; %4 auf zwei Kernen.</translation>
     </message>
     <message>
         <source>Go on with the run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Lauf fortsetzen.</translation>
     </message>
     <message>
         <source>Pause the run; its frames so far can be looked at.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Lauf pausieren; seine bisherigen Bilder lassen sich ansehen.</translation>
     </message>
     <message>
         <source>Run the experiment on this garment (Ctrl+R).</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Versuch mit diesem Kleidungsstück rechnen (Strg+R).</translation>
     </message>
     <message>
         <source>Cannot run: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt sich nicht rechnen: %1</translation>
     </message>
     <message>
         <source>Finished.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig.</translation>
     </message>
     <message>
         <source>Stopped. What was computed up to here is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestoppt. Das bis hierher Berechnete ist gezeigt.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::RunHistory</name>
     <message>
         <source>The recording %1 holds another run now. Open it again to compare that run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung %1 enthält jetzt einen anderen Lauf. Öffnen Sie sie neu, um diesen Lauf zu vergleichen.</translation>
     </message>
     <message>
         <source>%1: %2, %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2, %3, %4</translation>
     </message>
     <message>
         <source>Runs of garments are compared in the workspace Garment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe von Kleidungsstücken werden im Arbeitsbereich Kleidung verglichen.</translation>
     </message>
     <message>
         <source>Only completed runs can be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur vollständige Läufe lassen sich vergleichen.</translation>
     </message>
     <message>
         <source>The frames of this run are being read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bilder dieses Laufs werden gelesen.</translation>
     </message>
     <message>
         <source>This run is of another experiment. Only runs of the same experiment can be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Lauf gehört zu einem anderen Versuch. Nur Läufe desselben Versuchs lassen sich vergleichen.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::RunList</name>
     <message>
         <source>kept</source>
-        <translation type="unfinished"></translation>
+        <translation>behalten</translation>
     </message>
     <message>
         <source>older design</source>
-        <translation type="unfinished"></translation>
+        <translation>älterer Entwurf</translation>
     </message>
     <message>
         <source>other design</source>
-        <translation type="unfinished"></translation>
+        <translation>anderer Entwurf</translation>
     </message>
     <message>
         <source>not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gespeichert</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Runs of garments</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe von Kleidungsstücken</translation>
     </message>
     <message>
         <source>Runs to compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe zum Vergleichen</translation>
     </message>
     <message>
         <source>Garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleidungsstück</translation>
     </message>
     <message>
         <source>Fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch</translation>
     </message>
     <message>
         <source>Fidelity</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit</translation>
     </message>
     <message>
         <source>Took</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Double-click a run, or press Enter, to show it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Doppelklick auf einen Lauf oder die Eingabetaste zeigt ihn.</translation>
     </message>
     <message>
         <source>Tick two to four runs of the same experiment. Double-click one to open it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuzen Sie zwei bis vier Läufe desselben Versuchs an. Ein Doppelklick öffnet einen.</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished"></translation>
+        <translation>gestoppt</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ScatterView</name>
     <message>
         <source>smaller is better</source>
-        <translation type="unfinished"></translation>
+        <translation>kleiner ist besser</translation>
     </message>
     <message>
         <source>larger is better</source>
-        <translation type="unfinished"></translation>
+        <translation>größer ist besser</translation>
     </message>
     <message>
         <source>What the scatter shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was das Streudiagramm zeigt</translation>
     </message>
     <message>
         <source>Two numbers of all candidates</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Zahlen aller Kandidaten</translation>
     </message>
     <message>
         <source>Number across</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl waagerecht</translation>
     </message>
     <message>
         <source>Number upwards</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl senkrecht</translation>
     </message>
     <message>
         <source>Candidate under the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Kandidat unter dem Zeiger</translation>
     </message>
     <message>
         <source>Across:</source>
-        <translation type="unfinished"></translation>
+        <translation>Waagerecht:</translation>
     </message>
     <message>
         <source>Upwards:</source>
-        <translation type="unfinished"></translation>
+        <translation>Senkrecht:</translation>
     </message>
     <message>
         <source>There is nothing to draw yet: run the experiment on the fabrics.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch gibt es nichts zu zeichnen: Rechnen Sie den Versuch mit den Geweben.</translation>
     </message>
     <message>
         <source>Bars: the intervals of the table. Filled and connected: no other candidate is better in both numbers, by their middles (across: %1; upwards: %2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Balken: die Intervalle der Tabelle. Gefüllt und verbunden: Kein anderer Kandidat ist nach den Mitten in beiden Zahlen besser (waagerecht: %1; senkrecht: %2).</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ShapeView</name>
     <message>
         <source>The garment in 3D</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Kleidungsstück in 3D</translation>
     </message>
     <message>
         <source>Drag to turn, middle button or Shift and drag to move, wheel to zoom, click to pin a place. Home shows the whole garment, 1, 3 and 7 look from the front, the side and the back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen dreht, mittlere Taste oder Umschalt und Ziehen verschiebt, das Rad vergrößert, Klicken heftet einen Ort an. Pos1 zeigt das ganze Kleidungsstück, 1, 3 und 7 zeigen es von vorn, von der Seite und von hinten.</translation>
     </message>
     <message>
         <source>The picture needs OpenGL 3.3, which this display does not provide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild braucht OpenGL 3.3, das diese Anzeige nicht bietet.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::SimulateWorkspace</name>
     <message>
         <source>Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch</translation>
     </message>
     <message>
         <source>Simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulation</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Save Re&amp;cording As…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzei&amp;chnung speichern unter…</translation>
     </message>
     <message>
         <source>Save the run that is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den gezeigten Lauf speichern.</translation>
     </message>
     <message>
         <source>Save Repor&amp;t…</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;richt speichern…</translation>
     </message>
     <message>
         <source>Save the results of the run that is shown, with maps at the time shown and charts, as PDF or web page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichert die Ergebnisse des gezeigten Laufs, mit Karten der gezeigten Zeit und Diagrammen, als PDF oder Webseite.</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Starten</translation>
     </message>
     <message>
         <source>Run the experiment on the selected fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Versuch mit dem gewählten Gewebe rechnen.</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pause</translation>
     </message>
     <message>
         <source>Pause or resume the run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Lauf pausieren oder fortsetzen.</translation>
     </message>
     <message>
         <source>S&amp;top</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;topp</translation>
     </message>
     <message>
         <source>Stop the run. Results up to now are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Lauf stoppen. Die bisherigen Ergebnisse bleiben.</translation>
     </message>
     <message>
         <source>&amp;What Will Be Modelled, and Why…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Was modelliert wird, und warum…</translation>
     </message>
     <message>
         <source>Which physics the next run models, and the reasons.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Physik der nächste Lauf modelliert, und die Gründe.</translation>
     </message>
     <message>
         <source>What W&amp;as Modelled, and Why…</source>
-        <translation type="unfinished"></translation>
+        <translation>W&amp;as modelliert wurde, und warum…</translation>
     </message>
     <message>
         <source>Which physics the run on screen modelled, and the reasons.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Physik der gezeigte Lauf modelliert hat, und die Gründe.</translation>
     </message>
     <message>
         <source>&amp;Calibrate…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kalibrieren…</translation>
     </message>
     <message>
         <source>Fit what is not known of the selected fabric to a measurement.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was vom gewählten Gewebe nicht bekannt ist, an eine Messung anpassen.</translation>
     </message>
     <message>
         <source>P&amp;lay or Pause the Recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung a&amp;bspielen oder anhalten</translation>
     </message>
     <message>
         <source>Space</source>
-        <translation type="unfinished"></translation>
+        <translation>Leertaste</translation>
     </message>
     <message>
         <source>Play back the run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Lauf abspielen.</translation>
     </message>
     <message>
         <source>Open the &amp;Design of the Recording</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Entwurf der Aufzeichnung öffnen</translation>
     </message>
     <message>
         <source>Edit the design from which the run on screen was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Entwurf bearbeiten, aus dem der gezeigte Lauf entstand.</translation>
     </message>
     <message>
         <source>&amp;Add Droplet</source>
-        <translation type="unfinished"></translation>
+        <translation>Tropfen &amp;hinzufügen</translation>
     </message>
     <message>
         <source>Add a droplet to the experiment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Versuch einen Tropfen hinzufügen.</translation>
     </message>
     <message>
         <source>Add &amp;Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Versuch hinzufügen</translation>
     </message>
     <message>
         <source>Add a copy of the experiment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie des Versuchs hinzufügen.</translation>
     </message>
     <message>
         <source>&amp;Resume</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fortsetzen</translation>
     </message>
     <message>
         <source>These results are for “%1”. Run the selected fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Ergebnisse gehören zu „%1“. Rechnen Sie das gewählte Gewebe.</translation>
     </message>
     <message>
         <source>These results are for “%1”. Run the selected experiment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Ergebnisse gehören zu „%1“. Rechnen Sie den gewählten Versuch.</translation>
     </message>
     <message>
         <source>Out of date: the design has changed since this run. Run again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veraltet: Der Entwurf hat sich seit diesem Lauf geändert. Rechnen Sie neu.</translation>
     </message>
     <message>
         <source>Design of the recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf der Aufzeichnung</translation>
     </message>
     <message>
         <source>Copying runs to the project: %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe werden zum Projekt kopiert: %1 %</translation>
     </message>
     <message>
         <source>The device failed</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät ist ausgefallen</translation>
     </message>
     <message>
         <source>%1
 
 Run on the CPU instead?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+
+Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>the experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>der Versuch</translation>
     </message>
     <message>
         <source>A run is in progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Lauf ist im Gang</translation>
     </message>
     <message>
         <source>Stop the run of “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Lauf von „%1“ stoppen?</translation>
     </message>
     <message>
         <source>What is recorded up to now is kept with the project&apos;s runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was bis jetzt aufgezeichnet ist, bleibt bei den Läufen des Projekts.</translation>
     </message>
     <message>
         <source>&amp;Stop and Keep What Is Recorded</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Stoppen und Aufgezeichnetes behalten</translation>
     </message>
     <message>
         <source>&amp;Let It Run</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Weiterlaufen lassen</translation>
     </message>
     <message>
         <source>Design of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf von %1</translation>
     </message>
     <message>
         <source>Another recording is still being saved. Save this one when that is done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Aufzeichnung wird noch gespeichert. Speichern Sie diese, wenn jene fertig ist.</translation>
     </message>
     <message>
         <source>Save Recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung speichern</translation>
     </message>
     <message>
         <source>Recordings (*.hygrorec)</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnungen (*.hygrorec)</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert</translation>
     </message>
     <message>
         <source>Saving %1: %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird gespeichert: %2 %</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert.</translation>
     </message>
     <message>
         <source>The recording cannot be written to %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung lässt sich nicht in %1 schreiben: %2</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::SimulationPanel</name>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Starten</translation>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>What will be modelled, and why…</source>
-        <translation type="unfinished"></translation>
+        <translation>Was modelliert wird, und warum…</translation>
     </message>
     <message>
         <source>Which physics the next run models, and the reasons.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Physik der nächste Lauf modelliert, und die Gründe.</translation>
     </message>
     <message>
         <source>Resume</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Progress of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt des Laufs</translation>
     </message>
     <message>
         <source>State of the run</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand des Laufs</translation>
     </message>
     <message>
         <source>Starting.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gestartet.</translation>
     </message>
     <message>
         <source>Fidelity: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit: %1</translation>
     </message>
     <message>
         <source>Expected for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu erwarten für %1</translation>
     </message>
     <message>
         <source>about 4 min, 38 MB, numerical error 14 %</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa 4 min, 38 MB, numerischer Fehler 14 %</translation>
     </message>
     <message>
         <source>%1 (not usable)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (nicht nutzbar)</translation>
     </message>
     <message>
         <source>Device</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>Processor that runs the simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozessor, der die Simulation rechnet.</translation>
     </message>
     <message>
         <source>Add a fabric to run an experiment on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie ein Gewebe hinzu, mit dem der Versuch läuft.</translation>
     </message>
     <message>
         <source>Add an experiment to run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie einen Versuch hinzu.</translation>
     </message>
     <message>
         <source>Expected: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu erwarten: %1</translation>
     </message>
     <message>
         <source>Run the experiment on the selected fabric (Ctrl+R).</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Versuch mit dem gewählten Gewebe rechnen (Strg+R).</translation>
     </message>
     <message>
         <source>Cannot run: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt sich nicht rechnen: %1</translation>
     </message>
     <message>
         <source>%1 particles of free liquid.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Partikel freier Flüssigkeit.</translation>
     </message>
     <message>
         <source>Finished.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig.</translation>
     </message>
     <message>
         <source>Stopped. Results up to here are shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestoppt. Die Ergebnisse bis hierher sind gezeigt.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::SimulationRun</name>
     <message>
         <source>Not enough memory for this run. Choose a smaller sample or a lower fidelity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht für diesen Lauf nicht. Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::StepLegend</name>
     <message>
         <source>Legend of the colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Legende der Farben</translation>
     </message>
     <message>
         <source>%1 and more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und mehr</translation>
     </message>
     <message>
         <source>%1 and less</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und weniger</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
         <source>Difference B − A, g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz B − A, g/m²</translation>
     </message>
     <message>
         <source>−1000.5 and more</source>
-        <translation type="unfinished"></translation>
+        <translation>−1000.5 und mehr</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::StepsDialog</name>
     <message>
         <source>&amp;Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurücksetzen</translation>
     </message>
     <message>
         <source>Steps of the Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbstufen</translation>
     </message>
     <message>
         <source>Why the ends are not in use</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum die Enden nicht gelten</translation>
     </message>
     <message>
         <source>Even steps again, up to the end of the scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder gleiche Stufen, bis zum Ende der Skala.</translation>
     </message>
     <message>
         <source>End of step %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ende der Stufe %1</translation>
     </message>
     <message>
         <source>Step %1 ends at</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufe %1 endet bei</translation>
     </message>
     <message>
         <source>Step 1 must end above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufe 1 muss über 0 enden.</translation>
     </message>
     <message>
         <source>Step %1 ends at %2; it must end above %3, where step %4 ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufe %1 endet bei %2; sie muss über %3 enden, wo Stufe %4 endet.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::StudyChart</name>
     <message>
         <source>Run a study, or open the results of one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechnen Sie eine Studie oder öffnen Sie die Ergebnisse einer Studie.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::StudyPage</name>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Sta&amp;rten</translation>
     </message>
     <message>
         <source>S&amp;top</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;topp</translation>
     </message>
     <message>
         <source>Run the &amp;Failed Again</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Misslungene erneut rechnen</translation>
     </message>
     <message>
         <source>For a C&amp;luster…</source>
-        <translation type="unfinished"></translation>
+        <translation>Für einen C&amp;luster…</translation>
     </message>
     <message>
         <source>&amp;Why They Failed…</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum s&amp;ie misslangen…</translation>
     </message>
     <message>
         <source>&amp;Make Candidate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kandidat daraus ma&amp;chen</translation>
     </message>
     <message>
         <source>What is wrong with the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Was an der Studie nicht stimmt</translation>
     </message>
     <message>
         <source>What the study will cost</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Studie kosten wird</translation>
     </message>
     <message>
         <source>State of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand der Studie</translation>
     </message>
     <message>
         <source>Unsaved study</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Studie</translation>
     </message>
     <message>
         <source>%1 (edited)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (geändert)</translation>
     </message>
     <message>
         <source>and %1 more.</source>
-        <translation type="unfinished"></translation>
+        <translation>und %1 weitere.</translation>
     </message>
     <message>
         <source>The cost is being worked out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Aufwand wird ermittelt.</translation>
     </message>
     <message>
         <source>Open Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie öffnen</translation>
     </message>
     <message>
         <source>Studies (*.json);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Saved %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert.</translation>
     </message>
     <message>
         <source>Save Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie speichern</translation>
     </message>
     <message>
         <source>Studies (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien (*.json)</translation>
     </message>
     <message>
         <source>The study is not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Studie ist nicht gespeichert</translation>
     </message>
     <message>
         <source>Save the changes to the study?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderungen an der Studie speichern?</translation>
     </message>
     <message>
         <source>Otherwise they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonst gehen sie verloren.</translation>
     </message>
     <message>
         <source>A study is in progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Studie ist im Gang</translation>
     </message>
     <message>
         <source>Stop the study?</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Studie stoppen?</translation>
     </message>
     <message>
         <source>%1. Those are kept in its folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Diese bleiben in ihrem Ordner.</translation>
     </message>
     <message>
         <source>Stop the Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie stoppen</translation>
     </message>
     <message>
         <source>Folder for the Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner für die Ergebnisse</translation>
     </message>
     <message>
         <source>Open the Folder of a Study</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner einer Studie öffnen</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu</translation>
     </message>
     <message>
         <source>Begin another study.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Studie beginnen.</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Open a study file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Studiendatei öffnen.</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save the study file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Studiendatei speichern.</translation>
     </message>
     <message>
         <source>Sa&amp;ve As…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Save the study file under another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Studiendatei unter einem anderen Namen speichern.</translation>
     </message>
     <message>
         <source>Name of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Studie</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wählen…</translation>
     </message>
     <message>
         <source>Choose the folder for the results.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ordner für die Ergebnisse wählen.</translation>
     </message>
     <message>
         <source>Folder for the results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner für die Ergebnisse</translation>
     </message>
     <message>
         <source>Results in:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse in:</translation>
     </message>
     <message>
         <source>Run what the folder lacks of the study.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechnet, was dem Ordner von der Studie fehlt.</translation>
     </message>
     <message>
         <source>Stop. The runs that have ended are kept; Run goes on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoppen. Die beendeten Läufe bleiben; Starten macht weiter.</translation>
     </message>
     <message>
         <source>Write the study for a cluster, and see what to type there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Studie für einen Cluster schreiben und sehen, was dort einzugeben ist.</translation>
     </message>
     <message>
         <source>Open &amp;Results…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ergebnisse öffnen…</translation>
     </message>
     <message>
         <source>Open the folder of a study that has run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ordner einer gerechneten Studie öffnen.</translation>
     </message>
     <message>
         <source>Results shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigte Ergebnisse</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <source>Main Effects</source>
-        <translation type="unfinished"></translation>
+        <translation>Haupteffekte</translation>
     </message>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare</translation>
     </message>
     <message>
         <source>Parallel Coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Parallele Koordinaten</translation>
     </message>
     <message>
         <source>Sensitivity</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensitivität</translation>
     </message>
     <message>
         <source>Chosen row</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählte Zeile</translation>
     </message>
     <message>
         <source>Add a fabric with the values of the chosen row to the project.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Projekt ein Gewebe mit den Werten der gewählten Zeile hinzufügen.</translation>
     </message>
     <message>
         <source>Progress of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt der Studie</translation>
     </message>
     <message>
         <source>Rows of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen der Studie</translation>
     </message>
     <message>
         <source>Stopping.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gestoppt.</translation>
     </message>
     <message>
         <source>%1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1.</translation>
     </message>
     <message>
         <source>The study could not run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Studie konnte nicht laufen.</translation>
     </message>
     <message>
         <source>%1 of %2 runs done, %3 failed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Läufen fertig, %3 misslungen</translation>
     </message>
     <message>
         <source>Stopped. %1. Run goes on with those that are missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestoppt. %1. Starten rechnet die fehlenden weiter.</translation>
     </message>
     <message>
         <source>%1: The memory does not suffice for these results.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Der Speicher reicht für diese Ergebnisse nicht.</translation>
     </message>
     <message>
         <source>%1: %2 rows</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 Zeilen</translation>
     </message>
     <message>
         <source>%1: %2 of %3 rows</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 von %3 Zeilen</translation>
     </message>
     <message>
         <source>, %1 failed</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 misslungen</translation>
     </message>
     <message>
         <source>No results are open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es sind keine Ergebnisse geöffnet.</translation>
     </message>
     <message>
         <source>%1 of %2 rows are in the ranges.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Zeilen liegen in den Bereichen.</translation>
     </message>
     <message>
         <source>The indices are being computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Indizes werden berechnet.</translation>
     </message>
     <message>
         <source>Point %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt %1: %2</translation>
     </message>
     <message>
         <source>%1 more failed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 weitere misslangen.</translation>
     </message>
     <message>
         <source>Runs that failed</source>
-        <translation type="unfinished"></translation>
+        <translation>Misslungene Läufe</translation>
     </message>
     <message>
         <source>1 run failed.</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Lauf misslang.</translation>
     </message>
     <message>
         <source>%1 runs failed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Läufe misslangen.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::StudyRuns</name>
     <message>
         <source>Not enough memory for this run. Choose a smaller sample or a lower fidelity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht für diesen Lauf nicht. Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
     </message>
     <message>
         <source>%1 of %2 runs done</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Läufen fertig</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::StudySetup</name>
     <message>
         <source>Fabrics of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe der Studie</translation>
     </message>
     <message>
         <source>Experiments of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche der Studie</translation>
     </message>
     <message>
         <source>Metrics of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennzahlen der Studie</translation>
     </message>
     <message>
         <source>&amp;Add Factors…</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktoren hin&amp;zufügen…</translation>
     </message>
     <message>
         <source>Re&amp;move</source>
-        <translation type="unfinished"></translation>
+        <translation>L&amp;öschen</translation>
     </message>
     <message>
         <source>Fabrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe</translation>
     </message>
     <message>
         <source>Experiments</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche</translation>
     </message>
     <message>
         <source>Metrics</source>
-        <translation type="unfinished"></translation>
+        <translation>Kennzahlen</translation>
     </message>
     <message>
         <source>Factors of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktoren der Studie</translation>
     </message>
     <message>
         <source>Factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktor</translation>
     </message>
     <message>
         <source>Spread</source>
-        <translation type="unfinished"></translation>
+        <translation>Verteilung</translation>
     </message>
     <message>
         <source>Factors</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktoren</translation>
     </message>
     <message>
         <source>Grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Gitter</translation>
     </message>
     <message>
         <source>Latin hypercube</source>
-        <translation type="unfinished"></translation>
+        <translation>Latin Hypercube</translation>
     </message>
     <message>
         <source>Sobol sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobol-Folge</translation>
     </message>
     <message>
         <source>One at a time</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzeln</translation>
     </message>
     <message>
         <source>Live</source>
-        <translation type="unfinished"></translation>
+        <translation>Live</translation>
     </message>
     <message>
         <source>Draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf</translation>
     </message>
     <message>
         <source>Standard</source>
-        <translation type="unfinished"></translation>
+        <translation>Standard</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>Fastest within an error</source>
-        <translation type="unfinished"></translation>
+        <translation>Am schnellsten innerhalb eines Fehlers</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus</translation>
     </message>
     <message>
         <source>Points laid out for it</source>
-        <translation type="unfinished"></translation>
+        <translation>Dafür gelegte Punkte</translation>
     </message>
     <message>
         <source>From a surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus einer Fläche</translation>
     </message>
     <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Design:</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuchsplan:</translation>
     </message>
     <message>
         <source>How the points are spread over the factors.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Punkte über die Faktoren verteilt sind.</translation>
     </message>
     <message>
         <source>Points:</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte:</translation>
     </message>
     <message>
         <source>Of a grid, the most that there may be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei einem Gitter die größte erlaubte Zahl.</translation>
     </message>
     <message>
         <source>Replicates:</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholungen:</translation>
     </message>
     <message>
         <source>Runs of each point with cloths that their description leaves open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Läufe jedes Punkts mit Geweben, die ihre Beschreibung offen lässt.</translation>
     </message>
     <message>
         <source>Fidelity:</source>
-        <translation type="unfinished"></translation>
+        <translation>Genauigkeit:</translation>
     </message>
     <message>
         <source>Error at most:</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler höchstens:</translation>
     </message>
     <message>
         <source>Sensitivity:</source>
-        <translation type="unfinished"></translation>
+        <translation>Sensitivität:</translation>
     </message>
     <message>
         <source>Which factors matter. Points laid out for it need some hundred points a factor; a surface fitted to the points needs fewer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Faktoren wichtig sind. Dafür gelegte Punkte brauchen einige hundert je Faktor; eine an die Punkte angepasste Fläche braucht weniger.</translation>
     </message>
     <message>
         <source>Seed:</source>
-        <translation type="unfinished"></translation>
+        <translation>Startzahl:</translation>
     </message>
     <message>
         <source>The same seed gives the same points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieselbe Startzahl gibt dieselben Punkte.</translation>
     </message>
     <message>
         <source>%1 (not in this project)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (nicht in diesem Projekt)</translation>
     </message>
     <message>
         <source>incomplete</source>
-        <translation type="unfinished"></translation>
+        <translation>unvollständig</translation>
     </message>
     <message>
         <source>Now %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt %1.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Seed: This must be a whole number from 0 to 18446744073709551615; given is “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Startzahl: Dies muss eine ganze Zahl von 0 bis 18446744073709551615 sein; eingegeben ist „%1“.</translation>
     </message>
     <message>
         <source>Fabrics: Tick one at least.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe: Kreuzen Sie mindestens eines an.</translation>
     </message>
     <message>
         <source>Experiments: Tick one at least.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche: Kreuzen Sie mindestens einen an.</translation>
     </message>
     <message>
         <source>The project has an error; the Issues panel says which.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt hat einen Fehler; das Feld Meldungen nennt ihn.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::StudyTableModel</name>
     <message>
         <source>point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt</translation>
     </message>
     <message>
         <source>replicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholung</translation>
     </message>
     <message>
         <source>status</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>time taken (s)</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer (s)</translation>
     </message>
     <message>
         <source>device</source>
-        <translation type="unfinished"></translation>
+        <translation>Gerät</translation>
     </message>
     <message>
         <source>program</source>
-        <translation type="unfinished"></translation>
+        <translation>Programm</translation>
     </message>
     <message>
         <source>why it failed</source>
-        <translation type="unfinished"></translation>
+        <translation>warum misslungen</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>fertig</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>misslungen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::StudyTask</name>
     <message>
         <source>The memory does not suffice for this study. Choose a lower fidelity, or fewer points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht für diese Studie nicht. Wählen Sie eine geringere Genauigkeit oder weniger Punkte.</translation>
     </message>
     <message>
         <source>Preparing the runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Läufe werden vorbereitet.</translation>
     </message>
     <message>
         <source>%1 of %2 runs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Läufen</translation>
     </message>
     <message>
         <source>, %1 failed</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 misslungen</translation>
     </message>
     <message>
         <source>%1, %2 left</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, noch %2</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::TextileCanvas</name>
     <message>
         <source>Picture of the woven fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild des Gewebes</translation>
     </message>
     <message>
         <source>Drag to turn, middle button or Shift and drag to move, wheel to zoom, click to choose a yarn. Arrow keys turn, plus and minus zoom, square brackets go from yarn to yarn. F shows the whole fabric, 1, 3 and 7 look from the front, the right and the top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen dreht, mittlere Taste oder Umschalt und Ziehen verschiebt, das Rad vergrößert, Klicken wählt einen Faden. Pfeiltasten drehen, Plus und Minus vergrößern und verkleinern, eckige Klammern gehen von Faden zu Faden. F zeigt das ganze Gewebe, 1, 3 und 7 zeigen es von vorn, von rechts und von oben.</translation>
     </message>
     <message>
         <source>weft %1 mm, warp %2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss %1 mm, Kette %2 mm</translation>
     </message>
     <message>
         <source>Click the first point on a yarn. Esc ends measuring.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie den ersten Punkt auf einem Faden an. Esc beendet das Messen.</translation>
     </message>
     <message>
         <source>Click the second point. Esc starts again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken Sie den zweiten Punkt an. Esc beginnt von vorn.</translation>
     </message>
     <message>
         <source>End %1 of the repeat, %2 of the piece</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfaden %1 des Rapports, %2 des Stücks</translation>
     </message>
     <message>
         <source>Pick %1 of the repeat, %2 of the piece</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss %1 des Rapports, %2 des Stücks</translation>
     </message>
     <message>
         <source>warp %1, weft %2, height %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette %1, Schuss %2, Höhe %3</translation>
     </message>
     <message>
         <source>warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette</translation>
     </message>
     <message>
         <source>weft</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss</translation>
     </message>
     <message>
         <source>End %1, pick %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfaden %1, Schuss %2: %3</translation>
     </message>
     <message>
         <source>warp over weft</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette über Schuss</translation>
     </message>
     <message>
         <source>weft over warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss über Kette</translation>
     </message>
     <message>
         <source>End %1, pick %2 of the pores filled</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfaden %1, Schuss %2 der Poren gefüllt</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::TimeChartView</name>
     <message>
         <source>Click to show that time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Klicken zeigt diese Zeit.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::Timeline</name>
     <message>
         <source>absorbed at %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>aufgenommen bei %1 s</translation>
     </message>
     <message>
         <source>To the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Anfang</translation>
     </message>
     <message>
         <source>Play or pause (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen oder anhalten (Leertaste)</translation>
     </message>
     <message>
         <source>To the end</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Ende</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Time shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigte Zeit</translation>
     </message>
     <message>
         <source>What has happened</source>
-        <translation type="unfinished"></translation>
+        <translation>Was geschehen ist</translation>
     </message>
     <message>
         <source>%1 / %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ViewBar</name>
     <message>
         <source>View of the fabric</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht des Gewebes</translation>
     </message>
     <message>
         <source>Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Pos1</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein&amp;passen</translation>
     </message>
     <message>
         <source>Show the whole fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ganze Gewebe zeigen.</translation>
     </message>
     <message>
         <source>&amp;Look From</source>
-        <translation type="unfinished"></translation>
+        <translation>B&amp;lick von</translation>
     </message>
     <message>
         <source>F&amp;ront</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vorn</translation>
     </message>
     <message>
         <source>Look along the warp.</source>
-        <translation type="unfinished"></translation>
+        <translation>In Kettrichtung blicken.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hinten</translation>
     </message>
     <message>
         <source>Look against the warp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegen die Kettrichtung blicken.</translation>
     </message>
     <message>
         <source>Ri&amp;ght</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rechts</translation>
     </message>
     <message>
         <source>Look along the weft.</source>
-        <translation type="unfinished"></translation>
+        <translation>In Schussrichtung blicken.</translation>
     </message>
     <message>
         <source>&amp;Left</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Links</translation>
     </message>
     <message>
         <source>Look against the weft.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gegen die Schussrichtung blicken.</translation>
     </message>
     <message>
         <source>&amp;Top</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Oben</translation>
     </message>
     <message>
         <source>Look down on the fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von oben auf das Gewebe blicken.</translation>
     </message>
     <message>
         <source>B&amp;ottom</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Unten</translation>
     </message>
     <message>
         <source>Look up at the fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von unten auf das Gewebe blicken.</translation>
     </message>
     <message>
         <source>&amp;Isometric</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Isometrisch</translation>
     </message>
     <message>
         <source>Isometric view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Isometrische Ansicht.</translation>
     </message>
     <message>
         <source>&amp;Few Repeats</source>
-        <translation type="unfinished"></translation>
+        <translation>Weni&amp;ge Rapporte</translation>
     </message>
     <message>
         <source>Show a few repeats in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einige Rapporte in der Mitte zeigen.</translation>
     </message>
     <message>
         <source>&amp;Zoom to the Selected Yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf den gewählten Fa&amp;den</translation>
     </message>
     <message>
         <source>Show a few crossings of the selected yarn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einige Kreuzungspunkte des gewählten Fadens zeigen.</translation>
     </message>
     <message>
         <source>&amp;Next Yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nächster Faden</translation>
     </message>
     <message>
         <source>Select the next yarn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den nächsten Faden wählen.</translation>
     </message>
     <message>
         <source>&amp;Previous Yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor&amp;heriger Faden</translation>
     </message>
     <message>
         <source>Select the previous yarn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den vorherigen Faden wählen.</translation>
     </message>
     <message>
         <source>P&amp;arallel</source>
-        <translation type="unfinished"></translation>
+        <translation>Pa&amp;rallel</translation>
     </message>
     <message>
         <source>Parallel projection, without perspective.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parallelprojektion, ohne Perspektive.</translation>
     </message>
     <message>
         <source>Pa&amp;rticles</source>
-        <translation type="unfinished"></translation>
+        <translation>Par&amp;tikel</translation>
     </message>
     <message>
         <source>Show the particles of free liquid instead of its surface.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Partikel der freien Flüssigkeit statt ihrer Oberfläche zeigen.</translation>
     </message>
     <message>
         <source>S&amp;watch</source>
-        <translation type="unfinished"></translation>
+        <translation>St&amp;offmuster</translation>
     </message>
     <message>
         <source>5 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>5 mm</translation>
     </message>
     <message>
         <source>2 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>2 cm</translation>
     </message>
     <message>
         <source>5 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>5 cm</translation>
     </message>
     <message>
         <source>10 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>10 cm</translation>
     </message>
     <message>
         <source>&amp;Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Maus</translation>
     </message>
     <message>
         <source>Hygroloom: left turns, middle moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Hygroloom: links dreht, Mitte verschiebt</translation>
     </message>
     <message>
         <source>Blender: middle turns, Shift and middle moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Blender: Mitte dreht, Umschalt und Mitte verschiebt</translation>
     </message>
     <message>
         <source>FreeCAD: middle moves, middle and left turns</source>
-        <translation type="unfinished"></translation>
+        <translation>FreeCAD: Mitte verschiebt, Mitte und links dreht</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht</translation>
     </message>
     <message>
         <source>Viewing direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Blickrichtung</translation>
     </message>
     <message>
         <source>Swatch</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoffmuster</translation>
     </message>
     <message>
         <source>Size of the swatch on screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe des Stoffmusters auf dem Bildschirm</translation>
     </message>
     <message>
         <source>S&amp;ection</source>
-        <translation type="unfinished"></translation>
+        <translation>Schn&amp;itt</translation>
     </message>
     <message>
         <source>&amp;None</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Keiner</translation>
     </message>
     <message>
         <source>Across the &amp;Warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer zur &amp;Kette</translation>
     </message>
     <message>
         <source>Across the We&amp;ft</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer zum &amp;Schuss</translation>
     </message>
     <message>
         <source>&amp;Level</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Waagerecht</translation>
     </message>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt</translation>
     </message>
     <message>
         <source>Cut the fabric open</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gewebe aufschneiden</translation>
     </message>
     <message>
         <source>Position of the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage des Schnitts</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Distance of the cut from the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand des Schnitts von der Mitte</translation>
     </message>
     <message>
         <source>Other Half</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Hälfte</translation>
     </message>
     <message>
         <source>Keep the other half of the fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die andere Hälfte des Gewebes behalten.</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
-        <translation type="unfinished"></translation>
+        <translation>Stre&amp;cke messen</translation>
     </message>
     <message>
         <source>Measure the distance between two points on yarns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Abstand zweier Punkte auf Fäden messen.</translation>
     </message>
     <message>
         <source>yarn centrelines</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittellinien der Garne</translation>
     </message>
     <message>
         <source>yarn surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberflächen der Garne</translation>
     </message>
     <message>
         <source>Measure between</source>
-        <translation type="unfinished"></translation>
+        <translation>Messen zwischen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::Viewport</name>
     <message>
         <source>This display cannot draw the fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Anzeige kann das Gewebe nicht zeichnen.</translation>
     </message>
     <message>
         <source>%1, dry</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, trocken</translation>
     </message>
     <message>
         <source>The recording does not contain its fabric “%1”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufzeichnung enthält ihr Gewebe „%1“ nicht.</translation>
     </message>
     <message>
         <source>Pores filled</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefüllte Poren</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::WaterMap</name>
     <message>
         <source>Most water %1 grams per square metre</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchster Wert %1 Gramm Wasser je Quadratmeter</translation>
     </message>
     <message>
         <source>%1; wetted radius %2 millimetres.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; Benetzungsradius %2 Millimeter.</translation>
     </message>
     <message>
         <source>Largest difference to the baseline %1 grams per square metre; %2 of %3 cells differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Unterschied zum Bezug %1 Gramm je Quadratmeter; %2 von %3 Zellen unterscheiden sich.</translation>
     </message>
     <message>
         <source>%1 g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 g/m²</translation>
     </message>
     <message>
         <source>%1 (%2: %3 to %4)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2: %3 bis %4)</translation>
     </message>
     <message>
         <source>%1 g/m² less than the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 g/m² weniger als der Bezug</translation>
     </message>
     <message>
         <source>%1 g/m² more than the baseline</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 g/m² mehr als der Bezug</translation>
     </message>
     <message>
         <source>, not shown to differ</source>
-        <translation type="unfinished"></translation>
+        <translation>, kein Unterschied gezeigt</translation>
     </message>
     <message>
         <source>dry</source>
-        <translation type="unfinished"></translation>
+        <translation>trocken</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>wetted radius %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Benetzungsradius %1</translation>
     </message>
     <message>
         <source>%1: %2 at %3, %4 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 an %3, %4 mm</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::WaterMapView</name>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben</translation>
     </message>
     <message>
         <source>Bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>Unten</translation>
     </message>
     <message>
         <source>Run the experiment to see how the water spreads on both faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Starten Sie den Versuch, um zu sehen, wie sich das Wasser auf beiden Seiten ausbreitet.</translation>
     </message>
     <message>
         <source>Map resolution, crossings per cell</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflösung der Karten, Kreuzungspunkte je Zelle</translation>
     </message>
     <message>
         <source>Each cell of the maps is the mean over N × N crossings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Zelle der Karten ist das Mittel über N × N Kreuzungspunkte.</translation>
     </message>
     <message>
         <source>Value under the pointer</source>
-        <translation type="unfinished"></translation>
+        <translation>Wert unter dem Zeiger</translation>
     </message>
     <message>
         <source>Map resolution (crossings per cell)</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflösung der Karten (Kreuzungspunkte je Zelle)</translation>
     </message>
     <message>
         <source>Water</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser</translation>
     </message>
     <message>
         <source>g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>g/m²</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::WearChart</name>
     <message>
         <source>Share of capacity at the pin, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil am Fassungsvermögen am angehefteten Ort, %</translation>
     </message>
     <message>
         <source>Water at the pin, g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser am angehefteten Ort, g/m²</translation>
     </message>
     <message>
         <source>Share of the garment&apos;s capacity, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil am Fassungsvermögen des Kleidungsstücks, %</translation>
     </message>
     <message>
         <source>Water in the garment, g/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser im Kleidungsstück, g/m²</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::WearForm</name>
     <message>
         <source>Activity</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktivität</translation>
     </message>
     <message>
         <source>Duration</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>Air</source>
-        <translation type="unfinished"></translation>
+        <translation>Luft</translation>
     </message>
     <message>
         <source>Humidity</source>
-        <translation type="unfinished"></translation>
+        <translation>Feuchte</translation>
     </message>
     <message>
         <source>Air speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Luftgeschwindigkeit</translation>
     </message>
     <message>
         <source>Water at start</source>
-        <translation type="unfinished"></translation>
+        <translation>Wasser am Anfang</translation>
     </message>
     <message>
         <source>Wear experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Trageversuch</translation>
     </message>
     <message>
         <source>Add an experiment on this garment</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Versuch mit diesem Kleidungsstück hinzufügen</translation>
     </message>
     <message>
         <source>Rename the experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Versuch umbenennen</translation>
     </message>
     <message>
         <source>Rename the Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuch umbenennen</translation>
     </message>
     <message>
         <source>Remove the experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Versuch entfernen</translation>
     </message>
     <message>
         <source>change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ändern</translation>
     </message>
     <message>
         <source>From</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab</translation>
     </message>
     <message>
         <source>Sweats</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwitzt</translation>
     </message>
     <message>
         <source>How many times as much as the table of zones says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel Mal so viel, wie die Tabelle der Zonen sagt.</translation>
     </message>
     <message>
         <source>Activity over time</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktivität über die Zeit</translation>
     </message>
     <message>
         <source>Add a change of activity</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Änderung der Aktivität hinzufügen</translation>
     </message>
     <message>
         <source>Remove the selected change of activity</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Änderung der Aktivität entfernen</translation>
     </message>
     <message>
         <source>add activity</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktivität hinzufügen</translation>
     </message>
     <message>
         <source>remove activity</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktivität entfernen</translation>
     </message>
     <message>
         <source>Activity: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktivität: %1</translation>
     </message>
     <message>
         <source>%1 says how the zones sweat over time.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sagt, wie die Zonen über die Zeit schwitzen.</translation>
     </message>
     <message>
         <source>Time %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit %1</translation>
     </message>
     <message>
         <source>change time of activity</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit der Aktivität ändern</translation>
     </message>
     <message>
         <source>Factor %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktor %1</translation>
     </message>
     <message>
         <source>change activity</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktivität ändern</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::WearTimeline</name>
     <message>
         <source>To the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Anfang</translation>
     </message>
     <message>
         <source>Play or pause (Space)</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen oder anhalten (Leertaste)</translation>
     </message>
     <message>
         <source>To the end</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Ende</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Time shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigte Zeit</translation>
     </message>
     <message>
         <source>%1 / %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::WeaveEditor</name>
     <message>
         <source>Ends of the repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfäden des Rapports</translation>
     </message>
     <message>
         <source>Picks of the repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>Schüsse des Rapports</translation>
     </message>
     <message>
         <source>Weave pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Bindungsmuster</translation>
     </message>
     <message>
         <source>Choose a weave, or type one such as “twill 3/1 S” or “satin 8/3”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie eine Bindung oder geben Sie eine ein, etwa „twill 3/1 S“ oder „satin 8/3“.</translation>
     </message>
     <message>
         <source>free weave</source>
-        <translation type="unfinished"></translation>
+        <translation>freie Bindung</translation>
     </message>
     <message>
         <source>Repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapport</translation>
     </message>
     <message>
         <source>Edit the draft</source>
-        <translation type="unfinished"></translation>
+        <translation>Webbrief bearbeiten</translation>
     </message>
     <message>
         <source>Edit threading, tie-up, treadling and the order of the yarns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einzug, Schnürung, Trittfolge und die Folge der Garne bearbeiten.</translation>
     </message>
     <message>
         <source>weave</source>
-        <translation type="unfinished"></translation>
+        <translation>Bindung</translation>
     </message>
     <message>
         <source>weave pattern</source>
-        <translation type="unfinished"></translation>
+        <translation>Bindungsmuster</translation>
     </message>
     <message>
         <source>size of the repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe des Rapports</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel</translation>
     </message>
     <message>
         <source>Line</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie</translation>
     </message>
     <message>
         <source>Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteck</translation>
     </message>
     <message>
         <source>Fill</source>
-        <translation type="unfinished"></translation>
+        <translation>Füllen</translation>
     </message>
     <message>
         <source>Select</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswählen</translation>
     </message>
     <message>
         <source>Zoom In</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößern</translation>
     </message>
     <message>
         <source>Zoom Out</source>
-        <translation type="unfinished"></translation>
+        <translation>Verkleinern</translation>
     </message>
     <message>
         <source>Fit the Repeat</source>
-        <translation type="unfinished"></translation>
+        <translation>Rapport einpassen</translation>
     </message>
     <message>
         <source>Mirror Left and Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Links und rechts spiegeln</translation>
     </message>
     <message>
         <source>mirrored ends</source>
-        <translation type="unfinished"></translation>
+        <translation>gespiegelte Kettfäden</translation>
     </message>
     <message>
         <source>Mirror Top and Bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben und unten spiegeln</translation>
     </message>
     <message>
         <source>mirrored picks</source>
-        <translation type="unfinished"></translation>
+        <translation>gespiegelte Schüsse</translation>
     </message>
     <message>
         <source>Invert</source>
-        <translation type="unfinished"></translation>
+        <translation>Umkehren</translation>
     </message>
     <message>
         <source>inverted weave</source>
-        <translation type="unfinished"></translation>
+        <translation>umgekehrte Bindung</translation>
     </message>
     <message>
         <source>Rotate by 90°</source>
-        <translation type="unfinished"></translation>
+        <translation>Um 90° drehen</translation>
     </message>
     <message>
         <source>rotated weave</source>
-        <translation type="unfinished"></translation>
+        <translation>gedrehte Bindung</translation>
     </message>
     <message>
         <source>shifted weave</source>
-        <translation type="unfinished"></translation>
+        <translation>verschobene Bindung</translation>
     </message>
     <message>
         <source>Shift Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach links schieben</translation>
     </message>
     <message>
         <source>Shift Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach rechts schieben</translation>
     </message>
     <message>
         <source>Shift Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach oben schieben</translation>
     </message>
     <message>
         <source>Shift Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach unten schieben</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausschneiden</translation>
     </message>
     <message>
         <source>cut weave</source>
-        <translation type="unfinished"></translation>
+        <translation>ausgeschnittene Bindung</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfügen</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation type="unfinished"></translation>
+        <translation>Leeren</translation>
     </message>
     <message>
         <source>cleared weave</source>
-        <translation type="unfinished"></translation>
+        <translation>geleerte Bindung</translation>
     </message>
     <message>
         <source>Insert End</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfaden einfügen</translation>
     </message>
     <message>
         <source>inserted end</source>
-        <translation type="unfinished"></translation>
+        <translation>eingefügter Kettfaden</translation>
     </message>
     <message>
         <source>Insert Pick</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss einfügen</translation>
     </message>
     <message>
         <source>inserted pick</source>
-        <translation type="unfinished"></translation>
+        <translation>eingefügter Schuss</translation>
     </message>
     <message>
         <source>Delete End</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfaden löschen</translation>
     </message>
     <message>
         <source>deleted end</source>
-        <translation type="unfinished"></translation>
+        <translation>gelöschter Kettfaden</translation>
     </message>
     <message>
         <source>Delete Pick</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss löschen</translation>
     </message>
     <message>
         <source>deleted pick</source>
-        <translation type="unfinished"></translation>
+        <translation>gelöschter Schuss</translation>
     </message>
     <message>
         <source>The copied part of %1 × %2 crossings does not fit into the repeat of %3 × %4. Enlarge the repeat first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der kopierte Teil von %1 × %2 Kreuzungspunkten passt nicht in den Rapport von %3 × %4. Vergrößern Sie zuerst den Rapport.</translation>
     </message>
     <message>
         <source>pasted weave</source>
-        <translation type="unfinished"></translation>
+        <translation>eingefügte Bindung</translation>
     </message>
     <message>
         <source>The clipboard holds no text; copy rows of 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zwischenablage enthält keinen Text; kopieren Sie Zeilen aus 0 und 1.</translation>
     </message>
     <message>
         <source>The rows on the clipboard differ in length; make them alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zeilen in der Zwischenablage sind verschieden lang; machen Sie sie gleich.</translation>
     </message>
     <message>
         <source>The clipboard holds no weave; copy rows of 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zwischenablage enthält keine Bindung; kopieren Sie Zeilen aus 0 und 1.</translation>
     </message>
     <message>
         <source>What is on the clipboard is larger than 2000 ends or picks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Inhalt der Zwischenablage ist größer als 2000 Kettfäden oder Schüsse.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::WeaveNotes</name>
     <message>
         <source>Notes about the weave</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweise zur Bindung</translation>
     </message>
     <message>
         <source>About the weave</source>
-        <translation type="unfinished"></translation>
+        <translation>Über die Bindung</translation>
     </message>
     <message>
         <source>Warnings about the weave</source>
-        <translation type="unfinished"></translation>
+        <translation>Warnungen zur Bindung</translation>
     </message>
     <message>
         <source>Warp sett against its limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettdichte gegen ihre Grenze</translation>
     </message>
     <message>
         <source>Weft sett against its limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Schussdichte gegen ihre Grenze</translation>
     </message>
     <message>
         <source>Add a fabric to draw its weave.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie ein Gewebe hinzu, um seine Bindung zu zeichnen.</translation>
     </message>
     <message>
         <source>Longest floats: warp %1, weft %2. Warp shows on %3 % of the face.</source>
-        <translation type="unfinished"></translation>
+        <translation>Längste Flottierungen: Kette %1, Schuss %2. Auf der Oberseite liegt zu %3 % Kette.</translation>
     </message>
     <message>
         <source>%1 % of the crossings interlace.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % der Kreuzungspunkte binden ab.</translation>
     </message>
     <message>
         <source>It repeats every %1 × %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wiederholt sich alle %1 × %2.</translation>
     </message>
     <message>
         <source>A float passes over or under several yarns of the other system. 100 % interlacing is plain weave.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Flottierung läuft über oder unter mehreren Fäden des anderen Systems. 100 % Abbindung ist Leinwandbindung.</translation>
     </message>
     <message>
         <source>Ends that never interlace: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettfäden, die nie abbinden: %1.</translation>
     </message>
     <message>
         <source>Picks that never interlace: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schüsse, die nie abbinden: %1.</translation>
     </message>
     <message>
         <source>Warp sett: %1 % of its limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettdichte: %1 % ihrer Grenze</translation>
     </message>
     <message>
         <source>Weft sett: %1 % of its limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Schussdichte: %1 % ihrer Grenze</translation>
     </message>
     <message>
         <source>Ashenhurst&apos;s limit is %1 per cm: yarns side by side, with room to change sides. A firm cloth has about 75 % of it. Peirce&apos;s limit is %2 per cm (%3 %): circular arcs that touch.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ashenhursts Grenze ist %1 je cm: Garne Seite an Seite, mit Platz zum Wechseln der Seite. Ein festes Gewebe hat etwa 75 % davon. Peirces Grenze ist %2 je cm (%3 %): Kreisbögen, die sich berühren.</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::WhyView</name>
     <message>
         <source>Find &amp;Out</source>
-        <translation type="unfinished"></translation>
+        <translation>Hera&amp;usfinden</translation>
     </message>
     <message>
         <source>State of the question</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand der Frage</translation>
     </message>
     <message>
         <source>What the contributions rest on</source>
-        <translation type="unfinished"></translation>
+        <translation>Worauf die Beiträge beruhen</translation>
     </message>
     <message>
         <source>Answer</source>
-        <translation type="unfinished"></translation>
+        <translation>Antwort</translation>
     </message>
     <message>
         <source>Parts that differ and what they make</source>
-        <translation type="unfinished"></translation>
+        <translation>Teile, die sich unterscheiden, und was sie bewirken</translation>
     </message>
     <message>
         <source>&amp;Why is:</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum i&amp;st:</translation>
     </message>
     <message>
         <source>a&amp;gainst:</source>
-        <translation type="unfinished"></translation>
+        <translation>geg&amp;en:</translation>
     </message>
     <message>
         <source>&amp;by:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;nach:</translation>
     </message>
     <message>
         <source>Run fabrics that have some parts of the one and some of the other, and see what each part makes of the difference. The runs go on in the background.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechnet Gewebe, die manche Teile des einen und manche des anderen haben, und zeigt, was jeder Teil zum Unterschied beiträgt. Die Läufe gehen im Hintergrund weiter.</translation>
     </message>
     <message>
         <source>Choose an experiment of the project above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie oben einen Versuch des Projekts.</translation>
     </message>
     <message>
         <source>Run the experiment on two fabrics of the project first (Run All Missing).</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechnen Sie den Versuch zuerst mit zwei Geweben des Projekts (Alle fehlenden rechnen).</translation>
     </message>
     <message>
         <source>Choose two different fabrics.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie zwei verschiedene Gewebe.</translation>
     </message>
     <message>
         <source>Replicates of these fabrics are missing: Run All Missing runs them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholungen dieser Gewebe fehlen: Alle fehlenden rechnen holt sie nach.</translation>
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil</translation>
     </message>
     <message>
         <source>Contribution to the difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Beitrag zum Unterschied</translation>
     </message>
     <message>
         <source>In words</source>
-        <translation type="unfinished"></translation>
+        <translation>In Worten</translation>
     </message>
     <message>
         <source>Looking for what differs…</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschiede werden gesucht …</translation>
     </message>
     <message>
         <source>1 run</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Lauf</translation>
     </message>
     <message>
         <source>%1 runs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Läufe</translation>
     </message>
     <message>
         <source>%1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2</translation>
     </message>
     <message>
         <source>. Failed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>. Misslungen: %1</translation>
     </message>
     <message>
         <source>, %1 left</source>
-        <translation type="unfinished"></translation>
+        <translation>, noch %1</translation>
     </message>
     <message>
         <source>Ca&amp;ncel Runs</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Läufe abbrechen</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::YarnPanel</name>
     <message>
         <source>warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette</translation>
     </message>
     <message>
         <source>weft</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss</translation>
     </message>
     <message>
         <source>stripe yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifengarn</translation>
     </message>
     <message>
         <source>Warp yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Kettgarn</translation>
     </message>
     <message>
         <source>Weft yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Schussgarn</translation>
     </message>
     <message>
         <source>Yarns of the stripes</source>
-        <translation type="unfinished"></translation>
+        <translation>Garne der Streifen</translation>
     </message>
     <message>
         <source>Filaments</source>
-        <translation type="unfinished"></translation>
+        <translation>Filamente</translation>
     </message>
     <message>
         <source>filament count</source>
-        <translation type="unfinished"></translation>
+        <translation>Filamentzahl</translation>
     </message>
     <message>
         <source>Of a yarn of continuous filaments. Their radius, and the pores between them, follow from it and the linear density. Leave empty for staple yarns: the material&apos;s fibre radius counts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines Garns aus endlosen Filamenten. Ihr Radius und die Poren zwischen ihnen folgen aus der Zahl und der Fadenfeinheit. Leer lassen bei Stapelfasergarnen: Dann gilt der Faserradius des Werkstoffs.</translation>
     </message>
     <message>
         <source>Fibres drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeichnete Fasern</translation>
     </message>
     <message>
         <source>fibre count</source>
-        <translation type="unfinished"></translation>
+        <translation>Faserzahl</translation>
     </message>
     <message>
         <source>Per yarn, in pictures and exports. Each represents a bundle of real fibres.</source>
-        <translation type="unfinished"></translation>
+        <translation>Je Garn, in Bildern und Exporten. Jede steht für ein Bündel wirklicher Fasern.</translation>
     </message>
     <message>
         <source>Irregularity</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungleichmäßigkeit</translation>
     </message>
     <message>
         <source>irregularity</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungleichmäßigkeit</translation>
     </message>
     <message>
         <source>Coefficient of variation of the linear density along the yarn (Uster CVm). Acts in the closure “pores” only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Variationskoeffizient der Fadenfeinheit längs des Garns (Uster CVm). Wirkt nur im Saugmodell mit Poren.</translation>
     </message>
     <message>
         <source>Crimp</source>
-        <translation type="unfinished"></translation>
+        <translation>Einwebung</translation>
     </message>
     <message>
         <source>How much longer the yarn is than the fabric.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um wie viel länger das Garn ist als das Gewebe.</translation>
     </message>
     <message>
         <source>Fibre pores</source>
-        <translation type="unfinished"></translation>
+        <translation>Faserporen</translation>
     </message>
     <message>
         <source>Radius of the pores between the fibres; they draw water in by capillarity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Radius der Poren zwischen den Fasern; sie saugen Wasser durch Kapillarität ein.</translation>
     </message>
     <message>
         <source>Diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser</translation>
     </message>
     <message>
         <source>diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchmesser</translation>
     </message>
     <message>
         <source>Of the free, round yarn. Leave empty to calculate it from linear density and packing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des freien, runden Garns. Leer lassen, um ihn aus Fadenfeinheit und Packungsdichte zu berechnen.</translation>
     </message>
     <message>
         <source>Linear density</source>
-        <translation type="unfinished"></translation>
+        <translation>Fadenfeinheit</translation>
     </message>
     <message>
         <source>linear density</source>
-        <translation type="unfinished"></translation>
+        <translation>Fadenfeinheit</translation>
     </message>
     <message>
         <source>Grams per kilometre (tex). You can type Ne, Nm or denier: “30 Ne”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gramm je Kilometer (tex). Sie können Ne, Nm oder Denier eingeben: „30 Ne“.</translation>
     </message>
     <message>
         <source>Packing</source>
-        <translation type="unfinished"></translation>
+        <translation>Packungsdichte</translation>
     </message>
     <message>
         <source>packing factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Packungsdichte</translation>
     </message>
     <message>
         <source>Fibre volume divided by yarn volume: 0.5 to 0.65 for spun yarns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faservolumen geteilt durch Garnvolumen: 0.5 bis 0.65 bei Spinnfasergarnen.</translation>
     </message>
     <message>
         <source>Twist</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>twist</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>Twist direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrichtung</translation>
     </message>
     <message>
         <source>%1 twist direction</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Drehrichtung</translation>
     </message>
     <message>
         <source>Plies</source>
-        <translation type="unfinished"></translation>
+        <translation>Fachung</translation>
     </message>
     <message>
         <source>plies</source>
-        <translation type="unfinished"></translation>
+        <translation>Fachung</translation>
     </message>
     <message>
         <source>Single yarns twisted together. Diameter and linear density are those of the whole yarn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zusammengedrehte Einzelgarne. Durchmesser und Fadenfeinheit sind die des ganzen Garns.</translation>
     </message>
     <message>
         <source>Ply twist</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwirndrehung</translation>
     </message>
     <message>
         <source>ply twist</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwirndrehung</translation>
     </message>
     <message>
         <source>Turns of the plies round each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehungen der Einzelgarne umeinander.</translation>
     </message>
     <message>
         <source>Ply direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwirnrichtung</translation>
     </message>
     <message>
         <source>%1 ply twist direction</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Richtung der Zwirndrehung</translation>
     </message>
     <message>
         <source>S twist</source>
-        <translation type="unfinished"></translation>
+        <translation>S-Drehung</translation>
     </message>
     <message>
         <source>Z twist</source>
-        <translation type="unfinished"></translation>
+        <translation>Z-Drehung</translation>
     </message>
     <message>
         <source>Same as warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Kette</translation>
     </message>
     <message>
         <source>Weft yarn is the same as the warp yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Schussgarn ist gleich dem Kettgarn</translation>
     </message>
     <message>
         <source>weft same as warp</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuss wie Kette</translation>
     </message>
     <message>
         <source>Yarns beside the fabric&apos;s own, which is A. Letters are those of the stripes, such as 12A 4B.</source>
-        <translation type="unfinished"></translation>
+        <translation>Garne neben dem eigenen des Gewebes, A. Die Buchstaben sind die der Streifen, etwa 12A 4B.</translation>
     </message>
     <message>
         <source>Yarn</source>
-        <translation type="unfinished"></translation>
+        <translation>Garn</translation>
     </message>
     <message>
         <source>Yarn of the stripes</source>
-        <translation type="unfinished"></translation>
+        <translation>Garn der Streifen</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen…</translation>
     </message>
     <message>
         <source>Yarn Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Garnfarbe</translation>
     </message>
     <message>
         <source>%1 colour</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Farbe</translation>
     </message>
     <message>
         <source>Undyed</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungefärbt</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe</translation>
     </message>
     <message>
         <source>Fibre</source>
-        <translation type="unfinished"></translation>
+        <translation>Faser</translation>
     </message>
     <message>
         <source>Blended with</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemischt mit</translation>
     </message>
     <message>
         <source>%1 fibre</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Faser</translation>
     </message>
     <message>
         <source>%1 blend</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Mischung</translation>
     </message>
     <message>
         <source>Blend ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Mischungsanteil</translation>
     </message>
     <message>
         <source>%1 blend share</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Anteil der Mischung</translation>
     </message>
     <message>
         <source>Fraction of the first fibre, by dry mass.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der ersten Faser an der Trockenmasse.</translation>
     </message>
     <message>
         <source>undyed</source>
-        <translation type="unfinished"></translation>
+        <translation>ungefärbt</translation>
     </message>
     <message>
         <source>Ne %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne %1</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1 µm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 µm</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
     <name>hygroloom::ZonesForm</name>
     <message>
         <source>Draw a zone on a flat panel: click its corners, and the first one again</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zone auf ein flaches Schnittteil zeichnen: Klicken Sie ihre Ecken und noch einmal die erste an</translation>
     </message>
     <message>
         <source>Rename the selected zone</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Zone umbenennen</translation>
     </message>
     <message>
         <source>Delete the selected zone</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Zone löschen</translation>
     </message>
     <message>
         <source>Own zones</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Zonen</translation>
     </message>
     <message>
         <source>Zone</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone</translation>
     </message>
     <message>
         <source>Sweats</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwitzt</translation>
     </message>
     <message>
         <source>In place of the body&apos;s zone; times the factor of the activity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anstelle der Zone des Körpers; mal dem Faktor der Aktivität.</translation>
     </message>
     <message>
         <source>Rename the Zone</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone umbenennen</translation>
     </message>
     <message>
         <source>rename zone</source>
-        <translation type="unfinished"></translation>
+        <translation>Zone umbenennen</translation>
     </message>
     <message>
         <source>Sweat of own zone %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweiß der eigenen Zone %1</translation>
     </message>
     <message>
         <source>change sweat of a zone</source>
-        <translation type="unfinished"></translation>
+        <translation>Schweiß einer Zone ändern</translation>
     </message>
     <message>
         <source>%1, on %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, auf %2</translation>
     </message>
 </context>
 <context>
     <name>main</name>
     <message>
         <source>Design woven fabrics and simulate how they take up water.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewebe entwerfen und simulieren, wie sie Wasser aufnehmen.</translation>
     </message>
     <message>
         <source>Write a report (.html) as PDF, without a window: --pdf page.html page.pdf.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Bericht (.html) ohne Fenster als PDF schreiben: --pdf seite.html seite.pdf.</translation>
     </message>
     <message>
         <source>A project (.hygro) or a recording (.hygrorec).</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Projekt (.hygro) oder eine Aufzeichnung (.hygrorec).</translation>
     </message>
 </context>
 </TS>
