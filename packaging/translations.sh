@@ -21,7 +21,11 @@ if [ $# -gt 0 ]; then
 fi
 # From the root, so that lupdate finds the headers that say of which class a text is.
 # Functions named tr outside of classes take the context hygroloom, which is no class: lupdate says so each time.
-"$lupdate" -silent -I . app ui -no-obsolete -locations none -no-ui-lines -ts "$to"/*.ts 2>&1 | grep -v "lacks Q_OBJECT macro" >&2 || true
+if ! said=$("$lupdate" -silent -I . app ui -no-obsolete -locations none -no-ui-lines -ts "$to"/*.ts 2>&1); then
+  echo "$said" >&2
+  exit 1
+fi
+echo "$said" | grep -v -e "lacks Q_OBJECT macro" -e '^$' >&2 || true
 unfinished=$(cat "$to"/*.ts | grep -c 'type="unfinished"' || true)
 if [ "$unfinished" -gt 0 ]; then
   echo "$unfinished texts wait for their translation: grep -B2 'type=\"unfinished\"' $to/*.ts"

@@ -980,6 +980,78 @@
         <source>neglected share</source>
         <translation>vernachlässigter Anteil</translation>
     </message>
+    <message>
+        <source>live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>warp fibre</source>
+        <translation>Faser der Kette</translation>
+    </message>
+    <message>
+        <source>weft fibre</source>
+        <translation>Faser des Schusses</translation>
+    </message>
+    <message>
+        <source>warp count</source>
+        <translation>Feinheit der Kette</translation>
+    </message>
+    <message>
+        <source>weft count</source>
+        <translation>Feinheit des Schusses</translation>
+    </message>
+    <message>
+        <source>warp construction</source>
+        <translation>Aufbau der Kette</translation>
+    </message>
+    <message>
+        <source>weft construction</source>
+        <translation>Aufbau des Schusses</translation>
+    </message>
+    <message>
+        <source>weave</source>
+        <translation>Bindung</translation>
+    </message>
+    <message>
+        <source>warp sett</source>
+        <translation>Kettdichte</translation>
+    </message>
+    <message>
+        <source>weft sett</source>
+        <translation>Schussdichte</translation>
+    </message>
+    <message>
+        <source>stripes</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>hairs and loops</source>
+        <translation>Faserenden und Schlingen</translation>
+    </message>
+    <message>
+        <source>finish of the upper face</source>
+        <translation>Ausrüstung der Oberseite</translation>
+    </message>
+    <message>
+        <source>finish of the lower face</source>
+        <translation>Ausrüstung der Unterseite</translation>
+    </message>
+    <message>
+        <source>measured values</source>
+        <translation>gemessene Werte</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>
@@ -1298,6 +1370,18 @@
     <message>
         <source>%1 (%2), %3, %4 at a time with %5 each.</source>
         <translation>%1 (%2), %3, %4 zugleich mit je %5.</translation>
+    </message>
+    <message>
+        <source>cells of %1 × %2 mm, %3 × %4 crossings</source>
+        <translation>Zellen von %1 × %2 mm, %3 × %4 Kreuzungspunkte</translation>
+    </message>
+    <message>
+        <source>shown in sums of %1 × %2 cells</source>
+        <translation>in Summen von %1 × %2 Zellen gezeigt</translation>
+    </message>
+    <message>
+        <source>shown in sums of %1 × %2 cells at most</source>
+        <translation>in Summen von höchstens %1 × %2 Zellen gezeigt</translation>
     </message>
 </context>
 <context>
@@ -7836,6 +7920,14 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>%1: %2 at %3, %4 mm</source>
         <translation>%1: %2 an %3, %4 mm</translation>
+    </message>
+    <message>
+        <source>5th to 95th percentile of %1 replicates</source>
+        <translation>5. bis 95. Perzentil von %1 Wiederholungen</translation>
+    </message>
+    <message>
+        <source>least to most of %1 replicates</source>
+        <translation>kleinste bis größte von %1 Wiederholungen</translation>
     </message>
 </context>
 <context>

@@ -97,6 +97,24 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "only baseline has it"),
     QT_TRANSLATE_NOOP("core", "together"),
     QT_TRANSLATE_NOOP("core", "difference"),
+    // Parts that differ between fabrics: core/design/fabric_parts.cpp.
+    QT_TRANSLATE_NOOP("core", "warp fibre"),
+    QT_TRANSLATE_NOOP("core", "weft fibre"),
+    QT_TRANSLATE_NOOP("core", "warp count"),
+    QT_TRANSLATE_NOOP("core", "weft count"),
+    QT_TRANSLATE_NOOP("core", "warp construction"),
+    QT_TRANSLATE_NOOP("core", "weft construction"),
+    QT_TRANSLATE_NOOP("core", "weave"),
+    QT_TRANSLATE_NOOP("core", "warp sett"),
+    QT_TRANSLATE_NOOP("core", "weft sett"),
+    QT_TRANSLATE_NOOP("core", "stripes"),
+    QT_TRANSLATE_NOOP("core", "hairs and loops"),
+    QT_TRANSLATE_NOOP("core", "finish of the upper face"),
+    QT_TRANSLATE_NOOP("core", "finish of the lower face"),
+    QT_TRANSLATE_NOOP("core", "measured values"),
+    QT_TRANSLATE_NOOP("core", "thickness"),
+    QT_TRANSLATE_NOOP("core", "crimp"),
+    QT_TRANSLATE_NOOP("core", "contact angle"),
     // Types of experiments, and the names of new ones: core/design/experiment.cpp.
     QT_TRANSLATE_NOOP("core", "Droplets"),
     QT_TRANSLATE_NOOP("core", "Moisture management"),
@@ -185,8 +203,6 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "areal density"),
     QT_TRANSLATE_NOOP("core", "at"),
     QT_TRANSLATE_NOOP("core", "capillary radius"),
-    QT_TRANSLATE_NOOP("core", "contact angle"),
-    QT_TRANSLATE_NOOP("core", "crimp"),
     QT_TRANSLATE_NOOP("core", "density"),
     QT_TRANSLATE_NOOP("core", "diameter"),
     QT_TRANSLATE_NOOP("core", "drop"),
@@ -231,7 +247,6 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "swelling"),
     QT_TRANSLATE_NOOP("core", "temperature"),
     QT_TRANSLATE_NOOP("core", "thermal conductivity"),
-    QT_TRANSLATE_NOOP("core", "thickness"),
     QT_TRANSLATE_NOOP("core", "time"),
     QT_TRANSLATE_NOOP("core", "tortuosity"),
     QT_TRANSLATE_NOOP("core", "twist"),
@@ -242,7 +257,7 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "initial"),
     QT_TRANSLATE_NOOP("core", "finish face"),
     QT_TRANSLATE_NOOP("core", "finish back"),
-    // Knobs: core/plan/fidelity.cpp.
+    // Knobs and fidelities: core/plan/fidelity.cpp.
     QT_TRANSLATE_NOOP("core", "particles per droplet"),
     QT_TRANSLATE_NOOP("core", "fibre shells"),
     QT_TRANSLATE_NOOP("core", "crossings per cell"),
@@ -258,6 +273,10 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "double precision"),
     QT_TRANSLATE_NOOP("core", "free liquid"),
     QT_TRANSLATE_NOOP("core", "neglected share"),
+    QT_TRANSLATE_NOOP("core", "live"),
+    QT_TRANSLATE_NOOP("core", "draft"),
+    QT_TRANSLATE_NOOP("core", "standard"),
+    QT_TRANSLATE_NOOP("core", "reference"),
 };
 
 } // namespace

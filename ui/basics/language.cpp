@@ -66,6 +66,11 @@ void install_language(QCoreApplication& application)
     }
 }
 
+QString withinSentence(const QString& title)
+{
+    return locale_of_dates().language() == QLocale::German ? title : title.left(1).toLower() + title.mid(1);
+}
+
 QString shortMoment(const QDateTime& moment) { return locale_of_dates().toString(moment, QLocale::ShortFormat); }
 
 } // namespace hygroloom

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The language of the window. The setting look/language holds a code of languages(), or nothing for the system's; it acts at the next start.
+// The language of the window. The setting look/language holds a code of languages(), or nothing for the system's; it acts at the next
+// start.
 #pragma once
 
 #include <QDateTime>
@@ -24,6 +25,9 @@ QString chosenLanguage();
 
 /// Installs the translations of chosenLanguage(), Qt's own too. Numbers have points in every language, as in files and in core's sentences.
 void install_language(QCoreApplication& application);
+
+/// A title as a word within a sentence: "Draft" as "draft"; German nouns keep their capital.
+QString withinSentence(const QString& title);
 
 /// Date and time, short, as the window's language writes them.
 QString shortMoment(const QDateTime& moment);

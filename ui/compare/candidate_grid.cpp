@@ -109,11 +109,11 @@ GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const Outc
                                   : shownNumber(seen.value, seen.decimals);
     if (!seen.unit.empty()) { cell.number += QChar(0x00a0) + QString::fromStdString(seen.unit); }
     const bool several = interval.runs > 1;
-    cell.tip =
-        several ? tr("After ±: where one more such cloth is expected, from %1 runs with numerical error, scatter and what is not known "
+    cell.tip = several
+                   ? tr("After ±: where one more such cloth is expected, from %1 runs with numerical error, scatter and what is not known "
                         "of the cloth.")
-                      .arg(interval.runs)
-                : tr("After ±: the numerical error, as measured on runs of this kind.");
+                         .arg(interval.runs)
+                   : tr("After ±: the numerical error, as measured on runs of this kind.");
     if (!interval.numerical_known) { cell.tip = tr("The numerical error of this number is not known."); }
     addVerdict(cell, comparison, *candidate, entry, info);
     return cell;

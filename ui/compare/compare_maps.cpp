@@ -202,7 +202,7 @@ void CompareMaps::showMaps(const MapsRead& read)
         maps_[i]->setVisible(true);
         if (read.ranges[i]) { replicates = std::max(replicates, read.ranges[i]->runs); }
     }
-    grey_->setText(tr("Each cloth as given. Under the pointer also the %1.").arg(QString::fromStdString(range_words(replicates))));
+    grey_->setText(tr("Each cloth as given. Under the pointer also the %1.").arg(replicateRange(replicates)));
     grey_->setVisible(replicates > 0);
     showRange();
     Q_EMIT mapsChanged();

@@ -7,6 +7,7 @@
 #include "ui/compare/chart_style.h"
 #include "ui/results/curve_legend.h"
 #include "ui/results/pointed_chart_view.h"
+#include "ui/results/water_map.h"
 
 #include <QAreaSeries>
 #include <QChart>
@@ -48,7 +49,7 @@ QString wordsAt(const QString& title, const QString& unit, const CurvePoints& po
         const double from = points.values[i - 1].x(), to = points.values[i].x();
         return to > from ? edge[i - 1] + (at.x() - from) / (to - from) * (edge[i] - edge[i - 1]) : edge[i];
     };
-    const QString band = points.replicates > 0 ? QString::fromStdString(range_words(points.replicates)) : CurvesView::tr("numerical error");
+    const QString band = points.replicates > 0 ? replicateRange(points.replicates) : CurvesView::tr("numerical error");
     return CurvesView::tr("%1 (%2: %3 to %4)").arg(words, band, text(between(points.low)), text(between(points.high)));
 }
 
@@ -219,7 +220,7 @@ void CurvesView::draw()
             const QPen pen = strokeOf(i, palette());
             entries.push_back({titles_[static_cast<qsizetype>(i)], pen});
             if (bands.back()) {
-                band_names_ << (*bands.back() > 0 ? QString::fromStdString(range_words(*bands.back())) : tr("numerical error"));
+                band_names_ << (*bands.back() > 0 ? replicateRange(*bands.back()) : tr("numerical error"));
                 entries.push_back({band_names_.back(), QPen(bandOf(pen), band_height)});
             }
             const auto& time = runs_[i].metrics->series.time;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What WhyView shows: the parts that differ, what they make, and in which state the question is.
+#include "ui/basics/core_words.h"
+#include "ui/compare/candidate_grid.h"
 #include "ui/compare/why_delegate.h"
 #include "ui/compare/why_view.h"
 #include "ui/results/plan_dialog.h"
@@ -18,11 +20,9 @@ namespace {
 
 enum Column { part_column, fabric_column, against_column, number_column, words_column };
 
-QString capital(const std::string& text)
-{
-    const QString all = QString::fromStdString(text);
-    return all.left(1).toUpper() + all.mid(1);
-}
+QString capital(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
+
+QString capital(const std::string& text) { return capital(QString::fromStdString(text)); }
 
 } // namespace
 
@@ -100,7 +100,8 @@ void WhyView::addBar(const Compared& compared, double low, double high)
 void WhyView::showParts()
 {
     for (const Exchange& part : plan_->parts) {
-        addRow({capital(part.title), QString::fromStdString(part.first), QString::fromStdString(part.second), QString(), QString()});
+        addRow(
+            {capital(coreWord(part.title)), QString::fromStdString(part.first), QString::fromStdString(part.second), QString(), QString()});
     }
     QStringList notes;
     for (const std::string& note : plan_->notes) { notes << capital(note); }
@@ -123,8 +124,8 @@ void WhyView::showWhy()
         high = std::max({high, line.compared->high, line.compared->difference});
     }
     for (const WhyLine& line : lines) {
-        const std::string words = line.whole ? name_of(line.compared->verdict) : in_words(why, *line.compared);
-        addRow({capital(line.title), QString::fromStdString(line.first), QString::fromStdString(line.second),
+        const QString words = line.whole ? verdictText(line.compared->verdict) : QString::fromStdString(in_words(why, *line.compared));
+        addRow({capital(coreWord(line.title)), QString::fromStdString(line.first), QString::fromStdString(line.second),
                 QString::fromStdString(with_unit(why.metric, *line.compared)), capital(words)},
                line.whole);
         addBar(*line.compared, low, high);

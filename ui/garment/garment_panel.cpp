@@ -3,6 +3,7 @@
 
 #include "ui/basics/core_words.h"
 #include "ui/basics/icon_button.h"
+#include "ui/basics/language.h"
 #include "ui/basics/name_dialog.h"
 #include "ui/basics/typed_value.h"
 #include "ui/document/sources.h"
@@ -143,7 +144,7 @@ void GarmentPanel::addSize(QGridLayout* grid, const QString& name, const char* k
 {
     const int place = static_cast<int>(sizes_.size());
     auto* edit = quantityField(choice_.document(), Quantity::length(0, 2000), name, [this, key, value, name](double typed) {
-        editGarment(choice_.document(), tr("change %1").arg(name.toLower()), choice_.garmentIndex(), key,
+        editGarment(choice_.document(), tr("change %1").arg(withinSentence(name)), choice_.garmentIndex(), key,
                     [&](Garment& garment) { garment.built_in.*value = typed; });
     });
     edit->setMinimumWidth(edit->fontMetrics().horizontalAdvance("1000 mm") + 24);

@@ -34,7 +34,7 @@ QString captionOf(const WornRun& run)
     const WearLayout& layout = run.layout();
     const QString words = GarmentView::tr("%1, %2: %3, %4")
                               .arg(QString::fromStdString(layout.garment), QString::fromStdString(layout.experiment),
-                                   QString::fromStdString(run.record->fidelity), QString::fromStdString(layout.cells_in_words));
+                                   coreWord(run.record->fidelity), cellsText(layout.cells_in_words));
     const bool stopped = !run.live && run.wall <= 0 && !run.frames.empty();
     return stopped ? GarmentView::tr("%1, stopped at %2").arg(words, momentText(run.frames.back()->time, run.duration)) : words;
 }

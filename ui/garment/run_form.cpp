@@ -5,6 +5,7 @@
 #include "gpu/backends.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/quantity.h"
+#include "ui/garment/worn_run.h"
 #include "ui/results/plan_dialog.h"
 
 #include <QButtonGroup>
@@ -189,8 +190,7 @@ void RunForm::estimate()
             const WearPlan plan = plan_wear(scene, parts);
             text = tr("%1 %2, %3; %4 on two cores.")
                        .arg(plan.cells)
-                       .arg(QString::fromStdString(wear_layout(parts, scene).cells_in_words), bytesText(plan.bytes),
-                            roughDuration(plan.seconds));
+                       .arg(cellsText(wear_layout(parts, scene).cells_in_words), bytesText(plan.bytes), roughDuration(plan.seconds));
         } catch (const std::exception& error) {
             text = QString::fromUtf8(error.what());
         }

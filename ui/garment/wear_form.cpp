@@ -2,6 +2,7 @@
 #include "ui/garment/wear_form.h"
 
 #include "ui/basics/icon_button.h"
+#include "ui/basics/language.h"
 #include "ui/basics/name_dialog.h"
 #include "ui/basics/typed_value.h"
 #include "ui/garment/fields.h"
@@ -104,7 +105,7 @@ void WearForm::addField(QFormLayout* form, const QString& name, const Quantity& 
                         double& (*value)(WearExperiment&))
 {
     auto* edit = quantityField(choice_.document(), quantity, name, [this, name, key, value](double typed) {
-        editWear(choice_.document(), tr("change %1").arg(name.toLower()), choice_.wearIndex(), key,
+        editWear(choice_.document(), tr("change %1").arg(withinSentence(name)), choice_.wearIndex(), key,
                  [&](WearExperiment& wear) { value(wear) = typed; });
     });
     form->addRow(name, edit);

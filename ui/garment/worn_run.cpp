@@ -6,6 +6,8 @@
 #include "ui/garment/step_legend.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -148,6 +150,23 @@ QString directionWords(const WornRun& run, int cell)
     if (from_warp < nearly) { return tr("the warp runs down here"); }
     if (from_warp > 90 - nearly) { return tr("the weft runs down here"); }
     return tr("the bias runs down here, %1° from the warp").arg(std::lround(from_warp));
+}
+
+QString cellsText(const std::string& cells_in_words)
+{
+    static const QRegularExpression cells(R"(^cells of (\S+) x (\S+) mm, (\d+) x (\d+) crossings$)");
+    static const QRegularExpression sums(R"(^shown in sums of (\d+) x (\d+) cells( at most)?$)");
+    QStringList parts = QString::fromStdString(cells_in_words).split("; ");
+    for (QString& part : parts) {
+        if (const auto one = cells.match(part); one.hasMatch()) {
+            part = tr("cells of %1 × %2 mm, %3 × %4 crossings").arg(one.captured(1), one.captured(2), one.captured(3), one.captured(4));
+        } else if (const auto sum = sums.match(part); sum.hasMatch()) {
+            const QString words =
+                sum.captured(3).isEmpty() ? tr("shown in sums of %1 × %2 cells") : tr("shown in sums of %1 × %2 cells at most");
+            part = words.arg(sum.captured(1), sum.captured(2));
+        }
+    }
+    return parts.join("; ");
 }
 
 std::shared_ptr<const GarmentPaint> waterPaint(const WornRun& run, const std::vector<double>& values, const WearSteps& steps)

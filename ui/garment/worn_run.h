@@ -60,6 +60,9 @@ MostWater mostWater(const WearLayout& layout, const WearFrame& frame);
 /// Which of the yarns runs down at a cell, in words: "warp", "weft", "bias, 38° from the warp", or that the cloth lies level.
 QString directionWords(const WornRun& run, int cell);
 
+/// How large the cells are, in the window's language; recordings say it in English.
+QString cellsText(const std::string& cells_in_words);
+
 /// Panels in the eight steps.
 std::shared_ptr<const GarmentPaint> waterPaint(const WornRun& run, const std::vector<double>& values, const WearSteps& steps);
 /// Panels in colours of less and more.

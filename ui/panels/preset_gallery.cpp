@@ -35,9 +35,8 @@ QString yarnText(const Yarn& yarn)
 {
     QStringList fibres;
     for (const MaterialShare& share : yarn.material) {
-        fibres << (yarn.material.size() > 1
-                       ? PresetGallery::tr("%1 % %2").arg(std::lround(share.share * 100)).arg(coreWord(share.name))
-                       : coreWord(share.name));
+        fibres << (yarn.material.size() > 1 ? PresetGallery::tr("%1 % %2").arg(std::lround(share.share * 100)).arg(coreWord(share.name))
+                                            : coreWord(share.name));
     }
     QString text = fibres.join(", ");
     if (yarn.linear_density_tex) {

@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "ui/basics/core_words.h"
+#include "ui/basics/language.h"
 #include "ui/basics/quantity.h"
 
 #include <QDialogButtonBox>
@@ -25,7 +26,7 @@ QString escaped(const std::string& words) { return QString::fromStdString(words)
 QString heading(const QString& of, const ModelPlan& plan, const QString& fabric, const QString& experiment)
 {
     const QString run =
-        PlanDialog::tr("%1 on %2, %3").arg(experiment.toHtmlEscaped(), fabric.toHtmlEscaped(), fidelityName(plan.fidelity).toLower());
+        PlanDialog::tr("%1 on %2, %3").arg(experiment.toHtmlEscaped(), fabric.toHtmlEscaped(), withinSentence(fidelityName(plan.fidelity)));
     return "<h3>" + of.arg(run) + "</h3>";
 }
 

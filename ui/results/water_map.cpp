@@ -111,6 +111,13 @@ QColor WaterMap::colorOf(int column, int row) const
     return real_[static_cast<std::size_t>(row) * map_.columns + column] ? differenceColor(share) : noDifferenceColor();
 }
 
+QString replicateRange(int runs)
+{
+    return (runs >= fewest_for_percentiles ? WaterMap::tr("5th to 95th percentile of %1 replicates")
+                                           : WaterMap::tr("least to most of %1 replicates"))
+        .arg(runs);
+}
+
 QString WaterMap::valueText(int column, int row) const
 {
     const double value = 1000 * map_.at(column, row);
@@ -121,7 +128,7 @@ QString WaterMap::valueText(int column, int row) const
         const int x = std::min(low.columns - 1, static_cast<int>((column + 0.5) * map_.cell_width / low.cell_width));
         const int y = std::min(low.rows - 1, static_cast<int>((row + 0.5) * map_.cell_height / low.cell_height));
         return tr("%1 (%2: %3 to %4)")
-            .arg(text, QString::fromStdString(range_words(replicates_->runs)), shownNumber(1000 * low.at(x, y), 1),
+            .arg(text, replicateRange(replicates_->runs), shownNumber(1000 * low.at(x, y), 1),
                  shownNumber(1000 * replicates_->high.at(x, y), 1));
     }
     const bool real = real_[static_cast<std::size_t>(row) * map_.columns + column];

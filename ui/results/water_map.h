@@ -22,6 +22,9 @@ struct FaceMap {
     QSizeF size;                 ///< of the fabric, m
 };
 
+/// What the interval of so many replicates is: "5th to 95th percentile of 16 replicates".
+QString replicateRange(int runs);
+
 /// first: the run's first frame.
 FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, MapSide side, int crossings_per_cell);
 

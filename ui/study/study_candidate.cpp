@@ -24,7 +24,9 @@ std::string fabricOf(const StudyData& data, const Design& design, const Document
 {
     if (const StudyColumn* column = data.table.find(Role::fabric)) { return column->word(row); }
     if (data.of) { return fabrics_of(data.of->study, design).front(); }
-    if (!document.fabric()) { throw Error(QCoreApplication::translate("hygroloom", "The project has no fabric to begin with; add one.").toStdString()); }
+    if (!document.fabric()) {
+        throw Error(QCoreApplication::translate("hygroloom", "The project has no fabric to begin with; add one.").toStdString());
+    }
     return document.fabric()->name;
 }
 
