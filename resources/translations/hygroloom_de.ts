@@ -746,11 +746,11 @@
     </message>
     <message>
         <source>hair density</source>
-        <translation>Dichte abstehender Enden</translation>
+        <translation>Dichte der Faserenden</translation>
     </message>
     <message>
         <source>hair length</source>
-        <translation>Länge abstehender Enden</translation>
+        <translation>Länge der Faserenden</translation>
     </message>
     <message>
         <source>heat of wetting</source>
@@ -2916,7 +2916,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>&amp;Loops and hairs</source>
-        <translation>Schlin&amp;gen und abstehende Fasern</translation>
+        <translation>Schlin&amp;gen und Faserenden</translation>
     </message>
     <message>
         <source>&amp;Open Folder</source>
@@ -3435,7 +3435,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>hair density</source>
-        <translation>Dichte abstehender Enden</translation>
+        <translation>Dichte der Faserenden</translation>
     </message>
     <message>
         <source>Fibre ends that stand out of the yarn, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns.</source>
@@ -3455,11 +3455,11 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>Hair length</source>
-        <translation>Faserendenlänge</translation>
+        <translation>Länge der Enden</translation>
     </message>
     <message>
         <source>hair length</source>
-        <translation>Länge abstehender Enden</translation>
+        <translation>Länge der Faserenden</translation>
     </message>
     <message>
         <source>Mean length of the fibre ends; the shortest have half of it, the longest one and a half times.</source>
