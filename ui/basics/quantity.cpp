@@ -83,15 +83,15 @@ Quantity Quantity::linearDensity(double minimum_tex, double maximum_tex)
 
 Quantity Quantity::sett(double minimum_per_cm, double maximum_per_cm)
 {
-    return quantity("/cm",
-                    {{{"/cm", "per cm", "1/cm"}, same}, {{"/in", "epi", "ppi", "per inch", "per in", "/inch"}, per_cm_from_per_inch}},
-                    minimum_per_cm, maximum_per_cm, 1, 2);
+    return quantity(
+        "/cm", {{{"/cm", "per cm", "je cm", "1/cm"}, same}, {{"/in", "epi", "ppi", "per inch", "per in", "/inch"}, per_cm_from_per_inch}},
+        minimum_per_cm, maximum_per_cm, 1, 2);
 }
 
 Quantity Quantity::twist(double maximum_per_m)
 {
     return quantity("/m",
-                    {{{"/m", "tpm", "t/m", "per m"}, same},
+                    {{{"/m", "tpm", "t/m", "per m", "je m"}, same},
                      {{"/cm", "tpc"}, [](double v) { return v * 100; }},
                      {{"/in", "tpi", "per inch"}, [](double v) { return v / 0.0254; }}},
                     0, maximum_per_m, 50, 1);
@@ -99,7 +99,8 @@ Quantity Quantity::twist(double maximum_per_m)
 
 Quantity Quantity::perMillimetre(double maximum)
 {
-    return quantity("/mm", {{{"/mm", "per mm"}, same}, {{"/cm", "per cm"}, [](double v) { return v * 0.1; }}}, 0, maximum, 1, 2);
+    return quantity("/mm", {{{"/mm", "per mm", "je mm"}, same}, {{"/cm", "per cm", "je cm"}, [](double v) { return v * 0.1; }}}, 0, maximum,
+                    1, 2);
 }
 
 Quantity Quantity::fraction(double minimum, double maximum)
@@ -118,7 +119,7 @@ Quantity Quantity::count(int minimum, int maximum) { return quantity({}, {{{""},
 
 Quantity Quantity::angle(double minimum_deg, double maximum_deg)
 {
-    return quantity("°", {{{"°", "deg", "degree", "degrees"}, same}, {{"rad"}, [](double v) { return v * 180 / pi; }}}, minimum_deg,
+    return quantity("°", {{{"°", "deg", "degree", "degrees", "Grad"}, same}, {{"rad"}, [](double v) { return v * 180 / pi; }}}, minimum_deg,
                     maximum_deg, 5, 1);
 }
 
