@@ -253,6 +253,10 @@ int compare(CompareOptions options)
         run_as_given(design, textiles, fabrics, options, how, control, backends, comparison, maps);
     if (why && comparison.complete) find_why(comparison, *why, design, how, options.quiet, backends, control);
     give_results(options, comparison, choice, maps, fabrics);
+    if (control.cancel && comparison.complete) {
+        print_note("Cancelled before all that was asked for was there; the numbers of all runs are.\n");
+        return exit_cancelled;
+    }
     if (!comparison.complete) {
         std::size_t ended = 0;
         for (const Candidate& candidate : comparison.candidates)

@@ -135,6 +135,7 @@ std::string bands_text(const Comparison& comparison, const Plot& plot, const Cur
     std::string without;
     for (const Candidate& candidate : comparison.candidates) {
         const auto range = curve_range(candidate, plot, curve);
+        if (!range && (!candidate.metrics || candidate.metrics->series.time.size() < 2)) continue; // it failed, and has no curve
         std::string& names = range ? by_runs[range->runs] : without;
         names += (names.empty() ? "" : ", ") + candidate.fabric;
     }
@@ -143,7 +144,7 @@ std::string bands_text(const Comparison& comparison, const Plot& plot, const Cur
         text += (text.empty() ? "Line: the middle of the replicates. Band: " : "; ") + range_words(runs) +
                 (by_runs.size() > 1 ? " of " + names : "");
     if (text.empty()) return {};
-    return text + (without.empty() ? "." : ". Without a band, as given: " + without + ".");
+    return text + (without.empty() ? "." : ". Without a band, one run each: " + without + ".");
 }
 
 /// Curves of what the type of experiment measures, a figure for each with all fabrics in it.

@@ -189,6 +189,14 @@ void merge(std::vector<ReplicateSet>& sets, const ReplicateSet& other)
     std::rotate(found, found + 1, sets.end());
 }
 
+void drop_older_traces(std::vector<ReplicateSet>& sets)
+{
+    std::size_t traces = 0;
+    for (auto set = sets.rbegin(); set != sets.rend(); ++set)
+        for (auto& [number, run] : set->runs)
+            if (run.trace && ++traces > most_kept_traces) run.trace.reset();
+}
+
 std::vector<ReplicateSet> without_leftovers(std::vector<ReplicateSet> sets, const Design& design)
 {
     std::erase_if(sets, [&design](const ReplicateSet& set) {
@@ -200,10 +208,7 @@ std::vector<ReplicateSet> without_leftovers(std::vector<ReplicateSet> sets, cons
         if (kept > 0 && (kept == most_kept_sets || runs > most_kept_runs)) break;
     }
     sets.erase(sets.begin(), sets.end() - static_cast<std::ptrdiff_t>(kept));
-    std::size_t traces = 0;
-    for (auto set = sets.rbegin(); set != sets.rend(); ++set)
-        for (auto& [number, run] : set->runs)
-            if (run.trace && ++traces > most_kept_traces) run.trace.reset();
+    drop_older_traces(sets);
     return sets;
 }
 

@@ -46,6 +46,7 @@ void merge(std::vector<ReplicateSet>& sets, const ReplicateSet& other);
 constexpr std::size_t most_kept_sets = 200, most_kept_runs = 20000;
 /// Curves and maps take up to 100 kB a run (of a drop 15); of those before the last ones only the numbers are kept.
 constexpr std::size_t most_kept_traces = 240;
+void drop_older_traces(std::vector<ReplicateSet>& sets);
 
 /// Without those of fabrics and experiments that the design lacks by name; of the others the last ones, up to the numbers above.
 std::vector<ReplicateSet> without_leftovers(std::vector<ReplicateSet> sets, const Design& design);

@@ -287,19 +287,24 @@ void add_cells(Builder& b, const std::vector<std::vector<Vec3d>>& places)
     add_course(b);
 }
 
-/// What is drawn too small for the cells would sweat as the body, without a word.
-void require_own_zones(const Builder& b)
+/// What is drawn too small for computed cells would sweat as the body, for shown ones it would be missing, without a word.
+void require_own_zones(const Builder& b, const std::vector<GarmentCell>& cells, const char* remedy)
 {
     const std::vector<OwnZone>& own = b.parts.garment->wearer.own_zones;
     std::vector<bool> is_covered(own.size());
-    for (const GarmentCell& cell : b.made.cells)
+    for (const GarmentCell& cell : cells)
         if (static_cast<std::size_t>(cell.zone) >= body_zones().size())
             is_covered[static_cast<std::size_t>(cell.zone) - body_zones().size()] = true;
-    for (std::size_t k = 0; k < own.size(); ++k)
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        const auto& panels = b.parts.pattern.panels;
+        if (std::none_of(panels.begin(), panels.end(), [&](const PatternPanel& panel) { return panel.name == own[k].panel; }))
+            throw Error("The garment \"" + b.parts.garment->name + "\" has no panel \"" + own[k].panel + "\", on which the zone \"" +
+                        own[k].name + "\" lies.");
         if (!is_covered[k])
             throw Error("The zone \"" + own[k].name + "\" of the garment \"" + b.parts.garment->name +
-                        "\" holds the middle of no cell of the panel \"" + own[k].panel +
-                        "\", or lies under a later zone; take smaller cells, or change its outline.");
+                        "\" holds the middle of no cell of the panel \"" + own[k].panel + "\", or lies under a later zone; " + remedy +
+                        ", or change its outline.");
+    }
 }
 
 /// By how much the next cell along each yarn lies higher.
@@ -394,12 +399,13 @@ GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& r
         if (length == 0) length = cloth.warp_pitch; // outside all panels
     add_pieces(b);
     add_cells(b, places);
-    require_own_zones(b);
+    require_own_zones(b, b.made.cells, "take smaller cells");
     add_rises(b, places);
     wet(b);
     sew(cloth, seam_joints(parts.pattern, b.made, pass));
     b.made.scene.rules.shows_segments = false;
     b.made.shown = show_cells(b.made, parts.pattern, resolution.shown);
+    if (!b.made.shown.cells.empty()) require_own_zones(b, b.made.shown.cells, "show smaller cells");
     return std::move(b.made);
 }
 

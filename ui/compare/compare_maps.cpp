@@ -193,17 +193,17 @@ void CompareMaps::readMaps()
 
 void CompareMaps::showMaps(const MapsRead& read)
 {
-    int replicates = 0;
+    bool any = false;
     for (std::size_t i = 0; i < maps_.size(); ++i) {
         const FaceMap& map = read.maps[i];
         maximum_ = std::max(maximum_, map.cells.maximum());
         maps_[i]->setMap(map.cells, map.stain, map.size);
         maps_[i]->setReplicates(read.ranges[i]);
         maps_[i]->setVisible(true);
-        if (read.ranges[i]) { replicates = std::max(replicates, read.ranges[i]->runs); }
+        any = any || read.ranges[i];
     }
-    grey_->setText(tr("Each cloth as given. Under the pointer also the %1.").arg(replicateRange(replicates)));
-    grey_->setVisible(replicates > 0);
+    grey_->setText(tr("Each cloth as given. Under the pointer also the range of its replicates, of larger cells."));
+    grey_->setVisible(any);
     showRange();
     Q_EMIT mapsChanged();
 }
@@ -214,6 +214,7 @@ void CompareMaps::showDifferences(const MapsRead& read)
     QStringList problems;
     MapError error;
     int pairs = 0;
+    QStringList unpaired;
     const FaceMap& baseline = read.maps.back();
     for (std::size_t i = 0; i < maps_.size(); ++i) {
         const bool own = runs_[i].path == baseline_->path;
@@ -230,15 +231,18 @@ void CompareMaps::showDifferences(const MapsRead& read)
         const MapDifference difference =
             paired ? MapDifference{paired->cells, paired->real} : differenceOf(map.cells, baseline.cells, each);
         if (paired) { pairs = pairs == 0 ? paired->pairs : std::min(pairs, paired->pairs); }
-        if (!paired && tracesOf(candidates_[i]) > 1) {
-            problems << tr("Of %1 and the baseline fewer than two replicates keep maps: grey is the numerical error alone.")
-                            .arg(titles_[static_cast<qsizetype>(i)]);
-        }
+        if (!paired) { unpaired << titles_[static_cast<qsizetype>(i)]; }
         maximum_ = std::max(maximum_, largestOf(difference));
         maps_[i]->setDifference(difference, map.size);
         if (error.of.isEmpty() || each.share.value_or(0) > error.share.value_or(0)) { error = each; }
     }
     if (runs_.size() == 1 && runs_.front().path == baseline_->path) { problems << tr("Tick a second fabric to see how it differs."); }
+    if (pairs > 0 && !unpaired.isEmpty()) {
+        problems
+            << tr("One run each of %1 and the baseline, of whose replicates fewer than two pairs keep maps: grey is the numerical error "
+                  "alone.")
+                   .arg(unpaired.join(", "));
+    }
     showProblem({});
     problem_->setText(problems.join(' '));
     problem_->setVisible(!problems.isEmpty());
@@ -255,7 +259,8 @@ QString CompareMaps::greyText(const MapError& error, int pairs, double share) co
     const QString percent = error.share ? shownNumber(100 * *error.share, decimals_for(100 * *error.share, 2)) : QString();
     if (pairs > 0) {
         const QString numerical = error.share ? tr("a numerical error of %1 %").arg(percent) : tr("no numerical error, which is not known");
-        return tr("%1 Mean of %2 pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of the mean "
+        return tr("%1 Mean of %2 or more pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of the "
+                  "mean "
                   "difference, with %4, holds 0.")
             .arg(to)
             .arg(pairs)

@@ -63,6 +63,7 @@ void ReplicateStore::read()
 void ReplicateStore::add(const ReplicateSet& run)
 {
     merge(sets_, run);
+    drop_older_traces(sets_);
     save();
     Q_EMIT changed();
 }

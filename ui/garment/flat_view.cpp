@@ -45,7 +45,9 @@ FlatView::FlatView(QWidget* parent)
 void FlatView::setDrawing(std::shared_ptr<const GarmentDrawing> drawing)
 {
     if (drawing == drawing_) { return; }
-    const bool same = drawing && drawing_ && drawing->sheet == drawing_->sheet;
+    const auto is_same = [](const DrawnPanel& a, const DrawnPanel& b) { return a.name == b.name; };
+    const bool same =
+        drawing && drawing_ && drawing->sheet == drawing_->sheet && std::ranges::equal(drawing->panels, drawing_->panels, is_same);
     drawing_ = std::move(drawing);
     if (!same) {
         scale_ = 0;

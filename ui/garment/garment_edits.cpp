@@ -191,7 +191,7 @@ QString whyNotZoneName(const Garment& garment, int zone, const QString& name)
 
 int addOwnZone(Document& document, int garment, const std::string& panel, const std::vector<std::array<double, 2>>& outline_mm)
 {
-    constexpr double usual_rate = 842; // g/m2h
+    constexpr double usual_rate = 842; // g/m2h, of the chest at exercise: resources/body
     editGarment(document, tr("draw a zone"), garment, {}, [&](Garment& edited) {
         std::vector<OwnZone>& zones = edited.wearer.own_zones;
         const std::string name = free_name("zone", [&zones](const std::string& wish) {

@@ -60,6 +60,7 @@ RatesFile::RatesFile(GarmentChoice& choice, QWidget* parent)
     layout->addWidget(said_);
     connect(&choice_, &GarmentChoice::changed, this, &RatesFile::refresh);
     connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &RatesFile::read);
+    connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, &RatesFile::read);
     refresh();
 }
 
@@ -111,7 +112,7 @@ void RatesFile::refresh()
         source_.reset();
         reader_.drop();
         said_->clear();
-        if (!watcher_.files().isEmpty()) { watcher_.removePaths(watcher_.files()); }
+        stopWatching();
         return;
     }
     const Source source{wear->activity_file, choice_.garment() ? choice_.garment()->wearer.own_zones : std::vector<OwnZone>{},
@@ -121,13 +122,24 @@ void RatesFile::refresh()
     read();
 }
 
+void RatesFile::stopWatching()
+{
+    const QStringList watched = watcher_.files() + watcher_.directories();
+    if (!watched.isEmpty()) { watcher_.removePaths(watched); }
+}
+
 /// Also when another program has written the file.
 void RatesFile::read()
 {
     if (!source_) { return; }
-    if (!watcher_.files().isEmpty()) { watcher_.removePaths(watcher_.files()); }
+    stopWatching();
     const QString path = QString::fromStdString((source_->base / source_->file).string());
-    if (QFileInfo::exists(path)) { watcher_.addPath(path); }
+    for (const QString& watched : {path, QFileInfo(path).absolutePath()}) { // the folder until the file is there
+        if (QFileInfo::exists(watched)) {
+            watcher_.addPath(watched);
+            break;
+        }
+    }
     reader_.run([this, source = *source_](const NewestJob::Turn& turn) {
         QString words;
         bool is_wrong = false;

@@ -30,6 +30,7 @@ protected:
 private:
     void refresh();
     void read();
+    void stopWatching();
     void giveRoom();
     void say(const QString& sentence, bool is_wrong);
 

@@ -28,8 +28,8 @@ class ZonePen {
 public:
     bool isDown() const { return down_; }
     void setDown(bool down);
-    /// A corner at a spot; of another panel than the first one it lies in that one's axes. on_first: the click closes the outline.
-    /// Whether that is closed now.
+    /// A corner at a spot; beside the first one's panel it does not count. on_first: the click closes the outline. Whether that is closed
+    /// now.
     bool click(const GarmentSpot& spot, bool on_first);
     /// Takes the last corner back.
     void back();

@@ -127,9 +127,9 @@ QString WaterMap::valueText(int column, int row) const
         const CellMap& low = replicates_->low; // its cells may be larger
         const int x = std::min(low.columns - 1, static_cast<int>((column + 0.5) * map_.cell_width / low.cell_width));
         const int y = std::min(low.rows - 1, static_cast<int>((row + 0.5) * map_.cell_height / low.cell_height));
-        return tr("%1 (%2: %3 to %4)")
+        return tr("%1 (%2, in cells of %5 mm: %3 to %4)")
             .arg(text, replicateRange(replicates_->runs), shownNumber(1000 * low.at(x, y), 1),
-                 shownNumber(1000 * replicates_->high.at(x, y), 1));
+                 shownNumber(1000 * replicates_->high.at(x, y), 1), shownNumber(1000 * low.cell_width, 1));
     }
     const bool real = real_[static_cast<std::size_t>(row) * map_.columns + column];
     const QString text = value < 0 ? tr("%1 g/m² less than the baseline") : tr("%1 g/m² more than the baseline");

@@ -141,7 +141,8 @@ void GarmentWorkspace::showEarlierRun(const QString& path)
 bool GarmentWorkspace::mayTakeDesign() const
 {
     const auto& runs = history_.runs();
-    return !document_.modified() && std::none_of(runs.begin(), runs.end(), [](const KeptRun& run) { return run.own; });
+    return !document_.modified() && !runs_.recording() &&
+           std::none_of(runs.begin(), runs.end(), [](const KeptRun& run) { return run.own; });
 }
 
 void GarmentWorkspace::takeDesign()
