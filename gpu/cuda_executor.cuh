@@ -84,7 +84,10 @@ struct Block {
 };
 
 constexpr int least_team = 32, most_team = 512; ///< threads
-constexpr int teams_beside = 2;                 ///< of the largest, on a processor
+/// Of the largest teams, on a processor. What solves pairs has so many numbers under way that two would leave each too few registers.
+template <typename Stage> constexpr int teams_beside = columns_of<Stage> > 0 ? 1 : 2;
+/// For a thread to go through. What solves pairs has so much to do at each that a thread for each pays off.
+template <typename Stage> constexpr int places_each = columns_of<Stage> > 0 ? 1 : 4;
 
 /// The room of lines that shared memory has no room for; none if it has.
 struct LineRoom {
@@ -93,7 +96,7 @@ struct LineRoom {
 };
 
 /// A line after the other for each block.
-template <typename Stage> __global__ void __launch_bounds__(most_team, teams_beside) run_lines(int lines, LineRoom room, Stage stage)
+template <typename Stage> __global__ void __launch_bounds__(most_team, teams_beside<Stage>) run_lines(int lines, LineRoom room, Stage stage)
 {
     extern __shared__ double shared[];
     using BlockTeam = Team<Block>;
@@ -173,9 +176,8 @@ public:
     template <typename Stage> void for_each_line(const char* name, int lines, int longest, const Stage& stage)
     {
         if (lines <= 0) return;
-        constexpr int places_each = 4, blocks_each = 2; // for a thread, for a processor
         int threads = least_team;
-        while (threads < most_team && threads * places_each < longest) threads *= 2;
+        while (threads < most_team && threads * places_each<Stage> < longest) threads *= 2;
         const std::size_t columns = Team<Block>::template room<Stage>(longest, threads);
         std::size_t bytes = sizeof(double) * static_cast<std::size_t>(Team<Block>::template per_thread<Stage> * threads);
         LineRoom room{nullptr, longest};
@@ -183,7 +185,7 @@ public:
         if (bytes + sizeof(double) * columns <= static_cast<std::size_t>(most_shared_)) {
             bytes += sizeof(double) * columns;
         } else {
-            blocks = std::min(lines, blocks_each * processors_);
+            blocks = std::min(lines, teams_beside<Stage> * processors_);
             line_room_.resize(columns * static_cast<std::size_t>(blocks));
             room.columns = line_room_.data();
         }

@@ -146,7 +146,7 @@ public:
         : each_(chunks.each), count_(chunks.count()), per_each_((std::uint64_t(1) << 32) / static_cast<unsigned>(chunks.each) + 1)
     {
     }
-    HL_FN int operator()(int place) const // below 2^16 places in a chunk and chunks
+    HL_FN int operator()(int place) const // a line of fewer places than 2^32 over those of a chunk
     {
         const auto chunk = static_cast<int>(static_cast<std::uint64_t>(place) * per_each_ >> 32);
         return (place - chunk * each_) * count_ + chunk;

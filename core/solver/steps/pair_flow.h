@@ -88,9 +88,11 @@ private:
         if (!(most > 0)) return 0;
         Bracket bracket{0, most, over(0), over(most)};
         if (bracket.at_high <= 0) return most;
-        for (int round = 0; round < 200 && bracket.high - bracket.low > 1e-14 * most; ++round) {
-            const double trial = bracket.next();
-            bracket.narrow(trial, over(trial));
+        const double enough = 1e-14 * most;
+        for (int round = 0; round < 200 && bracket.high - bracket.low > enough; ++round) {
+            const double trial = bracket.next(), open = over(trial);
+            if (open <= enough && open >= -enough) return trial; // as near to the solution, since the balance rises with the mass at least
+            bracket.narrow(trial, open);
         }
         return bracket.low;
     }
