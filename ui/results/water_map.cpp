@@ -52,8 +52,7 @@ void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, c
     render();
     const QString most = tr("Most water %1 grams per square metre").arg(shownNumber(1000 * map.maximum(), 0));
     setAccessibleDescription(
-        !stain_ ? most + "."
-                : tr("%1; wetted radius %2 millimetres.").arg(most, shownNumber(std::max(0.0, mm_from_metre(circle_.radius)), 2)));
+        !stain_ ? most + "." : tr("%1; wetted radius now %2.").arg(most, valueText(std::max(0.0, mm_from_metre(circle_.radius)), "mm")));
     update();
 }
 
@@ -144,8 +143,8 @@ QString WaterMap::radiusText(double room) const
     if (!stain_) { return {}; }
     if (!(circle_.radius > 0)) { return tr("dry"); }
     const double mm = mm_from_metre(circle_.radius);
-    const QString radius = tr("%1 mm").arg(shownNumber(mm, decimals_for(mm, 3)));
-    const QString text = tr("wetted radius %1").arg(radius);
+    const QString radius = valueText(mm, "mm");
+    const QString text = tr("wetted radius now %1").arg(radius);
     return fontMetrics().horizontalAdvance(text) + 12 <= room ? text : radius;
 }
 
