@@ -213,7 +213,8 @@ void YarnPanel::addColor()
     color_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto* menu = new QMenu(color_);
     connect(menu->addAction(tr("Choose…")), &QAction::triggered, this, [this] {
-        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), isWarp()), color_, tr("Yarn Colour"));
+        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), isWarp()), color_, tr("Yarn Colour"),
+                                                    QColorDialog::DontUseNativeDialog); // in the look of the program
         if (color.isValid()) {
             editYarn(tr("%1 colour").arg(kind_), path("color"), [&](Yarn& y) {
                 y.color = Color{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
