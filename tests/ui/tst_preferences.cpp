@@ -7,6 +7,7 @@
 #include "ui/panels/start_page.h"
 #include "ui/picture/pointer.h"
 #include "ui/results/device_choice.h"
+#include "ui/results/results_panel.h"
 #include "ui/window/preferences_dialog.h"
 
 #include <QCheckBox>

@@ -49,7 +49,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(kept.entryList({"*.png"}, QDir::Files).size(), 3, 20000); // of the files alone
         // Another page takes them from there.
         for (const QString& each : kept.entryList({"*.png"}, QDir::Files)) {
-            QImage red(8, 8, QImage::Format_RGB32);
+            QImage red(176, 176, QImage::Format_RGB32);
             red.fill(Qt::red);
             QVERIFY(red.save(kept.filePath(each)));
         }
