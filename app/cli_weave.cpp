@@ -81,8 +81,11 @@ void print_weave(const Fabric& fabric, const FittedYarns& yarns)
     print_result("  {}: smallest repeat {} ends x {} picks, warp up at {:.3g} % of the crossings\n",
                  fabric.weave.pattern().empty() ? "free weave" : fabric.weave.pattern(), a.repeat_ends, a.repeat_picks,
                  100 * a.warp_up_share);
-    row("longest float, face", floats_text(a.warp_face, fabric.picks_per_cm), floats_text(a.weft_face, fabric.ends_per_cm));
-    row("longest float, back", floats_text(a.warp_back, fabric.picks_per_cm), floats_text(a.weft_back, fabric.ends_per_cm));
+    const bool loose = !a.unbound_ends.empty() || !a.unbound_picks.empty(); // they float over the whole cloth
+    row(loose ? "longest bound float, face" : "longest float, face", floats_text(a.warp_face, fabric.picks_per_cm),
+        floats_text(a.weft_face, fabric.ends_per_cm));
+    row(loose ? "longest bound float, back" : "longest float, back", floats_text(a.warp_back, fabric.picks_per_cm),
+        floats_text(a.weft_back, fabric.ends_per_cm));
     row("interlacings per repeat", std::to_string(a.warp_interlacings), std::to_string(a.weft_interlacings));
     const JamGauge jam = jam_gauge(fabric, yarns);
     print_jam("warp", jam.warp);

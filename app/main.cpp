@@ -4,11 +4,13 @@
 #include "core/run/learned_times.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/language.h"
+#include "ui/basics/preferences.h"
 #include "ui/results/report_file.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QTimer>
 
 #include <cstdio>
 #include <string_view>
@@ -68,6 +70,10 @@ int main(int argc, char* argv[])
     } else {
         window.openFile(files.first());
     }
-    window.offerLeftOver();
+    const bool recovered = window.offerLeftOver();
+    if (files.isEmpty() && !recovered && hygroloom::preferences().start_page != 0) {
+        // After the first picture of the window.
+        QTimer::singleShot(0, &window, &hygroloom::MainWindow::showStartPage);
+    }
     return QApplication::exec();
 }

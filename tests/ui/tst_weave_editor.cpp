@@ -188,6 +188,7 @@ private Q_SLOTS:
         setGrid("101\n100\n");
         text = editor_->notes()->text();
         QVERIFY2(text.contains("Ends that never interlace: 1, 2."), qPrintable(text));
+        QVERIFY2(text.contains("Longest floats: warp endless, weft "), qPrintable(text));
     }
 
     /// A repeat this large takes tens of milliseconds to check and to draw anew: that waits until the stroke ends, and what is painted

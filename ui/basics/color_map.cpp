@@ -24,10 +24,11 @@ constexpr Stops difference_stops{
 constexpr Stops cividis_stops{
     {{253, 231, 85}, {217, 199, 105}, {181, 167, 119}, {146, 140, 123}, {112, 113, 118}, {70, 86, 111}, {0, 42, 95}}};
 
-double roundLength(double millimetrePerPixel, double availablePixels)
+/// In the unit of the first argument.
+double roundLength(double perPixel, double availablePixels)
 {
     // The tiny share keeps two pictures of the same scale from rounding apart.
-    const double wanted = millimetrePerPixel * availablePixels / 3 * (1 + 1e-9);
+    const double wanted = perPixel * availablePixels / 3 * (1 + 1e-9);
     const double power = std::pow(10, std::floor(std::log10(wanted)));
     return power * (wanted >= 5 * power ? 5 : wanted >= 2 * power ? 2 : 1);
 }
@@ -117,17 +118,21 @@ void drawDifferenceLegend(QPainter& painter, const QRectF& area, const QString& 
 
 double scaleBarLength(double millimetrePerPixel, double availablePixels)
 {
-    return roundLength(millimetrePerPixel, availablePixels) / millimetrePerPixel;
+    const double perPixel = millimetrePerPixel * userUnit("mm").per_one;
+    return roundLength(perPixel, availablePixels) / perPixel;
 }
 
 void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetrePerPixel, double availablePixels, const QColor& color,
                   const QColor& behind)
 {
     if (!(millimetrePerPixel > 0) || !(availablePixels > 30)) { return; }
-    const double length = roundLength(millimetrePerPixel, availablePixels);
-    const double pixels = length / millimetrePerPixel;
-    const QString text = length < 0.1 ? QCoreApplication::translate("hygroloom", "%1 µm").arg(shownNumber(length * 1000, 0))
-                                      : QCoreApplication::translate("hygroloom", "%1 mm").arg(shownNumber(length, 2));
+    const UserUnit user = userUnit("mm");
+    const double perPixel = millimetrePerPixel * user.per_one;
+    const double length = roundLength(perPixel, availablePixels);
+    const double pixels = length / perPixel;
+    const QString text = user.unit == "mm" && length < 0.1
+                             ? QCoreApplication::translate("hygroloom", "%1 µm").arg(shownNumber(length * 1000, 0))
+                             : shownNumber(length, 5) + QChar(0x00a0) + user.unit;
     const double height = QFontMetricsF(painter.font()).height();
     const double wide = std::max(pixels, QFontMetricsF(painter.font()).horizontalAdvance(text));
     painter.save();

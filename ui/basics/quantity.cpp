@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "ui/basics/preferences.h"
 
 #include <QLocale>
 #include <QRegularExpression>
@@ -48,6 +49,30 @@ QString shownNumber(double value, int decimals)
     return text == "-0" ? "0" : text;
 }
 
+QString significant(double value)
+{
+    const int decimals =
+        value == 0 || !std::isfinite(value) ? 0 : std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
+    return shownNumber(value, decimals);
+}
+
+QString inFull(double value) { return ungrouped().toString(value, 'g', 10); }
+
+UserUnit userUnit(const QString& unit)
+{
+    const int length = preferences().length;
+    if (length == 0 || (unit != "mm" && unit != "mm/s")) { return {unit, 1}; }
+    const bool inches = static_cast<LengthUnit>(length) == LengthUnit::inch;
+    return {QString(unit).replace("mm", inches ? "in" : "cm"), inches ? 1 / 25.4 : 0.1};
+}
+
+QString valueText(double value, const QString& unit, bool full)
+{
+    const UserUnit user = userUnit(unit);
+    const QString number = full ? inFull(value * user.per_one) : significant(value * user.per_one);
+    return user.unit.isEmpty() || user.unit == "°" ? number + user.unit : number + QChar(0x00a0) + user.unit;
+}
+
 QString momentText(double seconds, double duration)
 {
     return ungrouped().toString(seconds, 'f', decimals_of_moments(duration)) + QChar(0x00a0) + "s";
@@ -61,31 +86,38 @@ QString bytesText(double bytes)
 
 Quantity Quantity::length(double minimum_mm, double maximum_mm)
 {
-    return quantity("mm",
-                    {{{"mm"}, same},
-                     {{"µm", "um", "micron"}, [](double v) { return v * 1e-3; }},
-                     {{"cm"}, [](double v) { return v * 10; }},
-                     {{"m"}, [](double v) { return v * 1000; }},
-                     {{"in", "inch", "\""}, [](double v) { return v * 25.4; }}},
-                    minimum_mm, maximum_mm, 0, 4);
+    Quantity q = quantity("mm",
+                          {{{"mm"}, same},
+                           {{"µm", "um", "micron"}, [](double v) { return v * 1e-3; }},
+                           {{"cm"}, [](double v) { return v * 10; }, [](double v) { return v / 10; }},
+                           {{"m"}, [](double v) { return v * 1000; }},
+                           {{"in", "inch", "\""}, [](double v) { return v * 25.4; }, [](double v) { return v / 25.4; }}},
+                          minimum_mm, maximum_mm, 0, 4);
+    q.measure = Measure::length;
+    return q;
 }
 
 Quantity Quantity::linearDensity(double minimum_tex, double maximum_tex)
 {
-    return quantity("tex",
-                    {{{"tex"}, same},
-                     {{"Ne", "NeC"}, tex_from_ne},
-                     {{"Nm"}, tex_from_nm},
-                     {{"den", "denier", "D"}, tex_from_denier},
-                     {{"dtex"}, [](double v) { return v * 0.1; }}},
-                    minimum_tex, maximum_tex, 0, 2);
+    Quantity q = quantity("tex",
+                          {{{"tex"}, same},
+                           {{"Ne", "NeC"}, tex_from_ne, ne_from_tex},
+                           {{"Nm"}, tex_from_nm, [](double tex) { return 1000 / tex; }},
+                           {{"den", "denier", "D"}, tex_from_denier, [](double tex) { return 9 * tex; }},
+                           {{"dtex"}, [](double v) { return v * 0.1; }}},
+                          minimum_tex, maximum_tex, 0, 2);
+    q.measure = Measure::linear_density;
+    return q;
 }
 
 Quantity Quantity::sett(double minimum_per_cm, double maximum_per_cm)
 {
-    return quantity(
-        "/cm", {{{"/cm", "per cm", "je cm", "1/cm"}, same}, {{"/in", "epi", "ppi", "per inch", "per in", "/inch"}, per_cm_from_per_inch}},
-        minimum_per_cm, maximum_per_cm, 1, 2);
+    Quantity q = quantity("/cm",
+                          {{{"/cm", "per cm", "je cm", "1/cm"}, same},
+                           {{"/in", "epi", "ppi", "per inch", "per in", "/inch"}, per_cm_from_per_inch, per_inch_from_per_cm}},
+                          minimum_per_cm, maximum_per_cm, 1, 2);
+    q.measure = Measure::sett;
+    return q;
 }
 
 Quantity Quantity::twist(double maximum_per_m)
@@ -125,8 +157,13 @@ Quantity Quantity::angle(double minimum_deg, double maximum_deg)
 
 Quantity Quantity::temperature(double minimum_c, double maximum_c)
 {
-    return quantity("°C", {{{"°C", "C"}, same}, {{"K"}, celsius_from_kelvin}, {{"°F", "F"}, [](double v) { return (v - 32) / 1.8; }}},
-                    minimum_c, maximum_c, 1, 1);
+    Quantity q = quantity("°C",
+                          {{{"°C", "C"}, same},
+                           {{"K"}, celsius_from_kelvin},
+                           {{"°F", "F"}, [](double v) { return (v - 32) / 1.8; }, [](double v) { return 32 + 1.8 * v; }}},
+                          minimum_c, maximum_c, 1, 1);
+    q.measure = Measure::temperature;
+    return q;
 }
 
 Quantity Quantity::speed(double maximum_m_s)
@@ -182,17 +219,81 @@ Quantity Quantity::density(double minimum_kg_m3, double maximum_kg_m3)
                     minimum_kg_m3, maximum_kg_m3, 10, 1);
 }
 
-QString Quantity::number(double stored) const { return shownNumber(stored * shown_per_stored, decimals); }
+namespace {
 
-QString Quantity::text(double stored) const
+/// Spelled as in the quantities above; empty: the unit that is stored.
+QString preferredSpelling(Measure measure)
 {
-    if (unit.isEmpty() || unit == "°") { return number(stored) + unit; }
-    return number(stored) + QChar(0x00a0) + unit;
+    const Preferences p = preferences();
+    switch (measure) {
+    case Measure::length: return QStringList{"", "cm", "in"}[p.length];
+    case Measure::linear_density: return QStringList{"", "Ne", "Nm", "den"}[p.yarn];
+    case Measure::sett: return QStringList{"", "/in"}[p.sett];
+    case Measure::temperature: return QStringList{"", "°F"}[p.degrees];
+    case Measure::other: break;
+    }
+    return {};
+}
+
+QString withUnit(const QString& number, const QString& unit)
+{
+    return unit.isEmpty() || unit == "°" ? number + unit : number + QChar(0x00a0) + unit;
+}
+
+} // namespace
+
+const TypedUnit* Quantity::preferred() const
+{
+    const QString wanted = preferredSpelling(measure);
+    if (wanted.isEmpty()) { return nullptr; }
+    for (const TypedUnit& candidate : units) {
+        if (candidate.shown && candidate.spellings.first() == wanted) { return &candidate; }
+    }
+    return nullptr;
+}
+
+QString Quantity::shownUnit() const { return preferred() ? preferred()->spellings.first() : unit; }
+
+double Quantity::toShown(double stored) const { return preferred() ? preferred()->shown(stored) : stored * shown_per_stored; }
+
+double Quantity::fromShown(double shown) const { return preferred() ? preferred()->stored(shown) : shown / shown_per_stored; }
+
+/// As fine in a larger unit as in the one that is stored.
+int Quantity::shownDecimals(double stored) const
+{
+    if (measure != Measure::length || !preferred() || decimals == 0 || stored == 0) { return decimals; }
+    return decimals + static_cast<int>(std::ceil(std::log10(stored / preferred()->shown(stored))));
+}
+
+QString Quantity::number(double stored) const { return shownNumber(toShown(stored), shownDecimals(stored)); }
+
+QString Quantity::text(double stored) const { return withUnit(number(stored), shownUnit()); }
+
+QString Quantity::shortText(double stored) const
+{
+    return withUnit(decimals == 0 ? number(stored) : significant(toShown(stored)), shownUnit());
+}
+
+QString Quantity::fullText(double stored) const { return withUnit(inFull(toShown(stored)), shownUnit()); }
+
+QString Quantity::besideText(double stored) const
+{
+    const bool usual = preferred() == nullptr;
+    if (measure == Measure::sett) {
+        return usual ? withUnit(shownNumber(per_inch_from_per_cm(stored), 0), "/in") : withUnit(shownNumber(stored, 1), "/cm");
+    }
+    if (measure == Measure::linear_density) {
+        return usual ? QCoreApplication::translate("hygroloom::Quantity", "Ne %1").arg(shownNumber(ne_from_tex(stored), 1))
+                     : withUnit(shownNumber(stored, 1), "tex");
+    }
+    return {};
 }
 
 QString Quantity::range() const
 {
-    return QCoreApplication::translate("hygroloom::Quantity", "Allowed: %1 to %2.").arg(number(minimum), text(maximum));
+    double low = minimum, high = maximum;
+    if (toShown(low) > toShown(high)) { std::swap(low, high); } // a count: the finer the yarn, the higher
+    return QCoreApplication::translate("hygroloom::Quantity", "Allowed: %1 to %2.").arg(number(low), text(high));
 }
 
 std::optional<double> Quantity::parse(const QString& typed, QString* complaint) const
@@ -212,7 +313,7 @@ std::optional<double> Quantity::parse(const QString& typed, QString* complaint) 
         return complain(QCoreApplication::translate("hygroloom::Quantity", "“%1” is not a whole number.").arg(typed.trimmed()));
     }
     const QString spelled = QString(match.captured(2)).replace(QChar(0x03bc), QChar(0x00b5));
-    if (spelled.isEmpty()) { return number / shown_per_stored; }
+    if (spelled.isEmpty()) { return fromShown(number); }
     for (const Qt::CaseSensitivity sensitivity : {Qt::CaseSensitive, Qt::CaseInsensitive}) {
         for (const TypedUnit& candidate : units) {
             if (candidate.spellings.contains(spelled, sensitivity)) { return candidate.stored(number); }
@@ -230,11 +331,11 @@ std::optional<double> Quantity::parse(const QString& typed, QString* complaint) 
 
 double Quantity::stepped(double stored, double steps) const
 {
-    const double shown = stored * shown_per_stored;
+    const double shown = toShown(stored);
     double size = step;
     if (size == 0) {
         const double magnitude = std::floor(std::log10(std::max(std::abs(shown), 1e-9)) + 1e-9);
-        size = std::max(std::pow(10.0, magnitude - 1), std::pow(10.0, -decimals));
+        size = std::max(std::pow(10.0, magnitude - 1), std::pow(10.0, -shownDecimals(stored)));
     }
     size *= std::abs(steps) < 1 ? std::abs(steps) : 1;
     const double count = std::abs(steps) < 1 ? (steps > 0 ? 1 : -1) : steps;
@@ -242,7 +343,10 @@ double Quantity::stepped(double stored, double steps) const
     const double nearest = std::round(grid);
     const bool onGrid = std::abs(grid - nearest) < 1e-6;
     const double from = onGrid ? nearest : (count > 0 ? std::floor(grid) : std::ceil(grid));
-    return std::clamp((from + count) * size / shown_per_stored, minimum, maximum);
+    const double next = (from + count) * size;
+    // Of a count nothing, or less, is an endless yarn's.
+    if (measure == Measure::linear_density && next <= 0) { return stored; }
+    return std::clamp(fromShown(next), minimum, maximum);
 }
 
 } // namespace hygroloom

@@ -15,12 +15,17 @@ namespace hygroloom {
 struct TypedUnit {
     QStringList spellings; ///< the first is the proper one; compared without case unless it would be ambiguous
     double (*stored)(double typed);
+    double (*shown)(double stored) = nullptr; ///< back, where numbers may be shown in it
 };
+
+/// Of which numbers the preferences choose the unit that is shown.
+enum class Measure { other, length, linear_density, sett, temperature };
 
 /// One kind of number: what it is shown in, what may be typed, what is allowed.
 struct Quantity {
-    QString unit;                 ///< shown behind the number; empty for a plain one
-    std::vector<TypedUnit> units; ///< the shown one first
+    QString unit;                 ///< of the stored number, or that times shown_per_stored; empty for a plain one
+    std::vector<TypedUnit> units; ///< the one of unit first
+    Measure measure = Measure::other;
     double shown_per_stored = 1;
     double minimum = 0; ///< stored unit
     double maximum = 1;
@@ -46,16 +51,41 @@ struct Quantity {
     static Quantity viscosity(double minimum_mpa_s, double maximum_mpa_s);
     static Quantity density(double minimum_kg_m3, double maximum_kg_m3);
 
-    QString number(double stored) const; ///< "35"
-    QString text(double stored) const;   ///< "35 /cm"
-    QString range() const;               ///< "Allowed: 1 to 200 /cm."
+    QString shownUnit() const;              ///< unit, or the preferred one
+    QString number(double stored) const;    ///< "35"
+    QString text(double stored) const;      ///< "35 /cm"
+    QString shortText(double stored) const; ///< of a calculated number: three significant digits
+    QString fullText(double stored) const;  ///< of the same, as it was computed
+    QString range() const;                  ///< "Allowed: 1 to 200 /cm."
     /// The stored value of what was typed, or why it cannot be read.
     std::optional<double> parse(const QString& typed, QString* complaint = nullptr) const;
     double stepped(double stored, double steps) const;
+    /// The number in another unit that the trade uses: "Ne 30", "89 /in"; empty for other measures.
+    QString besideText(double stored) const;
+
+private:
+    const TypedUnit* preferred() const; ///< nullptr: unit is shown
+    double toShown(double stored) const;
+    double fromShown(double shown) const;
+    int shownDecimals(double stored) const;
 };
 
 /// A number with at most this number of decimals and no trailing zeros, in the user's locale.
 QString shownNumber(double value, int decimals);
+
+/// Three significant digits; a whole number keeps all of its own.
+QString significant(double value);
+/// The number as it was computed, to be said where the short one is pointed at.
+QString inFull(double value);
+
+/// A value with its unit, in the user's unit where it is a length ("mm") or a speed ("mm/s"): three significant digits, or all.
+QString valueText(double value, const QString& unit, bool full = false);
+/// The user's unit of a value in that one, and how many of it one is.
+struct UserUnit {
+    QString unit;
+    double per_one = 1;
+};
+UserUnit userUnit(const QString& unit);
 
 /// A time in s within a duration in s; all times of one duration have equal decimals: "3.20 s" of 10 s.
 QString momentText(double seconds, double duration);

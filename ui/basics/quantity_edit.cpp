@@ -3,6 +3,7 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/design_undo.h"
+#include "ui/basics/preferences.h"
 
 #include <QAction>
 #include <QApplication>
@@ -24,6 +25,12 @@ QuantityEdit::QuantityEdit(Quantity quantity, QWidget* parent) : QLineEdit(paren
     connect(mark_, &QAction::triggered, this, [this] { QToolTip::showText(mapToGlobal(QPoint(0, height())), toolTip(), this); });
     connect(this, &QLineEdit::textEdited, this, [this] {
         complaint_.clear();
+        updateMarks();
+    });
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, [this] {
+        if (quantity_.measure == Measure::other) { return; }
+        if (!isModified()) { restoreText(); }
+        if (derived_) { setDerived(derived_); }
         updateMarks();
     });
     updateMarks();
@@ -56,7 +63,8 @@ void QuantityEdit::setOptional(bool optional)
 void QuantityEdit::setDerived(std::optional<double> derived)
 {
     derived_ = derived;
-    setPlaceholderText(derived ? tr("auto %1").arg(quantity_.text(*derived)) : tr("auto"));
+    setPlaceholderText(derived ? tr("auto %1").arg(quantity_.shortText(*derived)) : tr("auto"));
+    updateMarks();
 }
 
 void QuantityEdit::setIssues(const std::vector<const Issue*>& issues)
@@ -199,6 +207,7 @@ void QuantityEdit::updateMarks()
     if (!complaint_.isEmpty()) { lines << complaint_; }
     lines << sentences_;
     if (!help_.isEmpty()) { lines << help_; }
+    if (derived_ && !value_) { lines << tr("Calculated: %1.").arg(quantity_.fullText(*derived_)); }
     lines << quantity_.range();
     setAccessibleDescription(lines.join(' '));
     // Rich text, so that long sentences wrap.

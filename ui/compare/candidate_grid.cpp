@@ -19,11 +19,17 @@ QString tr(const char* text) { return QCoreApplication::translate("hygroloom", t
 
 QString capital(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
 
+ShownValue inUserUnit(ShownValue value)
+{
+    const UserUnit user = userUnit(QString::fromStdString(value.unit));
+    return {value.value * user.per_one, user.unit.toStdString()};
+}
+
 GridColumn columnOf(const OutcomeInfo& info)
 {
     GridColumn column;
     column.info = info;
-    const QString unit = QString::fromStdString(shown(info, 0.0).unit);
+    const QString unit = userUnit(QString::fromStdString(shown(info, 0.0).unit)).unit;
     column.head = capital(coreTitle(info.title, info.face));
     if (!unit.isEmpty()) { column.head += " (" + unit + ")"; }
     column.tip = info.better == Better::less ? tr("Smaller is better.") : tr("Larger is better.");
@@ -53,7 +59,7 @@ void addVerdict(GridCell& cell, const Comparison& comparison, const Candidate& c
     if (!found) { return; }
     cell.verdict = verdictText(found->verdict);
     const QString base = QString::fromStdString(comparison.baseline);
-    const ShownValue low = shown(info, found->low), high = shown(info, found->high);
+    const ShownValue low = inUserUnit(shown(info, found->low)), high = inUserUnit(shown(info, found->high));
     const int decimals = decimals_for(std::max(std::abs(low.value), std::abs(high.value)), 2);
     cell.tip += "\n" + tr("Difference to %1: %2 to %3 %4, from %5.")
                            .arg(base, shownNumber(low.value, decimals), shownNumber(high.value, decimals), QString::fromStdString(low.unit),
@@ -65,13 +71,22 @@ QString measuredText(const Comparison& comparison, const std::string& fabric, co
 {
     const LaboratoryValue* found = measured_of(comparison, fabric, info.key);
     if (!found) { return {}; }
-    const ShownValue value = shown(info, found->value);
+    const ShownValue value = inUserUnit(shown(info, found->value));
     QString text = tr("measured %1").arg(shownNumber(value.value, decimals_for(std::abs(value.value), 3)));
     if (found->spread) {
-        const double spread = std::abs(shown(info, found->value + *found->spread).value - value.value);
+        const double spread = std::abs(inUserUnit(shown(info, found->value + *found->spread)).value - value.value);
         text += QStringLiteral(" ± ") + shownNumber(spread, decimals_for(std::abs(value.value), 3));
     }
     return value.unit.empty() ? text : text + QChar(0x00a0) + QString::fromStdString(value.unit);
+}
+
+ShownInterval inUserUnit(ShownInterval seen)
+{
+    const UserUnit user = userUnit(QString::fromStdString(seen.unit));
+    for (double* number : {&seen.value, &seen.low, &seen.high, &seen.half}) { *number *= user.per_one; }
+    seen.decimals += static_cast<int>(std::lround(-std::log10(user.per_one)));
+    seen.unit = user.unit.toStdString();
+    return seen;
 }
 
 GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const OutcomeInfo& info)
@@ -95,11 +110,11 @@ GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const Outc
         return cell;
     }
     const Interval& interval = found->second;
-    const ShownInterval seen = shown(info, interval);
+    const ShownInterval seen = inUserUnit(shown(info, interval));
     cell.state = GridCell::State::number;
     cell.value = seen.value;
-    cell.low = shown(info, interval.low).value;
-    cell.high = shown(info, interval.high).value;
+    cell.low = seen.low;
+    cell.high = seen.high;
     if (cell.low > cell.high) { std::swap(cell.low, cell.high); }
     const auto text = [&seen](double number) { // both with equal decimals; never "-0.00"
         return QLocale().toString(std::abs(number) < 0.5 * std::pow(10.0, -seen.decimals) ? 0.0 : number, 'f', seen.decimals);
@@ -115,6 +130,8 @@ GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const Outc
                          .arg(interval.runs)
                    : tr("After ±: the numerical error, as measured on runs of this kind.");
     if (!interval.numerical_known) { cell.tip = tr("The numerical error of this number is not known."); }
+    cell.tip.prepend(
+        tr("%1 in full.").arg(valueText(shown(info, interval.centre).value, QString::fromStdString(shown(info, 0.0).unit), true)) + "\n");
     addVerdict(cell, comparison, *candidate, entry, info);
     return cell;
 }

@@ -2,6 +2,7 @@
 // What is compared. The table and what is missing: compare_view_table.cpp.
 #include "ui/compare/compare_view.h"
 
+#include "ui/basics/preferences.h"
 #include "ui/compare/candidate_table.h"
 #include "ui/compare/cloths_view.h"
 #include "ui/compare/compare_bar.h"
@@ -108,6 +109,7 @@ void CompareView::connectParts()
     });
     connect(&runs_, &StudyRuns::failed, this, &CompareView::failed);
     connect(&history_, &RunHistory::changed, this, &CompareView::refresh);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &CompareView::refresh);
     connect(&document_, &Document::replaced, this, [this] {
         proposing_ = selecting_ = fidelity_follows_ = true;
         selected_ = -1;

@@ -15,6 +15,7 @@
 #include "ui/compare/study_report.h"
 #include "ui/compare/why_view.h"
 #include "ui/document/document.h"
+#include "ui/results/device_choice.h"
 #include "ui/results/report_file.h"
 
 #include <QDir>
@@ -235,7 +236,7 @@ void CompareView::plan(const std::vector<StudyJob>& jobs)
             double seconds = 0;
             try {
                 seconds = plan_run(*design, *find_fabric(*design, job.fabric), *find_experiment(*design, job.experiment), job.fidelity, {},
-                                   {}, expected_backend("auto"))
+                                   {}, expected_backend(backendOfMany()))
                               .expected_seconds;
             } catch (const Error&) { // its run will say why
             }

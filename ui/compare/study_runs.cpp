@@ -8,8 +8,10 @@
 #include "core/run/recording.h"
 #include "core/run/side_by_side.h"
 #include "gpu/backends.h"
+#include "ui/basics/preferences.h"
 #include "ui/document/document.h"
 #include "ui/document/run_folder.h"
+#include "ui/results/device_choice.h"
 #include "ui/results/project_runs.h"
 
 #include <QFileInfo>
@@ -21,7 +23,7 @@ namespace hygroloom {
 namespace {
 
 /// One scene fills a CPU. A GPU computes some drafts as fast as one, where its memory holds them: see the gate.
-std::size_t atOnce(Fidelity fidelity) { return expected_backend("auto") == "cpu" || fidelity != Fidelity::draft ? 1 : 8; }
+std::size_t atOnce(Fidelity fidelity) { return expected_backend(backendOfMany()) == "cpu" || fidelity != Fidelity::draft ? 1 : 8; }
 
 } // namespace
 
@@ -103,6 +105,7 @@ StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, 
         how.fidelity = job.fidelity;
         how.seed = result.drawn.seed;
         how.may_go_on_on_cpu = true;
+        how.threads = preferences().threads;
         how.one_on_cpu = &one_on_cpu_;
         how.recording = recording.toStdString();
         RunCallbacks callbacks;
@@ -123,11 +126,11 @@ StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, 
         const Design& own = result.drawn.design;
         const Experiment& experiment = *find_experiment(own, job.experiment);
         std::optional<MemoryGate::Pass> pass;
-        if (expected_backend("auto") != "cpu") {
+        if (expected_backend(backendOfMany()) != "cpu") {
             const std::vector<Textile> textile{textile_of_run(own, *find_fabric(own, job.fabric), experiment)};
             pass.emplace(gate_, static_cast<double>(bytes_of_largest(own, experiment, textile, how)), control_.cancel);
         }
-        const std::unique_ptr<Backend> machine = make_backend("auto");
+        const std::unique_ptr<Backend> machine = make_backend(backendOfMany());
         result.finished = run_and_measure(result.drawn.design, job.fabric, job.experiment, how, *machine, control_, callbacks);
         if (traced) { result.maps = tracer.take(); }
         if (result.finished->device_failure.empty()) { learn_time(result.finished->run); }

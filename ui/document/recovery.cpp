@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/project/atomic_file.h"
 #include "core/project/project_file.h"
+#include "ui/basics/preferences.h"
 #include "ui/document/run_folder.h"
 
 #include <QDir>
@@ -18,7 +19,9 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int delay = 1000; // ms from an edit to its writing
+constexpr int shortest_delay = 1000; // ms from an edit to its writing
+
+int preferredDelay() { return std::max(shortest_delay, 60000 * preferences().autosave_minutes); }
 
 QString lockOf(const QString& file) { return file + ".lock"; }
 
@@ -44,7 +47,10 @@ Recovery::Recovery(Document& document, QString folder, QObject* parent)
       file_(QDir(folder_).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + ".hygro")), writer_(std::make_unique<NewestJob>())
 {
     wait_.setSingleShot(true);
-    wait_.setInterval(delay);
+    wait_.setInterval(preferredDelay());
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, [this] { // a timer that runs begins anew
+        if (wait_.interval() != preferredDelay()) { wait_.setInterval(preferredDelay()); }
+    });
     connect(&wait_, &QTimer::timeout, this, &Recovery::keep);
     connect(&document_, &Document::designChanged, this, &Recovery::follow);
     connect(&document_, &Document::modifiedChanged, this, &Recovery::follow);

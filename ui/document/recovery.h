@@ -25,8 +25,8 @@ struct LeftOver {
     QString runs;          ///< the folder with its runs; need not exist
 };
 
-/// Writes the design beside other work shortly after it changed, and removes the copy once it is saved or discarded and no runs lie beside
-/// it.
+/// Writes the design beside other work after it changed, at once or as seldom as the user prefers, and removes the copy once it is saved or
+/// discarded and no runs lie beside it.
 class Recovery : public QObject {
     Q_OBJECT
 public:

@@ -3,7 +3,9 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/color_map.h"
+#include "ui/basics/preferences.h"
 #include "ui/garment/panel_drop.h"
+#include "ui/picture/pointer.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -311,6 +313,6 @@ void FlatView::leaveEvent(QEvent* event)
     Q_EMIT hovered({});
 }
 
-void FlatView::wheelEvent(QWheelEvent* event) { zoomAt(std::pow(1.0015, event->angleDelta().y()), event->position()); }
+void FlatView::wheelEvent(QWheelEvent* event) { zoomAt(wheelZoom(event->angleDelta().y()), zoomedAt(event->position(), QSizeF(size()))); }
 
 } // namespace hygroloom

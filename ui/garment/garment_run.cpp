@@ -80,6 +80,7 @@ void GarmentRun::compute(const Request& request)
     const GarmentScene scene = garment_scene(parts, resolution_of(request.options));
     if (control_.cancel) { throw Cancelled(); }
     const std::unique_ptr<Backend> backend = make_backend(request.backend);
+    backend->set_threads(request.threads);
     auto record = std::make_shared<WearRecord>();
     record->design = *request.design;
     record->layout = wear_layout(parts, scene);

@@ -23,6 +23,7 @@ public:
         std::filesystem::path base; ///< that the garment's source is relative to
         WearOptions options;
         std::string backend;
+        int threads = 0;                 ///< 0: all
         std::filesystem::path recording; ///< empty: none is written
     };
 

@@ -2,10 +2,11 @@
 #include "ui/garment/run_form.h"
 
 #include "core/base/text.h"
-#include "gpu/backends.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/garment/worn_run.h"
+#include "ui/results/device_choice.h"
 #include "ui/results/plan_dialog.h"
 
 #include <QButtonGroup>
@@ -15,7 +16,6 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalBlocker>
-#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 namespace hygroloom {
@@ -97,15 +97,7 @@ void RunForm::addFidelities()
 
 void RunForm::addDevices()
 {
-    for (const BackendInfo& info : find_backends()) {
-        const QString name = QString::fromStdString(info.name).toUpper() + ": " + QString::fromStdString(info.device);
-        device_->addItem(info.usable ? name : tr("%1 (not usable)").arg(name), QString::fromStdString(info.name));
-        const int row = device_->count() - 1;
-        device_->setItemData(row, info.usable ? name : QString::fromStdString(info.reason), Qt::ToolTipRole);
-        if (auto* model = qobject_cast<QStandardItemModel*>(device_->model()); model && !info.usable) {
-            model->item(row)->setEnabled(false);
-        }
-    }
+    fillDevices(*device_);
     device_->setAccessibleName(tr("Device"));
     device_->setToolTip(tr("Processor that runs the experiment."));
     device_->setMinimumContentsLength(8);
@@ -156,6 +148,7 @@ void RunForm::start()
     request.base = choice_.base();
     request.options.fidelity = fidelity();
     request.backend = backend();
+    request.threads = preferences().threads;
     if (place_) {
         const QString file = place_();
         if (file.isEmpty()) { return; }
@@ -209,7 +202,7 @@ void RunForm::showState()
     pause_->setText(run_.paused() ? tr("Resume") : tr("Pause"));
     pause_->setIcon(themedIcon(run_.paused() ? "run" : "pause"));
     pause_->setAccessibleName(pause_->text());
-    pause_->setToolTip(run_.paused() ? tr("Go on with the run.") : tr("Pause the run; its frames so far can be looked at."));
+    pause_->setToolTip(run_.paused() ? tr("Resume the run.") : tr("Pause the run; its frames so far can be looked at."));
     stop_->setEnabled(run_.running());
     bar_->setVisible(run_.running());
     start_->setToolTip(can ? tr("Run the experiment on this garment (Ctrl+R).") : "<p>" + reason.toHtmlEscaped() + "</p>");

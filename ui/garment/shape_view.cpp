@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/shape_view.h"
 
+#include "ui/basics/preferences.h"
 #include "ui/garment/panel_drop.h"
 #include "ui/picture/drawing.h"
+#include "ui/picture/pointer.h"
 
 #include <QApplication>
 #include <QMouseEvent>
@@ -370,7 +372,7 @@ void ShapeView::mousePressEvent(QMouseEvent* event)
 
 void ShapeView::mouseMoveEvent(QMouseEvent* event)
 {
-    if (!(event->buttons() & (Qt::LeftButton | Qt::MiddleButton))) {
+    if (event->buttons() == Qt::NoButton) {
         if (drawing_ && drawing_->shape.triangles.size() <= most_hovered) { Q_EMIT hovered(spotAt(event->position())); }
         return;
     }
@@ -378,10 +380,10 @@ void ShapeView::mouseMoveEvent(QMouseEvent* event)
     if (!moving_) { return; }
     const QPointF step = event->position() - dragged_;
     dragged_ = event->position();
-    if ((event->buttons() & Qt::MiddleButton) || (event->modifiers() & Qt::ShiftModifier)) {
-        camera_.pan(step, QSizeF(size()));
-    } else {
-        camera_.orbit(step, 0.5F * (low_ + high_));
+    switch (dragOf(event->buttons(), event->modifiers())) {
+    case PointerDrag::pan: camera_.pan(step, QSizeF(size())); break;
+    case PointerDrag::orbit: camera_.orbit(step, 0.5F * (low_ + high_)); break;
+    case PointerDrag::none: return;
     }
     moved();
 }
@@ -400,7 +402,7 @@ void ShapeView::leaveEvent(QEvent* event)
 
 void ShapeView::wheelEvent(QWheelEvent* event)
 {
-    camera_.zoom(std::pow(1.0015, event->angleDelta().y()), event->position(), QSizeF(size()));
+    camera_.zoom(wheelZoom(event->angleDelta().y()), zoomedAt(event->position(), QSizeF(size())), QSizeF(size()));
     moved();
 }
 

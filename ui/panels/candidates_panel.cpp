@@ -172,6 +172,8 @@ void CandidatesPanel::addPreset(const Preset& preset)
     });
 }
 
+void CandidatesPanel::addShipped(int preset) { addPreset(shipped_presets().at(static_cast<std::size_t>(preset))); }
+
 void CandidatesPanel::keepFabric()
 {
     if (!document_.fabric()) { return; }

@@ -27,6 +27,8 @@ public:
     void duplicateFabric();
     void chooseFromLibrary();
     void addPreset(const Preset& preset);
+    /// One of shipped_presets().
+    void addShipped(int preset);
     void keepFabric();
     void renameFabric();
     void deleteFabric();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/panels/fabric_panel.h"
 
-#include "core/base/units.h"
 #include "core/project/library.h"
 #include "ui/basics/core_words.h"
+#include "ui/basics/number_label.h"
+#include "ui/basics/preferences.h"
 #include "ui/panels/yarn_panel.h"
 
 #include <QAbstractButton>
@@ -25,6 +26,7 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent) : QScrollArea(pare
     addFlyaway();
     addMeasured();
     form_->fill(this);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, form_, &DesignForm::refresh);
     form_->refresh();
 }
 
@@ -90,7 +92,7 @@ void FabricPanel::addSett(const QString& label, const QString& undo, const char*
     form_->onRefresh([=, this] {
         const Fabric* f = document_.fabric();
         edit->setEnabled(f != nullptr);
-        note->setText(f ? tr("%1 /in").arg(shownNumber(per_inch_from_per_cm(f->*member), 0)) : QString());
+        note->setText(f ? edit->quantity().besideText(f->*member) : QString());
     });
 }
 
@@ -242,12 +244,16 @@ void FabricPanel::addDerived()
     form_->onRefresh([=, this] {
         const FabricQuantities* q = document_.quantities();
         const QString none = QStringLiteral("–");
-        weight->setText(q ? tr("%1 g/m²").arg(shownNumber(q->areal_density_g_m2, 0)) : none);
-        cover->setText(q ? shownNumber(q->cover_factor, 2) : none);
-        bending->setText(!q ? none : q->jammed ? tr("flattened at crossings") : tr("round (Peirce)"));
-        porosity->setText(q ? shownNumber(q->porosity, 2) : none);
-        layer->setText(q ? tr("%1 mm").arg(shownNumber(q->yarn_layer_thickness_mm, 3)) : none);
-        gap->setText(q ? tr("%1 × %2 mm").arg(shownNumber(q->gap_warp_mm, 3), shownNumber(q->gap_weft_mm, 3)) : none);
+        if (!q) {
+            for (QLabel* label : {weight, cover, bending, porosity, layer, gap}) { label->setText(none); }
+            return;
+        }
+        showNumbers(*weight, {q->areal_density_g_m2}, "g/m²");
+        showNumbers(*cover, {q->cover_factor}, {});
+        bending->setText(q->jammed ? tr("flattened at crossings") : tr("round (Peirce)"));
+        showNumbers(*porosity, {q->porosity}, {});
+        showNumbers(*layer, {q->yarn_layer_thickness_mm}, "mm");
+        showNumbers(*gap, {q->gap_warp_mm, q->gap_weft_mm}, "mm");
     });
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/panels/yarn_panel.h"
 
-#include "core/base/units.h"
 #include "core/design/yarn_sections.h"
 #include "ui/basics/core_words.h"
+#include "ui/basics/number_label.h"
 #include "ui/weave/cloth_picture.h"
 
 #include <QCheckBox>
@@ -214,7 +214,8 @@ void YarnPanel::addColor()
     color_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto* menu = new QMenu(color_);
     connect(menu->addAction(tr("Choose…")), &QAction::triggered, this, [this] {
-        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), isWarp()), color_, tr("Yarn Colour"));
+        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), isWarp()), color_, tr("Yarn Colour"),
+                                                    QColorDialog::DontUseNativeDialog); // in the look of the program
         if (color.isValid()) {
             editYarn(tr("%1 colour").arg(kind_), path("color"), [&](Yarn& y) {
                 y.color = Color{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
@@ -371,9 +372,13 @@ void YarnPanel::refreshDerived()
     diameter_->setDerived(free ? std::optional(free->diameter) : std::nullopt);
     density_->setDerived(free ? std::optional(free->linear_density_tex) : std::nullopt);
     packing_->setDerived(free ? std::optional(free->packing_factor) : std::nullopt);
-    density_note_->setText(free ? tr("Ne %1").arg(shownNumber(ne_from_tex(free->linear_density_tex), 1)) : QString());
-    crimp_->setText(q ? tr("%1 %").arg(shownNumber(q->crimp_percent, 1)) : QStringLiteral("–"));
-    pore_->setText(q ? tr("%1 µm").arg(shownNumber(q->pore_radius_um, 1)) : QStringLiteral("–"));
+    density_note_->setText(free ? density_->quantity().besideText(free->linear_density_tex) : QString());
+    if (q) {
+        showNumbers(*crimp_, {q->crimp_percent}, "%");
+        showNumbers(*pore_, {q->pore_radius_um}, "µm");
+    } else {
+        for (QLabel* label : {crimp_, pore_}) { label->setText(QStringLiteral("–")); }
+    }
 }
 
 void YarnPanel::refreshMaterials()

@@ -2,6 +2,7 @@
 // The OpenGL widget of the viewport: pointer, picture and overlay. Draws on demand only.
 #pragma once
 
+#include "ui/picture/pointer.h"
 #include "ui/picture/prepared_view.h"
 #include "ui/picture/textile_renderer.h"
 
@@ -22,9 +23,6 @@ struct PictureCaption {
     double legend_scale = 1; ///< number shown per value stored
     bool operator==(const PictureCaption&) const = default;
 };
-
-/// Which buttons of the mouse turn and move.
-enum class Navigation { hygroloom, blender, freecad };
 
 /// A plane that cuts the fabric open. What lies before it is taken away.
 struct SectionPlane {
@@ -83,7 +81,6 @@ public:
     void fit(Framing framing);
     void lookFrom(double turn, double lift);
     void setParallel(bool parallel);
-    void setNavigation(Navigation navigation) { navigation_ = navigation; }
     void setSection(const SectionPlane& section);
     /// Clicks then set the two ends of a distance, on yarn centrelines or yarn surfaces.
     void setMeasuring(bool measuring);
@@ -145,7 +142,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    enum class Drag { none, orbit, pan };
+    using Drag = PointerDrag;
     PictureColors colors() const;
     void frame(Framing framing);
     void redraw(bool moving);
@@ -170,7 +167,6 @@ private:
     // the others
     QString selectionText() const;
     void hover(const QPointF& at);
-    Drag dragOf(Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers) const;
     std::optional<CutPlane> cut() const;
     std::optional<YarnHit> hit(const QPointF& at) const;
     std::optional<QVector3D> onPlane(const QPointF& at) const;
@@ -206,7 +202,6 @@ private:
     QPointF drop_before_;   ///< mm, where it was taken
     DropSnap snap_;
     std::vector<QVector3D> measured_; ///< up to two
-    Navigation navigation_ = Navigation::hygroloom;
     QPointF pointer_;
     QPointF pressed_at_;
     QPointF dragged_from_;

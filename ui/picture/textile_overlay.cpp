@@ -121,7 +121,7 @@ void TextileCanvas::drawMeasurement(QPainter& painter, const QColor& ink)
     painter.setPen(QPen(accent, 2));
     painter.drawLine(ends[0], ends[1]);
     const QVector3D way = found->to - found->from;
-    const auto length = [](double mm) { return shownNumber(mm, 3) + QChar(0x00a0) + QStringLiteral("mm"); };
+    const auto length = [](double mm) { return valueText(mm, "mm"); };
     const QStringList lines{
         length(found->length()),
         tr("warp %1, weft %2, height %3").arg(length(std::abs(way.y())), length(std::abs(way.x())), length(std::abs(way.z())))};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What the pointer and the keys do in the picture: turning, moving, choosing, measuring, cutting open.
 #include "core/base/units.h"
+#include "ui/basics/preferences.h"
 #include "ui/picture/textile_canvas.h"
 
 #include <QMouseEvent>
@@ -25,20 +26,6 @@ QVector3D millimetres(const Vec3d& point)
 }
 
 } // namespace
-
-TextileCanvas::Drag TextileCanvas::dragOf(Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers) const
-{
-    const bool left = buttons & Qt::LeftButton, middle = buttons & Qt::MiddleButton, right = buttons & Qt::RightButton;
-    const bool shift = modifiers & Qt::ShiftModifier;
-    switch (navigation_) {
-    case Navigation::blender: return middle ? (shift ? Drag::pan : Drag::orbit) : Drag::none;
-    case Navigation::freecad:
-        if (middle) { return left ? Drag::orbit : Drag::pan; }
-        return right ? (shift ? Drag::orbit : modifiers & Qt::ControlModifier ? Drag::pan : Drag::none) : Drag::none;
-    case Navigation::hygroloom: break;
-    }
-    return middle || right || (left && shift) ? Drag::pan : left ? Drag::orbit : Drag::none;
-}
 
 void TextileCanvas::mousePressEvent(QMouseEvent* event)
 {
@@ -107,11 +94,12 @@ void TextileCanvas::mouseDoubleClickEvent(QMouseEvent* event)
 void TextileCanvas::wheelEvent(QWheelEvent* event)
 {
     moved_by_hand_ = true;
-    const double factor = std::pow(1.0015, event->angleDelta().y());
-    if (const auto found = hit(event->position())) {
+    const double factor = wheelZoom(event->angleDelta().y());
+    const QPointF at = zoomedAt(event->position(), QSizeF(size()));
+    if (const auto found = hit(at)) {
         camera_.zoomTo(factor, millimetres(found->point));
     } else {
-        camera_.zoom(factor, event->position(), QSizeF(size()));
+        camera_.zoom(factor, at, QSizeF(size()));
     }
     redraw(true);
 }

@@ -3,6 +3,7 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/design_undo.h"
+#include "ui/basics/preferred_menu.h"
 
 #include <QActionGroup>
 #include <QComboBox>
@@ -131,12 +132,8 @@ void ViewBar::buildViews()
         swatch_ = i;
         Q_EMIT swatchChosen(i);
     });
-    navigation_ = choices(tr("&Mouse"), "view/mouse",
-                          {tr("Hygroloom: left turns, middle moves"), tr("Blender: middle turns, Shift and middle moves"),
-                           tr("FreeCAD: middle moves, middle and left turns")},
-                          0, [this](int i) {
-                              if (canvas_) { canvas_->setNavigation(static_cast<Navigation>(i)); }
-                          });
+    navigation_ = new QMenu(tr("&Mouse"), this);
+    addPreferred(*navigation_, &Preferences::navigation, navigationNames());
     addWidget(menuButton(tr("View"), tr("Viewing direction"), views_));
     addAction(parallel_);
     addAction(particles_);

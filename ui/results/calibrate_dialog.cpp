@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/project/atomic_file.h"
+#include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/fit_chart.h"
 #include "ui/results/plan_dialog.h"
@@ -262,6 +263,7 @@ void CalibrateDialog::startOrCancel()
     RunOptions how;
     how.fidelity = static_cast<Fidelity>(fidelity_->currentData().toInt());
     how.may_go_on_on_cpu = true;
+    how.threads = preferences().threads;
     run_.start({document_.design(), document_.fabric()->name, experiment()->name, *data_, chosenInputs(), how, backend_});
     refresh();
 }

@@ -8,6 +8,7 @@
 #include "ui/document/run_folder.h"
 #include "ui/results/run_history.h"
 
+#include <QDateTime>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -110,7 +111,27 @@ QString ProjectRuns::settle(const QString& recording)
         history_.move(recording, recording, isFiled(recording));
     }
     recovery_.follow();
+    if (!at.isEmpty()) { Q_EMIT grown(); }
     return at;
+}
+
+QStringList ProjectRuns::beyond(double bytes) const
+{
+    QStringList recordings = recordingsIn(folder());
+    for (const QString& live : live_) { recordings.removeAll(live); }
+    double all = 0;
+    for (const QString& path : recordings) { all += static_cast<double>(QFileInfo(path).size()); }
+    std::stable_sort(recordings.begin(), recordings.end(),
+                     [](const QString& a, const QString& b) { return QFileInfo(a).lastModified() < QFileInfo(b).lastModified(); });
+    if (!recordings.isEmpty()) { recordings.removeLast(); } // what was just computed stays
+    QStringList oldest;
+    for (const QString& path : recordings) {
+        if (all <= bytes) { break; }
+        if (isMarked(path) || isWaiting(path)) { continue; }
+        all -= static_cast<double>(QFileInfo(path).size());
+        oldest << path;
+    }
+    return oldest;
 }
 
 bool ProjectRuns::owns(const QString& recording) const

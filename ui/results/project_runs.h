@@ -49,6 +49,8 @@ public:
 
     /// Adds the runs of work that was recovered.
     void takeFrom(const QString& folder);
+    /// The oldest runs that are not marked, as many as must go so that the project's take no more than this; empty where they do not.
+    QStringList beyond(double bytes) const;
     /// Deletes a run of the project; a recording that the list has as opened only leaves the list, as nobody was asked about its deletion.
     void forget(const QString& recording);
     void setMarked(const QString& recording, bool marked);
@@ -58,6 +60,8 @@ public:
     bool copying() const { return !waiting_.empty(); }
 
 Q_SIGNALS:
+    /// A run was added to the project's folder.
+    void grown();
     /// The runs of that folder are about to come to this project's.
     void following(const QString& from);
     void moved(const QString& from, const QString& to);

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/language.h"
+#include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/plan_dialog.h"
 
@@ -22,20 +23,10 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace hygroloom {
 
 namespace {
-
-/// Three significant digits.
-QString number(double value)
-{
-    const int decimals = value == 0 ? 0 : std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 6);
-    return shownNumber(value, decimals);
-}
-
-QString with(double value, const char* unit) { return number(value) + (*unit ? QChar(0x00a0) + QString::fromUtf8(unit) : QString()); }
 
 /// With a capital.
 QString sentence(const QString& words) { return words.left(1).toUpper() + words.mid(1); }
@@ -47,10 +38,17 @@ QString textOf(const Outcome& outcome)
     QString text = coreWord(outcome.missing);
     if (outcome.value) {
         const ShownValue value = shown(outcome, *outcome.value);
-        text = with(value.value, value.unit.c_str());
+        text = valueText(value.value, QString::fromStdString(value.unit));
     }
     if (outcome.grade) { text = QStringLiteral("%1 (%2)").arg(text).arg(*outcome.grade); }
     return outcome.remark.empty() ? text : text + ", " + coreWord(outcome.remark);
+}
+
+QString fullOf(const Outcome& outcome)
+{
+    if (!outcome.value || !outcome.text.empty()) { return {}; }
+    const ShownValue value = shown(outcome, *outcome.value);
+    return valueText(value.value, QString::fromStdString(value.unit), true);
 }
 
 /// The numbers by which fabrics are compared come first; top and bottom stand on one line.
@@ -68,9 +66,10 @@ void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outco
         const int rank = outcome.rank > 0 ? outcome.rank : last;
         if (outcome.face == "bottom" && !lines.empty() && lines.back().result.name == name) {
             lines.back().result.bottom = textOf(outcome);
+            lines.back().result.full_bottom = fullOf(outcome);
             lines.back().rank = std::min(lines.back().rank, rank);
         } else {
-            lines.push_back({{name, textOf(outcome)}, rank});
+            lines.push_back({{name, textOf(outcome), {}, fullOf(outcome)}, rank});
         }
     }
     std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.rank < b.rank; });
@@ -97,7 +96,9 @@ std::vector<Result> resultsOf(const RunRecord& run, const Metrics& m)
     std::vector<Result> results;
     addOutcomes(results, outcomes_of(run, m));
     for (const BalanceRow& row : water_balance(m.ledger)) {
-        if (row.value != 0) { results.push_back({sentence(coreWord(row.title)), with(row.value, row.unit.c_str())}); }
+        if (row.value == 0) { continue; }
+        const QString unit = QString::fromStdString(row.unit);
+        results.push_back({sentence(coreWord(row.title)), valueText(row.value, unit), {}, valueText(row.value, unit, true)});
     }
     return results;
 }
@@ -177,6 +178,7 @@ ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     setContextMenuPolicy(Qt::ActionsContextMenu);
     connect(&playback_, &Playback::metricsChanged, this, &ResultsPanel::refresh);
     connect(&playback_, &Playback::runChanged, this, &ResultsPanel::refresh);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &ResultsPanel::refresh);
     refresh();
 }
 
@@ -209,9 +211,10 @@ void ResultsPanel::refresh()
     }
     for (std::size_t row = 0; row < rows_.size(); ++row) {
         const Result result = row < results.size() ? results[row] : Result{};
-        const QString texts[] = {result.name, result.value, result.bottom};
+        const QString texts[] = {result.name, result.value, result.bottom}, fulls[] = {{}, result.full, result.full_bottom};
         for (std::size_t column = 0; column < 3; ++column) {
             rows_[row][column]->setText(texts[column]);
+            rows_[row][column]->setToolTip(fulls[column].isEmpty() ? QString() : "<p>" + fulls[column].toHtmlEscaped() + "</p>");
             rows_[row][column]->setAccessibleName(column == 0 ? QString() : result.name);
             rows_[row][column]->setVisible(row < results.size() && !(column == 2 && texts[2].isEmpty()));
         }

@@ -16,6 +16,7 @@ struct Result {
     QString name;
     QString value;
     QString bottom = {};
+    QString full = {}, full_bottom = {}; ///< the numbers as they were computed
 };
 
 /// The numbers of the run's type of experiment, then the water balance.

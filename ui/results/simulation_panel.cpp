@@ -8,6 +8,7 @@
 #include "gpu/backends.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/quantity.h"
+#include "ui/results/device_choice.h"
 #include "ui/results/plan_dialog.h"
 
 #include <QButtonGroup>
@@ -17,7 +18,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 namespace hygroloom {
@@ -111,7 +111,7 @@ void SimulationPanel::addFidelities()
         expected_[i]->setAccessibleName(tr("Expected for %1").arg(button->text()));
         expected_[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         // What is expected comes late, and must not widen the panel then: room for it is kept.
-        expected_[i]->setMinimumWidth(expected_[i]->fontMetrics().horizontalAdvance(tr("about 4 min, 38 MB, numerical error 14 %")));
+        expected_[i]->setMinimumWidth(expected_[i]->fontMetrics().horizontalAdvance(tr("about 4 min, 38 MB, error ≤ 14 %")));
         expected_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
         grid->addWidget(button, static_cast<int>(i), 0);
         grid->addWidget(expected_[i], static_cast<int>(i), 1);
@@ -123,15 +123,7 @@ void SimulationPanel::addFidelities()
 
 void SimulationPanel::addDevices()
 {
-    for (const BackendInfo& info : find_backends()) {
-        const QString name = QString::fromStdString(info.name).toUpper() + ": " + QString::fromStdString(info.device);
-        device_->addItem(info.usable ? name : tr("%1 (not usable)").arg(name), QString::fromStdString(info.name));
-        const int row = device_->count() - 1;
-        device_->setItemData(row, info.usable ? name : QString::fromStdString(info.reason), Qt::ToolTipRole);
-        if (!info.usable) {
-            if (auto* model = qobject_cast<QStandardItemModel*>(device_->model())) { model->item(row)->setEnabled(false); }
-        }
-    }
+    fillDevices(*device_);
     connect(device_, &QComboBox::currentIndexChanged, this, &SimulationPanel::refreshPlans);
     device_->setAccessibleName(tr("Device"));
     device_->setToolTip(tr("Processor that runs the simulation."));

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 
 #include <QMouseEvent>
@@ -39,6 +40,7 @@ WaterMap::WaterMap(const QString& title, QWidget* parent) : QWidget(parent), tit
 {
     setMouseTracking(true);
     setAccessibleName(title);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, qOverload<>(&QWidget::update));
 }
 
 void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, const QSizeF& size)
@@ -53,7 +55,7 @@ void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, c
     const QString most = tr("Most water %1 grams per square metre").arg(shownNumber(1000 * map.maximum(), 0));
     setAccessibleDescription(
         !stain_ ? most + "."
-                : tr("%1; wetted radius %2 millimetres.").arg(most, shownNumber(std::max(0.0, mm_from_metre(circle_.radius)), 2)));
+                : tr("%1; wetted radius now %2.").arg(most, hygroloom::valueText(std::max(0.0, mm_from_metre(circle_.radius)), "mm")));
     update();
 }
 
@@ -151,8 +153,8 @@ QString WaterMap::radiusText(double room) const
     if (!stain_) { return {}; }
     if (!(circle_.radius > 0)) { return tr("dry"); }
     const double mm = mm_from_metre(circle_.radius);
-    const QString radius = tr("%1 mm").arg(shownNumber(mm, decimals_for(mm, 3)));
-    const QString text = tr("wetted radius %1").arg(radius);
+    const QString radius = hygroloom::valueText(mm, "mm");
+    const QString text = tr("wetted radius now %1").arg(radius);
     return fontMetrics().horizontalAdvance(text) + 12 <= room ? text : radius;
 }
 

@@ -6,7 +6,9 @@
 #include "core/run/plan_run.h"
 #include "core/study/points.h"
 #include "gpu/backends.h"
+#include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
+#include "ui/results/device_choice.h"
 #include "ui/results/plan_dialog.h"
 
 #include <QCoreApplication>
@@ -44,9 +46,10 @@ std::vector<ModelPlan> plansOf(const Design& design, const Study& study, Fidelit
 
 StudyShares sharesOf(const Study& study, std::size_t runs, double bytes_each)
 {
-    const std::string backend = expected_backend(backend_for("auto", study.knobs));
+    const std::string backend = expected_backend(backend_for(backendOfMany(), study.knobs));
     if (backend != "cpu") { return {0, 1}; }
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency())), own = preferences().threads;
+    const int cores = own > 0 ? std::min(own, all) : all;
     const double memory = 0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     const double fit = memory / std::max(1.0, bytes_each);
     StudyShares shares;
@@ -61,7 +64,7 @@ StudyCost foretellCost(const Design& design, const Study& study, const std::func
     cost.points = count_points(study);
     const std::size_t pairs = fabrics_of(study, design).size() * experiments_of(study, design).size();
     cost.runs = cost.points * pairs * static_cast<std::size_t>(study.replicates);
-    const std::string backend = expected_backend(backend_for("auto", study.knobs));
+    const std::string backend = expected_backend(backend_for(backendOfMany(), study.knobs));
     std::vector<ModelPlan> plans;
     if (study.fidelity) {
         plans = plansOf(design, study, *study.fidelity, backend, outdated);

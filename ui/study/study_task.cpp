@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "gpu/backends.h"
+#include "ui/results/device_choice.h"
 #include "ui/results/plan_dialog.h"
 #include "ui/study/study_cost.h"
 
@@ -52,7 +53,7 @@ StudyTask::Result StudyTask::run(const Design& design, const Study& study, const
         const StudyShares shares = sharesOf(study, std::max<std::size_t>(needs.rows, 1), static_cast<double>(needs.bytes_each));
         how.threads = shares.threads;
         const auto scenes = static_cast<int>(std::max<std::size_t>(needs.rows, 1));
-        const auto backends = make_backends(backend_for("auto", study.knobs), shares.jobs, scenes, needs.bytes_each);
+        const auto backends = make_backends(backend_for(backendOfMany(), study.knobs), shares.jobs, scenes, needs.bytes_each);
         StudyCallbacks callbacks;
         callbacks.progress = [this](const StudyProgress& progress) {
             post([this, progress] {

@@ -26,6 +26,9 @@ QString threads(const std::vector<int>& numbers)
     return names.join(", ") + (numbers.size() > most_named ? QStringLiteral(", …") : QString());
 }
 
+/// A thread that never interlaces floats over the whole cloth.
+QString longestText(int floats, bool unbound) { return unbound ? WeaveNotes::tr("endless") : QString::number(floats); }
+
 } // namespace
 
 LimitGauge::LimitGauge(QWidget* parent) : QWidget(parent) { setFixedHeight(8); }
@@ -123,8 +126,8 @@ void WeaveNotes::refresh()
         const WeaveAnalysis found = analyse(weave);
         const double crossings = static_cast<double>(weave.ends()) * weave.picks();
         QString facts = tr("Longest floats: warp %1, weft %2. Warp shows on %3 % of the face.")
-                            .arg(std::max(found.warp_face.longest, found.warp_back.longest))
-                            .arg(std::max(found.weft_face.longest, found.weft_back.longest))
+                            .arg(longestText(std::max(found.warp_face.longest, found.warp_back.longest), !found.unbound_ends.empty()),
+                                 longestText(std::max(found.weft_face.longest, found.weft_back.longest), !found.unbound_picks.empty()))
                             .arg(shownNumber(100 * found.warp_up_share, 0));
         facts +=
             " " + tr("%1 % of the crossings interlace.")

@@ -298,6 +298,8 @@ void MainWindow::connectParts()
     connect(qApp, &QGuiApplication::commitDataRequest, this, [this](auto& session) {
         if (session.allowsInteraction() && !close()) { session.cancel(); }
     });
+    // After what else the end of a run shows.
+    connect(&compare_->project(), &ProjectRuns::grown, this, &MainWindow::offerRoom, Qt::QueuedConnection);
     connect(study_, &StudyPage::failed, this, &MainWindow::showProblem);
     connect(study_, &StudyPage::messageShown, this, [this](const QString& sentence) { showMessage(sentence, 8000); });
     connect(issues_, &IssuesPanel::issueActivated, this, &MainWindow::showIssue);

@@ -22,7 +22,9 @@ class DesignWorkspace;
 class ExportDialog;
 class HelpWindow;
 class IssuesPanel;
+class PreferencesDialog;
 class RecentFiles;
+class StartPage;
 class StudyPage;
 
 enum class Workspace { design, simulate, compare, garment, study };
@@ -39,8 +41,11 @@ public:
     bool importDraft(const QString& path);
     /// The example that ships with the program; an empty project where it cannot be found.
     void openShippedExample();
-    /// Offers to open unsaved work of a window that crashed.
-    void offerLeftOver();
+    /// Offers to open unsaved work of a window that crashed. True when some was opened.
+    bool offerLeftOver();
+    /// What to begin with. The program asks for it where no file was named.
+    void showStartPage();
+    void showPreferences();
 
     Document& document() { return document_; }
     Viewport& viewport() { return *viewport_; }
@@ -86,7 +91,8 @@ private:
     void buildEditMenu();
     void buildViewMenu();
     void addWorkspaces(QMenu* menu);
-    void addAppearances(QMenu* menu);
+    static void addAppearances(QMenu* menu);
+    void showWaterColors();
     void buildHelpMenu();
     void buildToolBar();
     void findCommand();
@@ -94,8 +100,14 @@ private:
     QString guidePage() const;
     void about();
     // main_window_files.cpp
-    void offer(const LeftOver& left);
+    bool offer(const LeftOver& left);
     void newProject();
+    /// With this fabric of the library.
+    void newProjectOf(int preset);
+    bool takeNewProject();
+    void openExample(const QString& path);
+    /// Offers to delete the project's oldest runs where they take more than is preferred.
+    void offerRoom();
     void chooseFile();
     bool save();
     bool saveAs();
@@ -117,6 +129,8 @@ private:
     Document document_;
     Recovery recovery_{document_};
     QPointer<ExportDialog> export_;
+    QPointer<StartPage> start_page_;
+    QPointer<PreferencesDialog> preferences_;
     std::unique_ptr<DesignWorkspace> design_;
     std::unique_ptr<CompareWorkspace> compare_;
     std::unique_ptr<SimulateWorkspace> simulate_; ///< reads the runs of compare_
@@ -124,6 +138,8 @@ private:
     Workspace workspace_ = Workspace::design;
     QByteArray states_[5]; ///< by workspace
     QByteArray first_states_[5];
+    int water_colors_ = 0; ///< that are shown
+    bool asking_room_ = false;
     bool closing_ = false; ///< a question is open, or an export is ending
 
     Viewport* viewport_ = nullptr;

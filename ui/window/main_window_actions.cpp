@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Menus, shortcuts and the tool bar.
+#include "ui/basics/preferred_menu.h"
 #include "ui/compare/compare_view.h"
 #include "ui/panels/candidates_panel.h"
 #include "ui/panels/experiment_panel.h"
@@ -65,6 +66,8 @@ void MainWindow::buildFileMenu()
     QMenu* menu = menuBar()->addMenu(tr("&File"));
     connect(addCommand(menu, {}, tr("&New Project"), QKeySequence::New, tr("Start with a plain-weave fabric and one droplet.")),
             &QAction::triggered, this, &MainWindow::newProject);
+    connect(addCommand(menu, {}, tr("S&tart Page…"), {}, tr("Choose among recent projects, examples and fabrics.")), &QAction::triggered,
+            this, &MainWindow::showStartPage);
     open_ = addCommand(menu, "open", tr("&Open…"), QKeySequence::Open, tr("Open a project or a recording."));
     connect(open_, &QAction::triggered, this, &MainWindow::chooseFile);
     recent_ = new RecentFiles(*menu->addMenu(tr("Open &Recent")), this);
@@ -99,9 +102,7 @@ void MainWindow::fillExamples(QMenu* menu)
         const QStringList files = folder.entryList({"*.hygro"}, QDir::Files, QDir::Name);
         for (const QString& file : files) {
             QAction* action = into->addAction(QFileInfo(file).completeBaseName().replace('-', ' '));
-            connect(action, &QAction::triggered, this, [this, path = folder.filePath(file)] {
-                if (mayLeave() && document_.openExample(path)) { simulate_->clearResults(); }
-            });
+            connect(action, &QAction::triggered, this, [this, path = folder.filePath(file)] { openExample(path); });
         }
         into->setEnabled(!files.isEmpty());
     };
@@ -125,6 +126,10 @@ void MainWindow::buildEditMenu()
     redo_->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     redo_->setIcon(themedIcon("redo"));
     menu->addActions({undo_, redo_});
+    menu->addSeparator();
+    QAction* choose = addCommand(menu, {}, tr("&Preferences…"), QKeySequence("Ctrl+,"), tr("Units, look, mouse, autosave, runs, devices."));
+    choose->setMenuRole(QAction::PreferencesRole);
+    connect(choose, &QAction::triggered, this, &MainWindow::showPreferences);
 }
 
 void MainWindow::buildViewMenu()
@@ -137,19 +142,26 @@ void MainWindow::buildViewMenu()
     addChoices(menu->addMenu(tr("Colour &Range")), "view/range",
                {tr("Full: 0 to 100 %"), tr("Follow the run"), tr("Follow the time shown")},
                [this](int i) { viewport_->setWaterRange(static_cast<WaterRange>(i)); });
-    addChoices(menu->addMenu(tr("&Water Colours")), "view/colors",
-               {tr("Blue"), tr("Cividis"), tr("Natural: wet yarns darken (maps stay blue)")}, [this](int i) {
-                   viewport_->setWaterColors(static_cast<WaterColors>(i));
-                   simulate_->maps().setWaterColors(static_cast<WaterColors>(i));
-                   compare_->view().setWaterColors(static_cast<WaterColors>(i));
-                   design_->live().setWaterColors(static_cast<WaterColors>(i));
-               });
+    addPreferred(*menu->addMenu(tr("&Water Colours")), &Preferences::water_colors, waterColorNames());
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &MainWindow::showWaterColors);
+    showWaterColors();
     addAppearances(menu->addMenu(tr("&Appearance")));
     menu->addSeparator();
     QMenu* panels = menu->addMenu(tr("&Panels"));
     for (QDockWidget* dock : docks()) { panels->addAction(dock->toggleViewAction()); }
     connect(addCommand(menu, {}, tr("R&eset Layout"), {}, tr("Restore the original arrangement of the panels.")), &QAction::triggered, this,
             &MainWindow::resetLayout);
+}
+
+void MainWindow::showWaterColors()
+{
+    const int chosen = preferences().water_colors;
+    if (std::exchange(water_colors_, chosen) == chosen) { return; }
+    const auto colors = static_cast<WaterColors>(chosen);
+    viewport_->setWaterColors(colors);
+    simulate_->maps().setWaterColors(colors);
+    compare_->view().setWaterColors(colors);
+    design_->live().setWaterColors(colors);
 }
 
 void MainWindow::addWorkspaces(QMenu* menu)
@@ -183,9 +195,10 @@ void MainWindow::addAppearances(QMenu* menu)
     for (const auto& [look, name] : looks) {
         QAction* action = menu->addAction(name);
         action->setCheckable(true);
-        action->setChecked(savedAppearance() == look);
         group->addAction(action);
-        connect(action, &QAction::triggered, this, [chosen = look] {
+        connect(menu, &QMenu::aboutToShow, action, [action, chosen = look] { action->setChecked(savedAppearance() == chosen); });
+        action->setChecked(savedAppearance() == look);
+        connect(action, &QAction::triggered, action, [chosen = look] {
             saveAppearance(chosen);
             applyAppearance(chosen);
         });

@@ -73,12 +73,19 @@ void MainWindow::openShippedExample()
     if (const QString path = shippedExample(); !path.isEmpty()) { document_.openExample(path); }
 }
 
-void MainWindow::offerLeftOver()
+void MainWindow::openExample(const QString& path)
 {
-    for (const LeftOver& left : recovery_.leftOver()) { offer(left); }
+    if (mayLeave() && document_.openExample(path)) { simulate_->clearResults(); }
 }
 
-void MainWindow::offer(const LeftOver& left)
+bool MainWindow::offerLeftOver()
+{
+    bool opened = false;
+    for (const LeftOver& left : recovery_.leftOver()) { opened = offer(left) || opened; }
+    return opened;
+}
+
+bool MainWindow::offer(const LeftOver& left)
 {
     const QString name = left.title.isEmpty() ? tr("Untitled") : left.title;
     QMessageBox box(QMessageBox::Question, tr("Unsaved work found"),
@@ -95,25 +102,40 @@ void MainWindow::offer(const LeftOver& left)
     box.addButton(tr("&Ask Again Later"), QMessageBox::RejectRole);
     box.setDefaultButton(open);
     box.exec();
-    if (box.clickedButton() == open && mayLeave() && recovery_.open(left)) {
+    const bool opened = box.clickedButton() == open && mayLeave() && recovery_.open(left);
+    if (opened) {
         compare_->project().takeFrom(left.runs);
     } else if (box.clickedButton() == discard) {
         Recovery::discard(left);
     }
     compare_->project().stay();
+    return opened;
+}
+
+/// Without a fabric as yet.
+bool MainWindow::takeNewProject()
+{
+    if (!mayLeave()) { return false; }
+    Design design;
+    design.experiments.push_back(Experiment{});
+    design.experiments.front().name = tr("one drop").toStdString();
+    document_.take(design, {});
+    simulate_->clearResults();
+    return true;
 }
 
 void MainWindow::newProject()
 {
-    if (mayLeave()) {
-        Design design;
-        design.experiments.push_back(Experiment{});
-        design.experiments.front().name = tr("one drop").toStdString();
-        document_.take(design, {});
-        design_->candidates().addFabric();
-        document_.history()->clear();
-        simulate_->clearResults();
-    }
+    if (!takeNewProject()) { return; }
+    design_->candidates().addFabric();
+    document_.history()->clear();
+}
+
+void MainWindow::newProjectOf(int preset)
+{
+    if (!takeNewProject()) { return; }
+    design_->candidates().addShipped(preset);
+    document_.history()->clear();
 }
 
 void MainWindow::chooseFile()

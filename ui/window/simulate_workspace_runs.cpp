@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs from their start to their recording.
 #include "core/base/error.h"
+#include "ui/basics/preferences.h"
 #include "ui/basics/typed_value.h"
 #include "ui/document/document.h"
 #include "ui/document/run_folder.h"
@@ -70,6 +71,7 @@ void SimulateWorkspace::startRun()
     RunOptions options;
     options.fidelity = simulation_->fidelity();
     options.may_go_on_on_cpu = true;
+    options.threads = preferences().threads;
     options.textile = std::make_shared<const Textile>(
         textile_of_run(*document_.design(), *document_.fabric(), *document_.experiment(), document_.fitted().get()));
     try {
