@@ -204,8 +204,7 @@ void PreferencesDialog::addLanguage()
     language_ = new QComboBox;
     language_->setAccessibleName(tr("Language"));
     language_->addItem(tr("As the system"), QString());
-    language_->addItem(QStringLiteral("English"), QStringLiteral("en"));
-    language_->addItem(QStringLiteral("Deutsch"), QStringLiteral("de"));
+    for (const Language& language : languages()) { language_->addItem(language.name, language.code); }
     form->addRow(tr("Language"), language_);
     addNote(*form, tr("Acts at the next start."));
     connect(language_, &QComboBox::activated, this, [this] { QSettings().setValue(language_setting, language_->currentData()); });
