@@ -170,7 +170,9 @@ private Q_SLOTS:
         QVERIFY(!is_seen(faster, state));
         state.since_step_s = 4;
         QVERIFY(is_seen(faster, state));
-        QVERIFY(is_seen({.after_s = 4}, state));
+        LessonGoal time_alone;
+        time_alone.after_s = 4;
+        QVERIFY(is_seen(time_alone, state));
     }
     void sharesOfDropsAddUp()
     {

@@ -58,6 +58,45 @@ private Q_SLOTS:
         const WaterShares shares = water_shares(view->frame->ledger, view->bound_at_start, view->score.drops);
         QCOMPARE(shares.in_yarns + shares.in_fibres + shares.in_air + shares.standing + shares.run_off, 10);
     }
+    void handsMayDoManyThingsAtOneTime()
+    {
+        const Lesson lesson = read_lesson(three);
+        const std::atomic<bool> stop{false};
+        RunningCloth cloth(lesson.cloths[2].design, lesson.air);
+        const auto act = [&] {
+            cloth.drop(0, 5e-3, 2e-9);
+            cloth.blow({30, 0.5, 1});
+            cloth.drop(0, -5e-3, 2e-9);
+            cloth.tilt(10);
+            cloth.blow({35, 0.4, 1});
+        };
+        act(); // before anything has moved
+        cloth.advance(0.5, stop);
+        act();
+        cloth.advance(1, stop);
+        const auto view = cloth.view();
+        QCOMPARE(view->score.drops, 4);
+        QCOMPARE(view->released, 4);
+        QVERIFY(std::abs(view->frame->ledger.water_delivered / (8e-9 * view->air.density) - 1) < 1e-9);
+        QVERIFY(std::abs(view->air.temperature + view->air.air_warmth - kelvin_from_celsius(35)) < 1e-9);
+        require_balanced(view->frame->ledger);
+        QVERIFY(!has_error(validate(cloth.recorded().run.design)));
+    }
+    void dropsThatHaveNoRoomAreRefused()
+    {
+        const Lesson lesson = read_lesson(three);
+        const std::atomic<bool> stop{false};
+        RunningCloth cloth(lesson.cloths[1].design, lesson.air);
+        for (int k = 0; k < most_droplets + 3; ++k) {
+            cloth.drop(1e-3 * (k % 20 - 10), 1e-3 * (k / 8 - 4), 0.5e-9);
+            cloth.advance(0.02 * (k + 1), stop);
+        }
+        const auto view = cloth.view();
+        QCOMPARE(view->score.drops, most_droplets);
+        QCOMPARE(view->refused, 3);
+        QVERIFY(view->notice.find("64") != std::string::npos);
+        require_balanced(view->frame->ledger);
+    }
     void whatWasDoneIsAnOrdinaryRecording()
     {
         const Lesson lesson = read_lesson(three);

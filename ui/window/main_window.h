@@ -22,6 +22,7 @@ class DesignWorkspace;
 class ExportDialog;
 class HelpWindow;
 class IssuesPanel;
+class LessonWindow;
 class RecentFiles;
 class StudyPage;
 
@@ -51,6 +52,8 @@ public:
     StudyPage& study() { return *study_; }
     /// nullptr until the user's guide has been opened.
     HelpWindow* guide() { return guide_; }
+    /// nullptr unless a lesson is on.
+    LessonWindow* lesson() { return lesson_; }
     Workspace workspace() const { return workspace_; }
     void setWorkspace(Workspace workspace);
 
@@ -91,6 +94,8 @@ private:
     void buildToolBar();
     void findCommand();
     void showGuide();
+    void showGuidePage(const QString& page);
+    void showLesson();
     QString guidePage() const;
     void about();
     // main_window_files.cpp
@@ -117,6 +122,7 @@ private:
     Document document_;
     Recovery recovery_{document_};
     QPointer<ExportDialog> export_;
+    QPointer<LessonWindow> lesson_;
     std::unique_ptr<DesignWorkspace> design_;
     std::unique_ptr<CompareWorkspace> compare_;
     std::unique_ptr<SimulateWorkspace> simulate_; ///< reads the runs of compare_
