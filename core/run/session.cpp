@@ -61,6 +61,14 @@ void Session::poke(const AirMoment& air)
     go_on_changed();
 }
 
+void Session::poke(const Tilt& tilt)
+{
+    while (time_ < until_) advance(until_);
+    scene_.cloth.gravity_along_warp = tilt.along_warp;
+    scene_.cloth.gravity_along_weft = tilt.along_weft;
+    go_on_changed();
+}
+
 void Session::go_on_changed()
 {
     const std::vector<std::byte> state = backend_->state();

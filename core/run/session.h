@@ -18,6 +18,11 @@ struct PutDrop {
     double speed = 0;    ///< m/s, downwards
 };
 
+/// How weight pulls liquid along a tilted cloth, m/s2: towards pick 0 and towards end 0.
+struct Tilt {
+    double along_warp = 0, along_weft = 0;
+};
+
 class Session {
 public:
     /// The scene is that of single yarns; where crossings_per_cell is over 1 it is simulated in bundles. Loads nothing yet.
@@ -38,10 +43,12 @@ public:
     /// The same with the parts that the plan has on.
     void go_on_from(const std::vector<std::byte>& state, const ModelPlan& plan);
     /// Puts a drop over the cloth, which falls from now on. Throws Error where the scene was planned without drops, or in bundles of yarns.
-    /// Precondition of both: no frame is on its way, and the session has advanced since it last went on from a state.
+    /// Precondition of all three: no frame is on its way, and the session has advanced since it last went on from a state.
     void poke(const PutDrop& put);
     /// The air is another from now on; its own time does not count. See air_of().
     void poke(const AirMoment& air);
+    /// The cloth lies tilted from now on.
+    void poke(const Tilt& tilt);
     /// The next load() goes to this machine, which the session keeps.
     void move_to(std::unique_ptr<Backend> backend);
     bool has_moved() const { return moved_to_ != nullptr; }

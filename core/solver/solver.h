@@ -113,7 +113,7 @@ public:
         StateReader reader(state);
         pass_state(reader);
         yarns_.expect_liquid();
-        if (yarns_.air_jumps_at(time_)) yarns_.begin_anew(liquid_.is_about());
+        if (yarns_.jumps_at(time_)) yarns_.begin_anew(liquid_.is_about());
     }
 
 private:

@@ -37,8 +37,8 @@ public:
     double longest_step() const { return steps_.longest(); }
     /// The next time after this at which something begins or ends; steps end there.
     double next_event(double time) const;
-    /// Whether the air changes at once at this time.
-    bool air_jumps_at(double time) const;
+    /// Whether the air changes at once at this time, or a drop begins that will stand as a cap: steps are short then.
+    bool jumps_at(double time) const;
     void begin_anew(bool drops_about) { steps_.begin_anew(drops_about); }
 
     /// From now on, until the next step, free liquid may come to the yarns.
@@ -225,9 +225,12 @@ template <typename Executor> double YarnNetwork<Executor>::next_event(double tim
     return next;
 }
 
-template <typename Executor> bool YarnNetwork<Executor>::air_jumps_at(double time) const
+template <typename Executor> bool YarnNetwork<Executor>::jumps_at(double time) const
 {
     const std::vector<AirMoment>& course = scene_->climate.course;
+    const std::vector<SceneDroplet>& drops = scene_->supply.droplets;
+    if (scene_->caps.on && std::any_of(drops.begin(), drops.end(), [time](const SceneDroplet& drop) { return drop.time == time; }))
+        return true;
     return std::count_if(course.begin(), course.end(), [time](const AirMoment& moment) { return moment.time == time; }) > 1;
 }
 

@@ -47,6 +47,30 @@ double height_of(const Frame& frame)
 
 double water(double volume, const Scene& scene) { return volume * scene.climate.density; }
 
+/// Two drops that stand as caps on a cloth, the second after 0.35 s.
+Scene two_caps()
+{
+    Design design = drop_design(35, 2);
+    design.experiments[0].closure = Closure::pores;
+    design.experiments[0].sample_mm = {16, 16};
+    design.experiments[0].droplets = {Droplet{2, 0, {-1, 0.5}, 0.5, 0}, Droplet{1.5, 0.35, {2, -1}, 2, 0}};
+    const ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::live, {{"vapour", true}, {"heat", true}});
+    return build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
+}
+
+/// m, along the warp: middle of the liquid in the yarns.
+double middle_of_liquid(const Frame& frame, const Cloth& cloth)
+{
+    double sum = 0, all = 0;
+    for (int end = 0; end < cloth.ends; ++end)
+        for (int pick = 0; pick < cloth.picks; ++pick) {
+            const double here = static_cast<double>(frame.liquid[static_cast<std::size_t>(end * cloth.picks + pick)]);
+            sum += here * pick * cloth.weft_pitch;
+            all += here;
+        }
+    return sum / all;
+}
+
 } // namespace
 
 class TestSession : public QObject {
@@ -216,6 +240,84 @@ private Q_SLOTS:
             QVERIFY(std::abs(now.water_delivered - put) <= 2 * water_quantum);
             QVERIFY(std::abs(now.water_imbalance()) <= 1e-12 * now.water_delivered);
         }
+    }
+    void aPokedCapIsThatOfAnExperiment()
+    {
+        const Scene planned = two_caps();
+        QVERIFY(planned.caps.on);
+        const SceneDroplet second = planned.supply.droplets.at(1);
+        Scene without = planned;
+        without.supply.droplets.pop_back();
+        const auto one = make_cpu_backend(), other = make_cpu_backend();
+        Session from_start(*one, planned, 1), poked(*other, without, 1);
+        from_start.load();
+        poked.load();
+        advance(from_start, second.time);
+        advance(poked, second.time);
+        const double ball = std::cbrt(3 * second.volume / (4 * pi));
+        poked.poke(PutDrop{second.centre.x, second.centre.y, second.volume, second.centre.z - ball - planned.cloth.half_thickness, 0});
+        const double before = frame(poked).ledger.water_delivered;
+        for (const double time : {0.36, 0.5, 1.3}) {
+            advance(from_start, time);
+            advance(poked, time);
+        }
+        const Ledger a = frame(from_start).ledger, b = frame(poked).ledger;
+        QVERIFY(std::abs(b.water_delivered - before - water(second.volume, planned)) <= water_quantum);
+        QVERIFY2(std::abs(b.water_imbalance()) <= 1e-12 * b.water_delivered, qPrintable(QString::number(b.water_imbalance())));
+        QVERIFY(b.water_liquid > 0 && b.water_bound > 0 && b.water_evaporated > 0);
+        for (const LedgerColumn& column : ledger_columns)
+            QVERIFY2(a.*column.value == b.*column.value,
+                     qPrintable(QString("%1: %2 and %3").arg(column.name).arg(a.*column.value).arg(b.*column.value)));
+        QVERIFY(from_start.state() == poked.state()); // to the last byte
+    }
+    void manyPokesLoseNoWater()
+    {
+        Scene scene = two_caps();
+        const Climate dry{40, 0.2, 2};
+        scene.supply.droplets.clear();
+        const Design design = drop_design(35, 2);
+        const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
+        const auto backend = make_cpu_backend();
+        Session session(*backend, scene, 1);
+        session.load();
+        double put = 0;
+        for (int k = 0; k < 12; ++k) {
+            advance(session, 0.1 * (k + 1));
+            if (k % 4 == 3)
+                session.poke(air_of(dry, 0.1 * (k + 1), textile, design.experiments[0]));
+            else if (k % 4 == 2)
+                session.poke(Tilt{k % 8 == 2 ? 5.0 : -5.0, 1.0});
+            else {
+                session.poke(PutDrop{1e-3 * (k - 6), 0.5e-3 * (6 - k), 1e-9, 1e-3, 0});
+                put += water(1e-9, scene);
+            }
+        }
+        advance(session, 1.5);
+        const Ledger ledger = frame(session).ledger;
+        QVERIFY(std::abs(ledger.water_delivered - put) <= 12 * water_quantum);
+        QVERIFY2(std::abs(ledger.water_imbalance()) <= 1e-12 * ledger.water_delivered,
+                 qPrintable(QString::number(ledger.water_imbalance())));
+    }
+    /// Its own weight many times over, as in a centrifuge, so that a second suffices.
+    void onATiltedClothLiquidGoesDown()
+    {
+        const auto after = [](double pull) {
+            Scene scene = two_caps();
+            scene.supply.droplets.resize(1);
+            const auto backend = make_cpu_backend();
+            Session session(*backend, scene, 1);
+            session.load();
+            advance(session, 0.2);
+            session.poke(Tilt{pull, 0});
+            advance(session, 1.2);
+            const Frame end = frame(session);
+            return std::pair(middle_of_liquid(end, scene.cloth), end.ledger.water_imbalance() / end.ledger.water_delivered);
+        };
+        const auto [flat, none] = after(0);
+        const auto [down, lost] = after(1000);
+        const auto [up, gained] = after(-1000);
+        QVERIFY2(down < flat - 1e-5 && up > flat + 1e-5, qPrintable(QString("%1 %2 %3").arg(down).arg(flat).arg(up)));
+        QVERIFY(std::abs(none) < 1e-12 && std::abs(lost) < 1e-12 && std::abs(gained) < 1e-12);
     }
     void aDropThatCannotBeIsRefused()
     {

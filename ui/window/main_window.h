@@ -22,6 +22,7 @@ class DesignWorkspace;
 class ExportDialog;
 class HelpWindow;
 class IssuesPanel;
+class LessonWindow;
 class PreferencesDialog;
 class RecentFiles;
 class StartPage;
@@ -56,6 +57,8 @@ public:
     StudyPage& study() { return *study_; }
     /// nullptr until the user's guide has been opened.
     HelpWindow* guide() { return guide_; }
+    /// nullptr unless a lesson is on.
+    LessonWindow* lesson() { return lesson_; }
     Workspace workspace() const { return workspace_; }
     void setWorkspace(Workspace workspace);
 
@@ -97,6 +100,8 @@ private:
     void buildToolBar();
     void findCommand();
     void showGuide();
+    void showGuidePage(const QString& page);
+    void showLesson();
     QString guidePage() const;
     void about();
     // main_window_files.cpp
@@ -131,6 +136,7 @@ private:
     QPointer<ExportDialog> export_;
     QPointer<StartPage> start_page_;
     QPointer<PreferencesDialog> preferences_;
+    QPointer<LessonWindow> lesson_;
     std::unique_ptr<DesignWorkspace> design_;
     std::unique_ptr<CompareWorkspace> compare_;
     std::unique_ptr<SimulateWorkspace> simulate_; ///< reads the runs of compare_

@@ -2,6 +2,7 @@
 // Menus, shortcuts and the tool bar.
 #include "ui/basics/preferred_menu.h"
 #include "ui/compare/compare_view.h"
+#include "ui/lesson/lesson_window.h"
 #include "ui/panels/candidates_panel.h"
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/view_bar.h"
@@ -136,6 +137,8 @@ void MainWindow::buildViewMenu()
 {
     QMenu* menu = menuBar()->addMenu(tr("&View"));
     addWorkspaces(menu);
+    connect(addCommand(menu, {}, tr("&Lesson"), QKeySequence("Ctrl+6"), tr("Drop water on cloths with a class, on the whole screen.")),
+            &QAction::triggered, this, &MainWindow::showLesson);
     menu->addSeparator();
     viewport_->bar().fillMenu(menu);
     menu->addSeparator();
@@ -258,14 +261,27 @@ void MainWindow::findCommand()
     if (palette.exec() == QDialog::Accepted && palette.chosen()) { palette.chosen()->trigger(); }
 }
 
-void MainWindow::showGuide()
+void MainWindow::showGuide() { showGuidePage(guidePage()); } // of the field that has the focus now
+
+void MainWindow::showGuidePage(const QString& page)
 {
-    const QString page = guidePage(); // of the field that has the focus now
     if (!guide_) { guide_ = new HelpWindow(this); }
     guide_->showPage(page);
     guide_->show();
     guide_->raise();
     guide_->activateWindow();
+}
+
+/// It has the whole screen until Esc.
+void MainWindow::showLesson()
+{
+    if (!lesson_) {
+        lesson_ = new LessonWindow(document_, this);
+        lesson_->setAttribute(Qt::WA_DeleteOnClose);
+        connect(lesson_, &LessonWindow::helpWanted, this, [this] { showGuidePage("lesson"); });
+    }
+    lesson_->showFullScreen();
+    lesson_->activateWindow();
 }
 
 /// The experiment's type while one of its fields has the focus, else the workspace.

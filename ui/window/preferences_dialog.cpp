@@ -3,6 +3,7 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/cache_folder.h"
+#include "ui/basics/language.h"
 #include "ui/basics/preferred_menu.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/device_choice.h"

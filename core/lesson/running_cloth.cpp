@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/lesson/running_cloth.h"
+
+#include "core/analysis/metrics.h"
+#include "core/base/error.h"
+#include "core/physics/caps.h"
+#include "core/run/plan_run.h"
+#include "core/run/recording.h"
+#include "core/scene/scene.h"
+#include "core/solver/cap_shapes.h"
+#include "core/solver/yarn_start.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+namespace {
+
+constexpr std::size_t most_kept_frames = 120;
+constexpr double cubic_mm = 1e-9; // m3, an ul
+
+double ul_of(double water, const Scene& scene) { return water / scene.climate.density / cubic_mm; }
+
+/// Planned for drops of any size that the table offers.
+Design planned_design(const Design& design, const Climate& air)
+{
+    Design whole = design;
+    whole.experiments = {table_experiment(air)};
+    whole.experiments[0].droplets = {Droplet{most_drop_ul, 0, {0, 0}, drop_height_mm, 0}};
+    return whole;
+}
+
+void require_closed(const Ledger& ledger)
+{
+    const double all = ledger.water_delivered + ledger.water_initial + std::abs(ledger.water_evaporated);
+    if (!(std::abs(ledger.water_imbalance()) <= 1e-9 * all))
+        throw Error("The water ledger does not close; this is a fault of the program. Reset the table.");
+}
+
+} // namespace
+
+RunningCloth::RunningCloth(const Design& design, const Climate& air)
+    : backend_(make_cpu_backend()), run_(std::make_shared<RunRecord>()), done_(table_experiment(air))
+{
+    const Design whole = planned_design(design, air);
+    const Experiment& experiment = whole.experiments[0];
+    RunRecord& run = *run_;
+    run.design = design;
+    run.design.experiments = {done_};
+    run.fabric = design.fabrics.at(0).name;
+    run.experiment = done_.name;
+    run.textile = textile_of_run(whole, whole.fabrics[0], experiment);
+    // A hand may start the dryer at any time.
+    run.plan = plan_run(whole, run.textile, experiment, Fidelity::live, {{"sorption", true}, {"vapour", true}, {"heat", true}});
+    for (const PlannedPart& part : run.plan.parts)
+        if (part.name == "cap" && !part.on) throw Error("On \"" + run.fabric + "\" drops do not stand as caps: " + part.reason);
+    run.threads = 1;
+    run.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+    run.backend = backend_->name();
+    backend_->set_threads(run.threads);
+    run.device = backend_->device();
+    Scene scene = build_scene(whole, run.textile, experiment, run.plan, run.seed);
+    scene.supply.droplets.clear();
+    session_ = std::make_unique<Session>(*backend_, std::move(scene), run.plan.crossings_per_cell);
+    session_->load();
+    first_ = std::make_shared<const Frame>(session_->of_single_yarns(session_->take_frame().get()));
+    bound_at_start_ = first_->ledger.water_bound;
+    last_ = first_;
+    keep(first_);
+}
+
+void RunningCloth::advance(double until, const std::atomic<bool>& stop)
+{
+    while (time_ < until && !stop) time_ = session_->advance(until);
+    if (stop) return;
+    auto frame = std::make_shared<Frame>(session_->of_single_yarns(session_->take_frame().get()));
+    frame->time = time_;
+    require_closed(frame->ledger);
+    const Ledger& ledger = frame->ledger;
+    const bool stands = ledger.water_free > 1e-9 * ledger.water_delivered;
+    if (stands || ledger.water_delivered <= 0 || time_ < landed_)
+        absorbed_ = -1;
+    else if (absorbed_ < 0)
+        absorbed_ = std::max(0.0, ledger.free_until - landed_);
+    last_ = std::move(frame);
+    keep(last_);
+}
+
+std::string RunningCloth::why_no_drop(double x, double y, double volume) const
+{
+    if (done_.droplets.size() >= static_cast<std::size_t>(most_droplets))
+        return fmt::format("This cloth has had {} drops, the most that an experiment has. Reset the table to go on.", most_droplets);
+    if (time_ >= done_.duration_s) return fmt::format("A lesson takes {:g} s at most. Reset the table to go on.", done_.duration_s);
+    const Scene& scene = session_->scene();
+    const double weight = scene.climate.density * gravity_acceleration / scene.climate.surface_tension;
+    const CapShapes& shapes = CapShapes::table();
+    const double own = shapes.base(volume, scene.caps.advancing, weight), ball = std::cbrt(3.0 * volume / (4.0 * pi));
+    const double speed = std::sqrt(2.0 * gravity_acceleration * metre_from_mm(drop_height_mm));
+    double joined = volume, sum_x = x * volume, sum_y = y * volume;
+    for (const FrameCap& cap : last_->caps) {
+        if (std::hypot(cap.x - x, cap.y - y) > own + std::max(cap.base, own)) continue;
+        joined += cap.volume;
+        sum_x += cap.x * cap.volume;
+        sum_y += cap.y * cap.volume;
+    }
+    const double base = std::max({own, shapes.base(joined, scene.caps.advancing, weight),
+                                  impact_base(scene.climate.surface_tension, scene.climate.density, ball, speed)});
+    const double half = 0.5 * metre_from_mm(lesson_cloth_mm);
+    if (std::max({std::abs(x), std::abs(y), std::abs(sum_x / joined), std::abs(sum_y / joined)}) + base > half)
+        return "A drop here would reach over the cloth's edge. Drop nearer its middle.";
+    return {};
+}
+
+void RunningCloth::drop(double x, double y, double volume)
+{
+    notice_ = why_no_drop(x, y, volume);
+    if (!notice_.empty()) {
+        ++refused_;
+        return;
+    }
+    const PutDrop put{x, y, volume, metre_from_mm(drop_height_mm), 0};
+    session_->poke(put);
+    done_.droplets.push_back({volume / cubic_mm, time_, {mm_from_metre(x), mm_from_metre(y)}, drop_height_mm, 0});
+    landed_ = time_ + std::sqrt(2.0 * put.height / gravity_acceleration);
+    absorbed_ = -1;
+}
+
+void RunningCloth::blow(const Climate& air)
+{
+    const Climate before = climate_at(done_, time_);
+    session_->poke(air_of(air, time_, run_->textile, done_));
+    constexpr double at_once = 1e-3; // s; in an experiment air changes evenly
+    std::vector<ClimateMoment>& later = done_.climates;
+    const double from = std::max(time_, later.empty() ? at_once : later.back().time_s + at_once);
+    later.push_back({from, before});
+    later.push_back({from + at_once, air});
+}
+
+void RunningCloth::tilt(double degrees)
+{
+    tilt_ = radian_from_degree(degrees);
+    session_->poke(Tilt{gravity_acceleration * std::sin(tilt_), 0});
+}
+
+/// A drop stays on a slope while the surface tension along its rim holds its weight (Furmidge 1962).
+int RunningCloth::sliding(const Frame& frame) const
+{
+    const Scene& scene = session_->scene();
+    const double holds = scene.climate.surface_tension * (std::cos(scene.caps.receding) - std::cos(scene.caps.advancing)); // N/m
+    return static_cast<int>(std::count_if(frame.caps.begin(), frame.caps.end(), [&](const FrameCap& cap) {
+        const double pulls = scene.climate.density * gravity_acceleration * cap.volume * std::sin(std::abs(tilt_));
+        return cap.base > 0 && pulls > holds * 2.0 * cap.base;
+    }));
+}
+
+ClothScore RunningCloth::score_of(const Frame& frame) const
+{
+    const Textile& textile = run_->textile;
+    int wet = 0;
+    for (int end = 0; end < textile.ends(); ++end)
+        for (int pick = 0; pick < textile.picks(); ++pick) {
+            const YarnKind top = textile.warp_up(end, pick) ? YarnKind::warp : YarnKind::weft;
+            wet += static_cast<double>(frame.saturation[static_cast<std::size_t>(textile.segment(top, end, pick))]) >= wet_saturation;
+        }
+    const Scene& scene = session_->scene();
+    ClothScore score;
+    score.drops = static_cast<int>(done_.droplets.size());
+    score.wet_area_mm2 = wet * mm_from_metre(textile.warp.pitch) * mm_from_metre(textile.weft.pitch);
+    score.radius_mm = std::max(0.0, mm_from_metre(wetted_circle(textile, frame, Face::top).radius));
+    score.standing_ul = ul_of(frame.ledger.water_free, scene);
+    score.in_fibres_ul = ul_of(frame.ledger.water_bound - bound_at_start_, scene);
+    score.evaporated_ul = ul_of(frame.ledger.water_evaporated, scene);
+    score.absorbed_s = absorbed_;
+    return score;
+}
+
+std::shared_ptr<const ClothView> RunningCloth::view()
+{
+    auto view = std::make_shared<ClothView>();
+    view->run = run_;
+    view->first = first_;
+    view->frame = last_;
+    view->air = climate_at(session_->scene(), time_);
+    view->bound_at_start = bound_at_start_;
+    view->score = score_of(*last_);
+    view->released = static_cast<int>(
+        std::count_if(done_.droplets.begin(), done_.droplets.end(), [this](const Droplet& drop) { return drop.time_s < last_->time; }));
+    view->refused = refused_;
+    view->sliding = sliding(*last_);
+    view->notice = notice_;
+    return view;
+}
+
+/// Where there are many, every second one goes.
+void RunningCloth::keep(const std::shared_ptr<const Frame>& frame)
+{
+    if (!kept_.empty() && frame->time < kept_.back()->time + keep_every_) return;
+    kept_.push_back(frame);
+    if (kept_.size() < most_kept_frames) return;
+    for (std::size_t k = 0; 2 * k < kept_.size(); ++k) kept_[k] = kept_[2 * k];
+    kept_.resize((kept_.size() + 1) / 2);
+    keep_every_ *= 2;
+}
+
+RecordedCloth RunningCloth::recorded() const
+{
+    RecordedCloth cloth{*run_, kept_};
+    if (last_->time > kept_.back()->time) cloth.frames.push_back(last_);
+    Experiment& experiment = cloth.run.design.experiments[0];
+    experiment = done_;
+    experiment.duration_s = std::max(0.1, time_);
+    std::erase_if(experiment.droplets, [&](const Droplet& drop) { return drop.time_s >= experiment.duration_s; });
+    return cloth;
+}
+
+void write_recording(const RecordedCloth& cloth, const std::filesystem::path& path)
+{
+    RecordingWriter writer(path, cloth.run);
+    for (const auto& frame : cloth.frames) writer.append(*frame);
+    writer.finish(0);
+}
+
+} // namespace hygroloom

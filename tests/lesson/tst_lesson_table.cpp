@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Cloths that are simulated while one looks: drops come where they are dropped, water adds up, time goes on, and a recording can be kept.
+#include "core/design/validate.h"
+#include "core/lesson/lesson_table.h"
+#include "core/lesson/water_shares.h"
+#include "core/run/recording.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <ctime>
+
+using namespace hygroloom;
+
+namespace {
+
+const std::string three = HYGROLOOM_SOURCE_DIR "/resources/lessons/fibre.json";
+
+/// s of all threads.
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void require_balanced(const Ledger& ledger)
+{
+    QVERIFY2(std::abs(ledger.water_imbalance()) <= 1e-9 * (ledger.water_delivered + ledger.water_initial),
+             qPrintable(QString::number(ledger.water_imbalance())));
+}
+
+} // namespace
+
+class TestLessonTable : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void aClothTakesDropsAirAndTiltAndLosesNoWater()
+    {
+        const Lesson lesson = read_lesson(three);
+        const std::atomic<bool> stop{false};
+        RunningCloth cloth(lesson.cloths[0].design, lesson.air);
+        cloth.advance(0.5, stop);
+        QCOMPARE(cloth.view()->score.wet_area_mm2, 0.0);
+        cloth.drop(5e-3, -3e-3, 5e-9);
+        QCOMPARE(cloth.view()->notice, std::string());
+        cloth.advance(0.52, stop);
+        QCOMPARE(cloth.view()->frame->caps.size(), std::size_t{1});
+        QVERIFY(std::abs(cloth.view()->frame->caps[0].x - 5e-3) < 1e-9 && std::abs(cloth.view()->frame->caps[0].y + 3e-3) < 1e-9);
+        cloth.advance(1.5, stop);
+        cloth.blow({45, 0.2, 2});
+        cloth.tilt(20);
+        cloth.advance(3, stop);
+        cloth.drop(19.5e-3, 0, 5e-9); // over the edge
+        const auto view = cloth.view();
+        QVERIFY(!view->notice.empty());
+        QCOMPARE(view->score.drops, 1);
+        QVERIFY(view->score.wet_area_mm2 > 1 && view->score.evaporated_ul > 0 && view->score.in_fibres_ul != 0);
+        QVERIFY(std::abs(view->air.temperature + view->air.air_warmth - kelvin_from_celsius(45)) < 1e-9);
+        require_balanced(view->frame->ledger);
+        QVERIFY(std::abs(view->frame->ledger.water_delivered / 5e-6 - 1) < 0.01); // 5 ul
+        const WaterShares shares = water_shares(view->frame->ledger, view->bound_at_start, view->score.drops);
+        QCOMPARE(shares.in_yarns + shares.in_fibres + shares.in_air + shares.standing + shares.run_off, 10);
+    }
+    void handsMayDoManyThingsAtOneTime()
+    {
+        const Lesson lesson = read_lesson(three);
+        const std::atomic<bool> stop{false};
+        RunningCloth cloth(lesson.cloths[2].design, lesson.air);
+        const auto act = [&] {
+            cloth.drop(0, 5e-3, 2e-9);
+            cloth.blow({30, 0.5, 1});
+            cloth.drop(0, -5e-3, 2e-9);
+            cloth.tilt(10);
+            cloth.blow({35, 0.4, 1});
+        };
+        act(); // before anything has moved
+        cloth.advance(0.5, stop);
+        act();
+        cloth.advance(1, stop);
+        const auto view = cloth.view();
+        QCOMPARE(view->score.drops, 4);
+        QCOMPARE(view->released, 4);
+        QVERIFY(std::abs(view->frame->ledger.water_delivered / (8e-9 * view->air.density) - 1) < 1e-9);
+        QVERIFY(std::abs(view->air.temperature + view->air.air_warmth - kelvin_from_celsius(35)) < 1e-9);
+        require_balanced(view->frame->ledger);
+        QVERIFY(!has_error(validate(cloth.recorded().run.design)));
+    }
+    void dropsThatHaveNoRoomAreRefused()
+    {
+        const Lesson lesson = read_lesson(three);
+        const std::atomic<bool> stop{false};
+        RunningCloth cloth(lesson.cloths[1].design, lesson.air);
+        for (int k = 0; k < most_droplets + 3; ++k) {
+            cloth.drop(1e-3 * (k % 20 - 10), 1e-3 * (k / 8 - 4), 0.5e-9);
+            cloth.advance(0.02 * (k + 1), stop);
+        }
+        const auto view = cloth.view();
+        QCOMPARE(view->score.drops, most_droplets);
+        QCOMPARE(view->refused, 3);
+        QVERIFY(view->notice.find("64") != std::string::npos);
+        require_balanced(view->frame->ledger);
+    }
+    void whatWasDoneIsAnOrdinaryRecording()
+    {
+        const Lesson lesson = read_lesson(three);
+        const std::atomic<bool> stop{false};
+        RunningCloth cloth(lesson.cloths[1].design, lesson.air);
+        cloth.advance(0.3, stop);
+        cloth.drop(0, 0, 3e-9);
+        cloth.advance(1, stop);
+        cloth.blow({40, 0.3, 1});
+        cloth.advance(1.5, stop);
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("lesson.hygrorec").toStdString();
+        write_recording(cloth.recorded(), path);
+        const Recording read(path);
+        QVERIFY(read.finished() && read.problems().empty());
+        const Experiment& experiment = read.run().design.experiments.at(0);
+        QCOMPARE(experiment.droplets.size(), std::size_t{1});
+        QVERIFY(std::abs(experiment.droplets[0].time_s - 0.3) < 1e-9 && experiment.droplets[0].volume_ul == 3.0);
+        QCOMPARE(climate_at(experiment, 1.2).temperature_c, 40.0);
+        QVERIFY(!has_error(validate(read.run().design)));
+        const Frame last = read.frame(read.frames() - 1);
+        QCOMPARE(last.time, cloth.time());
+        require_balanced(last.ledger);
+    }
+    void threeClothsWithADropEachFollowTheClock()
+    {
+        const Lesson lesson = read_lesson(three);
+        LessonTable table(lesson.cloths, lesson.air, 2);
+        const auto laid_out = [&] {
+            for (int k = 0; k < table.cloths(); ++k)
+                if (!table.view(k)) return false;
+            return true;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(laid_out(), 60000);
+        const double before = table.clock(), cpu = cpu_seconds();
+        QElapsedTimer wall;
+        wall.start();
+        for (int k = 0; k < table.cloths(); ++k) table.drop(k, 0, 0, 5e-9);
+        QTRY_VERIFY_WITH_TIMEOUT(table.clock() > before + 5, 120000);
+        const double simulated = table.clock() - before;
+        qInfo("%.2f s simulated in %.2f s, %.2f s of CPU for each", simulated, 1e-3 * static_cast<double>(wall.elapsed()),
+              (cpu_seconds() - cpu) / simulated);
+        table.set_speed(0);
+        const double stands = table.clock();
+        QTest::qWait(200);
+        QCOMPARE(table.clock(), stands);
+        for (int k = 0; k < table.cloths(); ++k) {
+            QCOMPARE(table.failure(k), std::string());
+            const auto view = table.view(k);
+            QCOMPARE(view->score.drops, 1);
+            QVERIFY(view->score.wet_area_mm2 > 1);
+            require_balanced(view->frame->ledger);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLessonTable)
+#include "tst_lesson_table.moc"

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/lesson/lesson_film.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSaveFile>
+#include <QStandardPaths>
+
+#include <filesystem>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr int most_waiting = 50;                       // pictures
+constexpr qint64 most_waiting_bytes = qint64{1} << 28; // for ffmpeg
+
+} // namespace
+
+LessonFilm::LessonFilm(QObject* parent) : QObject(parent) { writers_.setMaxThreadCount(1); }
+
+LessonFilm::~LessonFilm()
+{
+    writers_.waitForDone();
+    if (!ffmpeg_) { return; }
+    ffmpeg_->disconnect(this);
+    ffmpeg_->closeWriteChannel();
+    if (!ffmpeg_->waitForFinished(5000)) { ffmpeg_->kill(); }
+    QFile::remove(target_ + ".part"); // a film that nobody ended
+}
+
+void LessonFilm::startPictures(const QString& folder)
+{
+    runs_ = true;
+    movie_ = false;
+    target_ = folder;
+    taken_ = left_out_ = 0;
+    broken_ = false;
+}
+
+bool LessonFilm::startMovie(const QString& path)
+{
+    const QString program = QStandardPaths::findExecutable("ffmpeg");
+    if (program.isEmpty()) {
+        Q_EMIT failed(
+            tr("MP4 needs the program ffmpeg, which is not installed. Save pictures instead, or install it: apt install ffmpeg."));
+        return false;
+    }
+    runs_ = movie_ = true;
+    target_ = path;
+    taken_ = left_out_ = 0;
+    size_ = {};
+    ffmpeg_ = std::make_unique<QProcess>();
+    ffmpeg_->setProgram(program);
+    connect(ffmpeg_.get(), &QProcess::finished, this, &LessonFilm::endMovie);
+    return true;
+}
+
+void LessonFilm::add(const QImage& picture)
+{
+    if (!runs_ || picture.isNull()) { return; }
+    if (movie_) {
+        feed(picture);
+    } else {
+        writePicture(picture);
+    }
+}
+
+void LessonFilm::writePicture(const QImage& picture)
+{
+    if (waiting_ >= most_waiting) {
+        ++left_out_;
+        return;
+    }
+    ++waiting_;
+    const QString path = QDir(target_).filePath(QString("lesson-%1.png").arg(++taken_, 6, 10, QChar('0')));
+    writers_.start([this, picture, path] {
+        QSaveFile file(path);
+        if (!(file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG", 80) && file.commit())) { broken_ = true; }
+        --waiting_;
+    });
+}
+
+void LessonFilm::feed(const QImage& picture)
+{
+    if (size_.isEmpty()) {
+        size_ = QSize(picture.width() / 2 * 2, picture.height() / 2 * 2); // players want even sides
+        const QString size = QString("%1x%2").arg(size_.width()).arg(size_.height());
+        ffmpeg_->setArguments({"-hide_banner",
+                               "-loglevel",
+                               "error",
+                               "-y",
+                               "-f",
+                               "rawvideo",
+                               "-pixel_format",
+                               "bgra",
+                               "-video_size",
+                               size,
+                               "-framerate",
+                               QString::number(pictures_per_second),
+                               "-i",
+                               "-",
+                               "-pix_fmt",
+                               "yuv420p",
+                               "-movflags",
+                               "+faststart",
+                               "-f",
+                               "mp4",
+                               target_ + ".part"});
+        ffmpeg_->start();
+    }
+    if (ffmpeg_->state() == QProcess::NotRunning || ffmpeg_->bytesToWrite() > most_waiting_bytes) {
+        ++left_out_;
+        return;
+    }
+    QImage even = picture.convertToFormat(QImage::Format_ARGB32);
+    if (even.size() != size_) {
+        const bool cut = even.width() - size_.width() <= 1 && even.height() - size_.height() <= 1 && even.width() >= size_.width();
+        even = cut ? even.copy(QRect(QPoint(), size_)) : even.scaled(size_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    }
+    for (int row = 0; row < even.height(); ++row) {
+        ffmpeg_->write(reinterpret_cast<const char*>(even.constScanLine(row)), qint64{4} * even.width());
+    }
+    ++taken_;
+}
+
+void LessonFilm::finish()
+{
+    if (!runs_) { return; }
+    runs_ = false;
+    if (movie_) {
+        if (size_.isEmpty()) {
+            ffmpeg_.reset();
+            Q_EMIT failed(tr("No picture was taken, so there is no film."));
+        } else {
+            ffmpeg_->closeWriteChannel();
+        }
+        return;
+    }
+    writers_.waitForDone();
+    if (broken_) {
+        Q_EMIT failed(tr("Some pictures cannot be written to %1. Is the disk full?").arg(target_));
+    } else {
+        Q_EMIT finished(
+            left_out_ == 0
+                ? tr("Saved %1 pictures to %2.").arg(taken_).arg(target_)
+                : tr("Saved %1 pictures to %2; %3 were left out because the disk was too slow.").arg(taken_).arg(target_).arg(left_out_));
+    }
+}
+
+void LessonFilm::endMovie(int code, QProcess::ExitStatus status)
+{
+    runs_ = false;
+    const QString said = QString::fromLocal8Bit(ffmpeg_->readAllStandardError()).trimmed().left(300);
+    ffmpeg_.release()->deleteLater();
+    const QString part = target_ + ".part";
+    std::error_code problem;
+    if (status == QProcess::NormalExit && code == 0 && QFile::exists(part)) {
+        std::filesystem::rename(QFile::encodeName(part).toStdString(), QFile::encodeName(target_).toStdString(), problem);
+        if (!problem) {
+            Q_EMIT finished(tr("Saved %1.").arg(target_));
+            return;
+        }
+    }
+    QFile::remove(part);
+    Q_EMIT failed(said.isEmpty() ? tr("The film cannot be written to %1.").arg(target_)
+                                 : tr("The film cannot be written to %1. ffmpeg said: %2").arg(target_, said));
+}
+
+} // namespace hygroloom

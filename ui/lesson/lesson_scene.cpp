@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/lesson/lesson_scene.h"
+
+#include "core/base/units.h"
+#include "ui/basics/color_map.h"
+#include "ui/lesson/lesson_words.h"
+#include "ui/lesson/magnifier.h"
+#include "ui/lesson/water_disc.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr int frame_ms = 25;         // 40 pictures a second
+constexpr double stream_pause = 0.2; // s, from drop to drop
+constexpr double margin = 22;        // pixels, round a cloth
+constexpr double words_height = 190; // pixels, under it
+constexpr double side_m = 1e-3 * lesson_cloth_mm;
+const QColor table_color("#4a4038"), table_edge("#332b25"), words_color("#f4efe6"), quiet_words("#cfc6b8"), notice_color("#ffd08a");
+
+} // namespace
+
+LessonScene::LessonScene(QWidget* parent) : QWidget(parent)
+{
+    setMouseTracking(true);
+    setCursor(Qt::CrossCursor);
+    setMinimumSize(480, 360);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setAccessibleName(tr("Table with cloths"));
+    connect(&frames_, &QTimer::timeout, this, &LessonScene::goOn);
+    frames_.setTimerType(Qt::PreciseTimer);
+    frames_.start(frame_ms);
+}
+
+void LessonScene::setTable(LessonTable* table, const std::vector<LessonCloth>& cloths)
+{
+    table_ = table;
+    cloths_.clear();
+    pours_ = false;
+    for (const LessonCloth& cloth : cloths) {
+        cloths_.emplace_back();
+        cloths_.back().title = QString::fromStdString(cloth.title);
+    }
+    update();
+}
+
+void LessonScene::setExplains(bool explains)
+{
+    explains_ = explains;
+    update();
+}
+
+void LessonScene::goOn()
+{
+    if (!table_ || !isVisible()) { return; }
+    const double clock = table_->clock();
+    if (pours_ && clock >= last_drop_ + stream_pause) { dropAt(pointer_); }
+    for (int k = 0; k < static_cast<int>(cloths_.size()); ++k) { refresh(k); }
+    update();
+}
+
+void LessonScene::refresh(int place)
+{
+    Cloth& cloth = cloths_[static_cast<std::size_t>(place)];
+    cloth.view = table_->view(place);
+    if (!cloth.view) { return; }
+    std::erase_if(cloth.falling, [&](const Falling& drop) { return drop.number <= cloth.view->released + cloth.view->refused; });
+}
+
+QRectF LessonScene::clothArea(int cloth) const
+{
+    const auto count = static_cast<int>(cloths_.size());
+    if (cloth < 0 || cloth >= count) { return {}; }
+    const double cell = static_cast<double>(width()) / count;
+    const double side = std::max(40.0, std::min(cell - 2 * margin, height() - words_height - 2 * margin - 24));
+    const double top = std::max(margin + 24, 0.5 * (height() - side - words_height));
+    return {(cloth + 0.5) * cell - 0.5 * side, top, side, side};
+}
+
+int LessonScene::clothAt(const QPointF& at) const
+{
+    for (int k = 0; k < static_cast<int>(cloths_.size()); ++k) {
+        if (clothArea(k).contains(at)) { return k; }
+    }
+    return -1;
+}
+
+QPointF LessonScene::placeOn(int cloth, const QPointF& at) const
+{
+    const QRectF area = clothArea(cloth);
+    const double metre = side_m / area.width();
+    return {(at.x() - area.center().x()) * metre, (area.center().y() - at.y()) * metre};
+}
+
+void LessonScene::drop(int cloth, double x, double y)
+{
+    Cloth& on = cloths_.at(static_cast<std::size_t>(cloth));
+    if (!table_ || !on.view) { return; }
+    Falling falling{++on.asked, x, y, 1e-9 * drop_ul_, {}};
+    falling.since.start();
+    on.falling.push_back(falling);
+    table_->drop(cloth, x, y, falling.volume);
+    last_drop_ = table_->clock();
+    click_.start();
+    update();
+}
+
+void LessonScene::dropAt(const QPointF& at)
+{
+    const int cloth = clothAt(at);
+    if (cloth < 0) { return; }
+    const QPointF place = placeOn(cloth, at);
+    drop(cloth, place.x(), place.y());
+}
+
+void LessonScene::mousePressEvent(QMouseEvent* event)
+{
+    pointer_ = event->position();
+    if (event->button() != Qt::LeftButton || clothAt(pointer_) < 0) { return; }
+    dropAt(pointer_);
+    pours_ = true;
+}
+
+void LessonScene::mouseMoveEvent(QMouseEvent* event)
+{
+    pointer_ = event->position();
+    if (explains_) { update(); }
+}
+
+void LessonScene::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() == Qt::LeftButton) { pours_ = false; }
+}
+
+void LessonScene::leaveEvent(QEvent*)
+{
+    pointer_ = {-1, -1};
+    pours_ = false;
+}
+
+void LessonScene::drawCloth(QPainter& painter, int place)
+{
+    Cloth& cloth = cloths_[static_cast<std::size_t>(place)];
+    const QRectF area = clothArea(place);
+    painter.fillRect(area.translated(4, 5), QColor(0, 0, 0, 70));
+    if (!cloth.view) {
+        painter.fillRect(area, table_edge);
+        painter.setPen(words_color);
+        const std::string failure = table_ ? table_->failure(place) : std::string();
+        const QString text = failure.empty() ? tr("This cloth is being laid out.") : QString::fromStdString(failure);
+        painter.drawText(area.adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap, text);
+        return;
+    }
+    const int side = std::max(8, qRound(area.width() * devicePixelRatioF()));
+    const Textile& textile = cloth.view->run->textile;
+    const bool anew = !cloth.look || cloth.look->side() != side;
+    if (anew) { cloth.look = std::make_unique<ClothLook>(cloth.view->run->design.fabrics.at(0), textile, side); }
+    const bool same = !anew && cloth.drawn && cloth.drawn->frame == cloth.view->frame;
+    painter.drawImage(area, same ? cloth.look->now() : cloth.look->at(textile, *cloth.view->frame));
+    cloth.drawn = cloth.view;
+}
+
+void LessonScene::drawCaps(QPainter& painter, int place)
+{
+    const Cloth& cloth = cloths_[static_cast<std::size_t>(place)];
+    if (!cloth.view) { return; }
+    const QRectF area = clothArea(place);
+    const double pixels = area.width() / side_m;
+    const auto at = [&](double x, double y) { return area.center() + QPointF(x, -y) * pixels; };
+    for (const FrameCap& cap : cloth.view->frame->caps) {
+        if (cap.base > 0) {
+            drawStanding(painter, at(cap.x, cap.y), cap.base * pixels, cap.height / cap.base);
+        } else {
+            const double ball = std::cbrt(3 * cap.volume / (4 * pi));
+            drawFalling(painter, at(cap.x, cap.y), ball * pixels, std::max(0.0, cap.height - 2 * ball) * pixels);
+        }
+    }
+    for (const Falling& drop : cloth.falling) { // seen at once, before the cloth's next look
+        const double ball = std::cbrt(3 * drop.volume / (4 * pi)), height = 1e-3 * drop_height_mm;
+        drawFalling(painter, at(drop.x, drop.y), ball * pixels, height * pixels);
+    }
+}
+
+void LessonScene::drawWords(QPainter& painter, int place) const
+{
+    const Cloth& cloth = cloths_[static_cast<std::size_t>(place)];
+    const QRectF area = clothArea(place);
+    const double cell = static_cast<double>(width()) / static_cast<double>(cloths_.size()), middle = area.center().x();
+    const double left = std::max(area.left(), middle - 0.5 * cell + 8), wide = std::min(cell - 16, std::max(area.width(), 220.0));
+    QFont bold = font();
+    bold.setBold(true);
+    bold.setPixelSize(std::clamp(qRound(cell / 20), 14, 22)); // read from the last row of a class
+    painter.setFont(bold);
+    painter.setPen(words_color);
+    painter.drawText(QRectF(middle - 0.5 * cell + 6, area.top() - 30, cell - 12, 26), Qt::AlignCenter,
+                     QFontMetricsF(bold).elidedText(cloth.title, Qt::ElideRight, cell - 12));
+    if (!cloth.view) { return; }
+    QFont plain = font();
+    plain.setPixelSize(std::clamp(qRound(cell / 22), 12, 20));
+    painter.setFont(plain);
+    const double line_height = 1.35 * plain.pixelSize();
+    double y = area.bottom() + 10;
+    for (const QString& line : scoreLines(cloth.view->score)) {
+        painter.drawText(QRectF(left, y, wide, line_height), Qt::AlignLeft | Qt::AlignVCenter, line);
+        y += line_height;
+    }
+    const WaterShares shares = water_shares(cloth.view->frame->ledger, cloth.view->bound_at_start, cloth.view->released);
+    painter.setPen(quiet_words);
+    QRectF taken;
+    painter.drawText(QRectF(left, y + 4, wide, height() - y - 4), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, waterInWords(shares),
+                     &taken);
+    const QString notice = noticeOf(*cloth.view);
+    if (notice.isEmpty()) { return; }
+    painter.setPen(notice_color);
+    painter.drawText(QRectF(left, taken.bottom() + 4, wide, height() - taken.bottom() - 4), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
+                     notice);
+}
+
+void LessonScene::drawGlass(QPainter& painter) const
+{
+    const int cloth = explains_ ? clothAt(pointer_) : -1;
+    if (cloth < 0 || !cloths_[static_cast<std::size_t>(cloth)].view) { return; }
+    const QPointF place = placeOn(cloth, pointer_);
+    const YarnLook yarn = yarnAt(*cloths_[static_cast<std::size_t>(cloth)].view, place.x(), place.y());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(words_color, 2));
+    painter.drawEllipse(pointer_, 4, 4);
+    const double away = magnifier_radius + 16;
+    const double x = pointer_.x() + away + magnifier_radius > width() ? pointer_.x() - away : pointer_.x() + away;
+    const double y = std::clamp(pointer_.y(), magnifier_radius + 4, std::max(magnifier_radius + 4, height() - magnifier_radius - 4));
+    drawMagnifier(painter, {x, y}, yarn, font());
+}
+
+void LessonScene::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), table_color);
+    for (int k = 0; k < static_cast<int>(cloths_.size()); ++k) {
+        drawCloth(painter, k);
+        drawCaps(painter, k);
+        drawWords(painter, k);
+    }
+    if (!cloths_.empty()) {
+        const QRectF first = clothArea(0);
+        drawScaleBar(painter, first.bottomLeft() + QPointF(8, -8), lesson_cloth_mm / first.width(), 0.6 * first.width(), QColor("#1d2327"),
+                     QColor(255, 255, 255, 150));
+    }
+    drawGlass(painter);
+    if (click_.isValid()) {
+        slowest_answer_ = std::max(slowest_answer_, 1e-9 * static_cast<double>(click_.nsecsElapsed()));
+        click_.invalidate();
+    }
+}
+
+} // namespace hygroloom

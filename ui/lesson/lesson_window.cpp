@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/lesson/lesson_window.h"
+
+#include "core/base/error.h"
+#include "ui/basics/quantity.h"
+#include "ui/document/document.h"
+#include "ui/lesson/cloth_choice.h"
+#include "ui/lesson/lesson_controls.h"
+#include "ui/lesson/lesson_scene.h"
+#include "ui/lesson/lesson_steps.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QScrollArea>
+#include <QToolButton>
+
+namespace hygroloom {
+
+namespace {
+
+constexpr int side_width = 300; // pixels
+constexpr int look_ms = 100;
+constexpr int own_cloths = 5, from_file = 6; // places in the list of lessons
+constexpr const char* shipped[] = {"contact-angle", "weave", "fibre", "climate", "garment"};
+
+/// Undyed cloth is so pale that water hardly shows on it.
+Design dyed(Design design, std::size_t place)
+{
+    constexpr Color dyes[] = {{86, 124, 141}, {160, 98, 82}, {112, 128, 84}, {132, 104, 140}};
+    const Color dye = dyes[place % std::size(dyes)];
+    const auto dye_yarn = [&](Yarn& yarn) {
+        if (!yarn.color) { yarn.color = dye; }
+    };
+    Fabric& fabric = design.fabrics.at(0);
+    dye_yarn(fabric.warp);
+    dye_yarn(fabric.weft);
+    for (Yarn& yarn : fabric.extra_yarns) { dye_yarn(yarn); }
+    return design;
+}
+
+} // namespace
+
+LessonWindow::LessonWindow(const Document& document, QWidget* parent)
+    : QWidget(parent, Qt::Window), document_(document), scene_(new LessonScene), steps_(new LessonSteps), controls_(new LessonControls),
+      lessons_(new QComboBox), clock_(new QLabel), pace_(new QLabel), note_(new QLabel),
+      pause_(addButton(tr("Pause"), QKeySequence(Qt::Key_Space), true)), slow_(addButton(tr("Slow motion"), QKeySequence(Qt::Key_S), true)),
+      reset_(addButton(tr("Reset"), QKeySequence(Qt::Key_R), false)), explain_(addButton(tr("Explain"), QKeySequence(Qt::Key_E), true)),
+      screen_(addButton(tr("Full screen"), QKeySequence(Qt::Key_F11), true)), save_(addButton(tr("Save"), {}, false)),
+      help_(addButton(tr("Help"), QKeySequence(Qt::Key_F1), false)), leave_(addButton(tr("Leave"), {}, false)), save_menu_(new QMenu(this))
+{
+    setWindowTitle(tr("Lesson – Hygroloom"));
+    setObjectName("lesson window");
+    build();
+    connectParts();
+    chooseLesson(0);
+}
+
+LessonWindow::~LessonWindow()
+{
+    scene_->setTable(nullptr, {});
+    film_.disconnect(this);
+}
+
+QToolButton* LessonWindow::addButton(const QString& text, const QKeySequence& key, bool checkable)
+{
+    auto* button = new QToolButton;
+    button->setText(text);
+    button->setCheckable(checkable);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    button->setFocusPolicy(Qt::NoFocus); // keys belong to the table
+    if (!key.isEmpty()) {
+        button->setShortcut(key);
+        button->setToolTip(tr("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText)));
+    }
+    return button;
+}
+
+void LessonWindow::build()
+{
+    for (const QString& name : {tr("Contact angle"), tr("Weave"), tr("Fibre"), tr("Climate"), tr("Garment"), tr("Cloths of my own…"),
+                                tr("Lesson from a file…")}) {
+        lessons_->addItem(name);
+    }
+    lessons_->setAccessibleName(tr("Lesson"));
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(buildSide());
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFixedWidth(side_width);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(scene_, 1);
+    layout->addWidget(scroll);
+}
+
+QWidget* LessonWindow::buildSide()
+{
+    QFont large = font();
+    large.setPointSizeF(1.8 * large.pointSizeF());
+    clock_->setFont(large);
+    clock_->setAlignment(Qt::AlignCenter);
+    clock_->setAccessibleName(tr("Clock"));
+    for (QLabel* label : {pace_, note_}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+    }
+    pace_->setAlignment(Qt::AlignCenter);
+    save_->setMenu(save_menu_);
+    save_->setPopupMode(QToolButton::InstantPopup);
+    auto* buttons = new QGridLayout;
+    QToolButton* const all[] = {pause_, slow_, reset_, explain_, screen_, save_, help_, leave_};
+    for (int k = 0; k < static_cast<int>(std::size(all)); ++k) { buttons->addWidget(all[k], k / 2, k % 2); }
+    auto* side = new QWidget;
+    auto* layout = new QVBoxLayout(side);
+    layout->addWidget(lessons_);
+    layout->addWidget(steps_);
+    layout->addStretch(1);
+    layout->addWidget(clock_);
+    layout->addWidget(pace_);
+    layout->addLayout(buttons);
+    layout->addWidget(controls_);
+    layout->addWidget(note_);
+    return side;
+}
+
+void LessonWindow::connectParts()
+{
+    connect(lessons_, &QComboBox::activated, this, &LessonWindow::chooseLesson);
+    connect(pause_, &QToolButton::toggled, this, &LessonWindow::setSpeed);
+    connect(slow_, &QToolButton::toggled, this, &LessonWindow::setSpeed);
+    connect(reset_, &QToolButton::clicked, this, &LessonWindow::reset);
+    connect(explain_, &QToolButton::toggled, scene_, &LessonScene::setExplains);
+    connect(screen_, &QToolButton::toggled, this, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
+    connect(help_, &QToolButton::clicked, this, &LessonWindow::helpWanted);
+    connect(leave_, &QToolButton::clicked, this, &QWidget::close);
+    connect(save_menu_, &QMenu::aboutToShow, this, &LessonWindow::fillSaveMenu);
+    connect(controls_, &LessonControls::dropChanged, scene_, &LessonScene::setDrop);
+    connect(controls_, &LessonControls::airChanged, this, [this] { table_->blow(controls_->air()); });
+    connect(controls_, &LessonControls::tiltChanged, this, [this] { table_->tilt(controls_->tilt()); });
+    connect(&looks_, &QTimer::timeout, this, &LessonWindow::look);
+    connect(&pictures_, &QTimer::timeout, this, [this] { film_.add(scene_->grab().toImage()); });
+    connect(&film_, &LessonFilm::finished, this, &LessonWindow::say);
+    connect(&film_, &LessonFilm::failed, this, [this](const QString& sentence) {
+        pictures_.stop();
+        say(sentence);
+    });
+    connect(steps_, &LessonSteps::stepChanged, note_, &QLabel::clear);
+    looks_.start(look_ms);
+    pictures_.setTimerType(Qt::PreciseTimer);
+    pictures_.setInterval(1000 / LessonFilm::pictures_per_second);
+}
+
+void LessonWindow::chooseLesson(int index)
+{
+    const bool chosen = index == own_cloths  ? chooseCloths()
+                        : index == from_file ? chooseFile()
+                                             : openLesson(QString(":/lessons/%1.json").arg(shipped[index]));
+    if (chosen) { chosen_ = index; }
+    lessons_->setCurrentIndex(chosen_);
+}
+
+bool LessonWindow::chooseCloths()
+{
+    ClothChoice choice(*document_.design(), this);
+    if (choice.exec() != QDialog::Accepted) { return false; }
+    Lesson lesson;
+    lesson.title = tr("Cloths of my own").toStdString();
+    lesson.cloths = choice.chosen();
+    showLesson(lesson);
+    return true;
+}
+
+bool LessonWindow::chooseFile()
+{
+    const QString path = QFileDialog::getOpenFileName(this, tr("Open Lesson"), {}, tr("Lessons (*.json)"));
+    return !path.isEmpty() && openLesson(path);
+}
+
+bool LessonWindow::openLesson(const QString& path)
+{
+    try {
+        if (path.startsWith(':')) {
+            QFile file(path);
+            if (!file.open(QIODevice::ReadOnly)) { throw FileError(path.toStdString() + ": this lesson is not there."); }
+            showLesson(parse_lesson(file.readAll().toStdString(), path.toStdString()));
+        } else {
+            showLesson(read_lesson(QFile::encodeName(path).toStdString()));
+        }
+        return true;
+    } catch (const Error& error) {
+        say(QString::fromStdString(error.what()));
+        Q_EMIT failed(note_->text());
+        return false;
+    }
+}
+
+void LessonWindow::showLesson(const Lesson& lesson)
+{
+    lesson_ = lesson;
+    for (std::size_t k = 0; k < lesson_.cloths.size(); ++k) { lesson_.cloths[k].design = dyed(lesson_.cloths[k].design, k); }
+    setWindowTitle(tr("%1 – Hygroloom").arg(QString::fromStdString(lesson_.title)));
+    note_->clear();
+    controls_->setLesson(lesson_);
+    scene_->setDrop(controls_->dropVolume());
+    steps_->setLesson(lesson_);
+    pause_->setChecked(false);
+    layOut();
+}
+
+void LessonWindow::layOut()
+{
+    scene_->setTable(nullptr, {});
+    table_.reset();
+    table_ = std::make_unique<LessonTable>(lesson_.cloths, lesson_.air);
+    scene_->setTable(table_.get(), lesson_.cloths);
+    setSpeed();
+    look();
+}
+
+void LessonWindow::reset()
+{
+    note_->clear();
+    controls_->setLesson(lesson_);
+    scene_->setDrop(controls_->dropVolume());
+    layOut();
+    steps_->restart(0);
+}
+
+void LessonWindow::setPaused(bool paused) { pause_->setChecked(paused); }
+
+void LessonWindow::setSpeed()
+{
+    if (table_) { table_->set_speed(pause_->isChecked() ? 0 : slow_->isChecked() ? LessonTable::slow_motion : 1); }
+}
+
+void LessonWindow::look()
+{
+    if (!table_) { return; }
+    const double clock = table_->clock();
+    clock_->setText(tr("%1 s").arg(QLocale().toString(clock, 'f', 1)));
+    const double speed = slow_->isChecked() ? LessonTable::slow_motion : 1, pace = table_->pace();
+    TableState state;
+    state.air = controls_->air();
+    state.tilt_deg = controls_->tilt();
+    bool all = true;
+    for (int k = 0; k < table_->cloths(); ++k) {
+        const auto view = table_->view(k);
+        all = all && view;
+        state.cloths.push_back(view ? view->score : ClothScore{});
+    }
+    pace_->setText(!all                  ? tr("The cloths are being laid out.")
+                   : pause_->isChecked() ? tr("Paused")
+                   : pace < 0.9 * speed  ? tr("This machine follows at %1 of real time.").arg(QLocale().toString(pace, 'f', 2))
+                   : slow_->isChecked()  ? tr("Ten times slower than real")
+                                         : tr("Real time"));
+    if (all) { steps_->look(state, clock); }
+}
+
+QString LessonWindow::clockText() const { return clock_->text(); }
+
+void LessonWindow::fillSaveMenu()
+{
+    save_menu_->clear();
+    for (int k = 0; k < table_->cloths(); ++k) {
+        const QString title = QString::fromStdString(lesson_.cloths[static_cast<std::size_t>(k)].title).replace('&', "&&");
+        QAction* action = save_menu_->addAction(tr("Recording of %1…").arg(title));
+        action->setEnabled(table_->view(k) != nullptr);
+        connect(action, &QAction::triggered, this, [this, k] { saveRecording(k); });
+    }
+    save_menu_->addSeparator();
+    if (film_.runs()) {
+        connect(save_menu_->addAction(tr("End Film")), &QAction::triggered, this, [this] {
+            pictures_.stop();
+            film_.finish();
+        });
+        return;
+    }
+    connect(save_menu_->addAction(tr("Film as Pictures (PNG)…")), &QAction::triggered, this, [this] { saveFilm(false); });
+    connect(save_menu_->addAction(tr("Film (MP4)…")), &QAction::triggered, this, [this] { saveFilm(true); });
+}
+
+void LessonWindow::saveRecording(int cloth)
+{
+    QString path = QFileDialog::getSaveFileName(this, tr("Save Recording"), "lesson.hygrorec", tr("Recordings (*.hygrorec)"));
+    if (path.isEmpty()) { return; }
+    if (!path.endsWith(".hygrorec")) { path += ".hygrorec"; }
+    table_->record(cloth, [this, path](const RecordedCloth& recorded) { // in the cloth's thread, which ends before this window
+        QString sentence = tr("Saved %1.").arg(path);
+        try {
+            write_recording(recorded, QFile::encodeName(path).toStdString());
+        } catch (const std::exception& error) {
+            sentence = QString::fromStdString(error.what());
+        }
+        QMetaObject::invokeMethod(
+            this, [this, sentence] { say(sentence); }, Qt::QueuedConnection);
+    });
+}
+
+void LessonWindow::saveFilm(bool movie)
+{
+    if (movie) {
+        if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) { // said before a name is asked for
+            film_.startMovie({});
+            return;
+        }
+        QString path = QFileDialog::getSaveFileName(this, tr("Save Film"), "lesson.mp4", tr("Films (*.mp4)"));
+        if (path.isEmpty()) { return; }
+        if (!path.endsWith(".mp4")) { path += ".mp4"; }
+        if (!film_.startMovie(path)) { return; }
+    } else {
+        const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the Pictures"));
+        if (folder.isEmpty()) { return; }
+        film_.startPictures(folder);
+    }
+    pictures_.start();
+    say(tr("The table is being filmed. Save ▸ End Film ends it."));
+}
+
+void LessonWindow::say(const QString& sentence) { note_->setText(sentence); }
+
+void LessonWindow::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape) {
+        close();
+    } else {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+/// Also where the desktop changes it.
+void LessonWindow::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::WindowStateChange) { screen_->setChecked(isFullScreen()); }
+    QWidget::changeEvent(event);
+}
+
+} // namespace hygroloom

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The lesson: a table with cloths that fills the screen, what is said about it, and what a hand can do.
+#pragma once
+
+#include "core/lesson/lesson_table.h"
+#include "ui/lesson/lesson_film.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace hygroloom {
+
+class Document;
+class LessonControls;
+class LessonScene;
+class LessonSteps;
+
+/// Esc closes it.
+class LessonWindow : public QWidget {
+    Q_OBJECT
+public:
+    /// Begins with the first lesson that ships.
+    explicit LessonWindow(const Document& document, QWidget* parent = nullptr);
+    ~LessonWindow() override;
+
+    LessonScene& scene() { return *scene_; }
+    LessonSteps& steps() { return *steps_; }
+    LessonControls& controls() { return *controls_; }
+    LessonTable* table() { return table_.get(); }
+    const Lesson& lesson() const { return lesson_; }
+    /// False after failed() gave the reason.
+    bool openLesson(const QString& path);
+    void showLesson(const Lesson& lesson);
+    void setPaused(bool paused);
+    void reset();
+    QString clockText() const;
+
+Q_SIGNALS:
+    void failed(const QString& sentence);
+    /// The user wants to read about it.
+    void helpWanted();
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    QWidget* buildSide();
+    QToolButton* addButton(const QString& text, const QKeySequence& key, bool checkable);
+    void connectParts();
+    void chooseLesson(int index);
+    bool chooseCloths();
+    bool chooseFile();
+    void layOut();
+    void setSpeed();
+    void look();
+    void fillSaveMenu();
+    void saveRecording(int cloth);
+    void saveFilm(bool movie);
+    void say(const QString& sentence);
+
+    const Document& document_;
+    Lesson lesson_;
+    int chosen_ = 0; ///< place in the list of lessons
+    LessonScene* scene_;
+    LessonSteps* steps_;
+    LessonControls* controls_;
+    QComboBox* lessons_;
+    QLabel *clock_, *pace_, *note_;
+    QToolButton *pause_, *slow_, *reset_, *explain_, *screen_, *save_, *help_, *leave_;
+    QMenu* save_menu_;
+    QTimer looks_, pictures_;
+    LessonFilm film_;
+    std::unique_ptr<LessonTable> table_;
+};
+
+} // namespace hygroloom
