@@ -1072,10 +1072,6 @@
         <translation>%1 µm</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Smaller is better.</source>
         <translation>Kleiner ist besser.</translation>
     </message>
@@ -1382,6 +1378,42 @@
     <message>
         <source>shown in sums of %1 × %2 cells at most</source>
         <translation>in Summen von höchstens %1 × %2 Zellen gezeigt</translation>
+    </message>
+    <message>
+        <source>Hygroloom: left turns, middle moves</source>
+        <translation>Hygroloom: links dreht, Mitte verschiebt</translation>
+    </message>
+    <message>
+        <source>Blender: middle turns, Shift and middle moves</source>
+        <translation>Blender: Mitte dreht, Umschalt und Mitte verschiebt</translation>
+    </message>
+    <message>
+        <source>FreeCAD: middle moves, middle and left turns</source>
+        <translation>FreeCAD: Mitte verschiebt, Mitte und links dreht</translation>
+    </message>
+    <message>
+        <source>CLO: right turns, middle moves</source>
+        <translation>CLO: rechts dreht, Mitte verschiebt</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Natural: wet yarns darken (maps stay blue)</source>
+        <translation>Natürlich: nasse Garne werden dunkler (Karten bleiben blau)</translation>
+    </message>
+    <message>
+        <source>%1 in full.</source>
+        <translation>%1 ungerundet.</translation>
+    </message>
+    <message>
+        <source>%1 (not usable)</source>
+        <translation>%1 (nicht nutzbar)</translation>
     </message>
 </context>
 <context>
@@ -1830,6 +1862,21 @@ Klicken zeigt diese Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>hygroloom::ClothChoice</name>
+    <message>
+        <source>Cloths on the Table</source>
+        <translation>Stoffe auf dem Tisch</translation>
+    </message>
+    <message>
+        <source>Fabrics</source>
+        <translation>Stoffe</translation>
+    </message>
+    <message>
+        <source>Tick %1 to %2 fabrics; ticked are %3.</source>
+        <translation>Wählen Sie %1 bis %2 Stoffe; gewählt sind %3.</translation>
+    </message>
+</context>
+<context>
     <name>hygroloom::ClothsView</name>
     <message>
         <source>Problem</source>
@@ -2064,16 +2111,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Wasser auf %1</translation>
     </message>
     <message>
-        <source>Each cloth as given. Under the pointer also the %1.</source>
-        <translation>Jedes Gewebe wie angegeben. Unter dem Zeiger auch: %1.</translation>
-    </message>
-    <message>
         <source>There is no difference map of %1: %2.</source>
         <translation>Von %1 gibt es keine Differenzkarte: %2.</translation>
-    </message>
-    <message>
-        <source>Of %1 and the baseline fewer than two replicates keep maps: grey is the numerical error alone.</source>
-        <translation>Von %1 und dem Bezug haben weniger als zwei Wiederholungen Karten: Grau ist nur der numerische Fehler.</translation>
     </message>
     <message>
         <source>Tick a second fabric to see how it differs.</source>
@@ -2090,10 +2129,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>no numerical error, which is not known</source>
         <translation>keinem numerischen Fehler, denn er ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>%1 Mean of %2 pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of the mean difference, with %4, holds 0.</source>
-        <translation>%1 Mittel von %2 Paaren von Wiederholungen nach %3, der nächsten Zeit, zu der sie Karten haben. Grau: Das Intervall des mittleren Unterschieds, mit %4, enthält 0.</translation>
     </message>
     <message>
         <source>%1 Grey: the difference is at most %2 % of the wetter one, the numerical error of %3.</source>
@@ -2114,6 +2149,18 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Water</source>
         <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>Each cloth as given. Under the pointer also the range of its replicates, of larger cells.</source>
+        <translation>Jeder Stoff wie angegeben. Unter dem Zeiger auch der Bereich seiner Wiederholungen, in größeren Zellen.</translation>
+    </message>
+    <message>
+        <source>One run each of %1 and the baseline, of whose replicates fewer than two pairs keep maps: grey is the numerical error alone.</source>
+        <translation>Je ein Lauf von %1 und vom Bezug, von deren Wiederholungen weniger als zwei Paare Karten haben: Grau ist nur der numerische Fehler.</translation>
+    </message>
+    <message>
+        <source>%1 Mean of %2 or more pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of the mean difference, with %4, holds 0.</source>
+        <translation>%1 Mittel aus %2 oder mehr Paaren von Wiederholungen nach %3, dem nächsten Zeitpunkt, für den sie Karten haben. Grau: Das Intervall der mittleren Differenz, mit %4, enthält 0.</translation>
     </message>
 </context>
 <context>
@@ -3230,10 +3277,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Schussfäden je Zentimeter. Sie können „89 ppi“ eingeben.</translation>
     </message>
     <message>
-        <source>%1 /in</source>
-        <translation>%1 /in</translation>
-    </message>
-    <message>
         <source>Thickness</source>
         <translation>Dicke</translation>
     </message>
@@ -3394,24 +3437,12 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Zwischen benachbarten Kettfäden × zwischen benachbarten Schüssen.</translation>
     </message>
     <message>
-        <source>%1 g/m²</source>
-        <translation>%1 g/m²</translation>
-    </message>
-    <message>
         <source>flattened at crossings</source>
         <translation>an Kreuzungen abgeflacht</translation>
     </message>
     <message>
         <source>round (Peirce)</source>
         <translation>rund (Peirce)</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 × %2 mm</source>
-        <translation>%1 × %2 mm</translation>
     </message>
     <message>
         <source>Flyaways</source>
@@ -4692,6 +4723,381 @@ Klicken zeigt diese Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>hygroloom::Lesson</name>
+    <message>
+        <source>No drop so far.</source>
+        <translation>Noch kein Tropfen.</translation>
+    </message>
+    <message>
+        <source>%1 in the yarns</source>
+        <translation>%1 in den Garnen</translation>
+    </message>
+    <message>
+        <source>%1 of the yarns’ own vapour gone</source>
+        <translation>%1 vom eigenen Dampf der Garne fort</translation>
+    </message>
+    <message>
+        <source>%1 in the fibres</source>
+        <translation>%1 in den Fasern</translation>
+    </message>
+    <message>
+        <source>%1 of the fibres’ own water gone</source>
+        <translation>%1 vom eigenen Wasser der Fasern fort</translation>
+    </message>
+    <message>
+        <source>%1 in the air</source>
+        <translation>%1 in der Luft</translation>
+    </message>
+    <message>
+        <source>%1 more came from the air</source>
+        <translation>%1 kamen aus der Luft dazu</translation>
+    </message>
+    <message>
+        <source>%1 still standing</source>
+        <translation>%1 stehen noch</translation>
+    </message>
+    <message>
+        <source>%1 run off</source>
+        <translation>%1 abgelaufen</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between shares of water</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Of 1 drop: %1.</source>
+        <translation>Von 1 Tropfen: %1.</translation>
+    </message>
+    <message>
+        <source>Of %1 drops: %2.</source>
+        <translation>Von %1 Tropfen: %2.</translation>
+    </message>
+    <message>
+        <source>Wet area %1 mm²</source>
+        <translation>Nasse Fläche %1 mm²</translation>
+    </message>
+    <message>
+        <source>Radius %1 mm</source>
+        <translation>Radius %1 mm</translation>
+    </message>
+    <message>
+        <source>Absorbed in %1 s</source>
+        <translation>Aufgenommen in %1 s</translation>
+    </message>
+    <message>
+        <source>Not absorbed yet</source>
+        <translation>Noch nicht aufgenommen</translation>
+    </message>
+    <message>
+        <source>No drop to absorb</source>
+        <translation>Kein Tropfen aufzunehmen</translation>
+    </message>
+    <message>
+        <source>On a real cloth 1 drop would run down; here it stays.</source>
+        <translation>Auf einem echten Stoff liefe 1 Tropfen herab; hier bleibt er.</translation>
+    </message>
+    <message>
+        <source>On a real cloth %1 drops would run down; here they stay.</source>
+        <translation>Auf einem echten Stoff liefen %1 Tropfen herab; hier bleiben sie.</translation>
+    </message>
+    <message>
+        <source>Vapour leaving: %1 g/m² h</source>
+        <translation>Dampf geht: %1 g/m² h</translation>
+    </message>
+    <message>
+        <source>Vapour coming: %1 g/m² h</source>
+        <translation>Dampf kommt: %1 g/m² h</translation>
+    </message>
+    <message>
+        <source>Pores: %1 % full</source>
+        <translation>Poren: zu %1 % voll</translation>
+    </message>
+    <message>
+        <source>Fibres: %1 % water</source>
+        <translation>Fasern: %1 % Wasser</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::LessonControls</name>
+    <message>
+        <source>Drop</source>
+        <translation>Tropfen</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Feuchte</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>The lower edges of the cloths go down. Water in the yarns follows; drops that stand stay where they are.</source>
+        <translation>Die unteren Kanten der Stoffe sinken. Wasser in den Garnen folgt; stehende Tropfen bleiben, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>%1 µl</source>
+        <translation>%1 µl</translation>
+    </message>
+    <message>
+        <source>%1 m/s</source>
+        <translation>%1 m/s</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::LessonFilm</name>
+    <message>
+        <source>MP4 needs the program ffmpeg, which is not installed. Save pictures instead, or install it: apt install ffmpeg.</source>
+        <translation>MP4 braucht das Programm ffmpeg, das nicht installiert ist. Sichern Sie stattdessen Bilder, oder installieren Sie es: apt install ffmpeg.</translation>
+    </message>
+    <message>
+        <source>No picture was taken, so there is no film.</source>
+        <translation>Es wurde kein Bild aufgenommen, also gibt es keinen Film.</translation>
+    </message>
+    <message>
+        <source>Some pictures cannot be written to %1. Is the disk full?</source>
+        <translation>Einige Bilder lassen sich nicht nach %1 schreiben. Ist die Platte voll?</translation>
+    </message>
+    <message>
+        <source>Saved %1 pictures to %2.</source>
+        <translation>%1 Bilder in %2 gesichert.</translation>
+    </message>
+    <message>
+        <source>Saved %1 pictures to %2; %3 were left out because the disk was too slow.</source>
+        <translation>%1 Bilder in %2 gesichert; %3 wurden ausgelassen, weil die Platte zu langsam war.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gesichert.</translation>
+    </message>
+    <message>
+        <source>The film cannot be written to %1.</source>
+        <translation>Der Film lässt sich nicht nach %1 schreiben.</translation>
+    </message>
+    <message>
+        <source>The film cannot be written to %1. ffmpeg said: %2</source>
+        <translation>Der Film lässt sich nicht nach %1 schreiben. ffmpeg meldet: %2</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::LessonScene</name>
+    <message>
+        <source>Table with cloths</source>
+        <translation>Tisch mit Stoffen</translation>
+    </message>
+    <message>
+        <source>This cloth is being laid out.</source>
+        <translation>Dieser Stoff wird ausgelegt.</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::LessonSteps</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Seen.</source>
+        <translation>Gesehen.</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::LessonWindow</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Slow motion</source>
+        <translation>Zeitlupe</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Von vorn</translation>
+    </message>
+    <message>
+        <source>Explain</source>
+        <translation>Erklären</translation>
+    </message>
+    <message>
+        <source>Full screen</source>
+        <translation>Vollbild</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Lesson – Hygroloom</source>
+        <translation>Lektion – Hygroloom</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Contact angle</source>
+        <translation>Randwinkel</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Bindung</translation>
+    </message>
+    <message>
+        <source>Fibre</source>
+        <translation>Faser</translation>
+    </message>
+    <message>
+        <source>Climate</source>
+        <translation>Klima</translation>
+    </message>
+    <message>
+        <source>Garment</source>
+        <translation>Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Cloths of my own…</source>
+        <translation>Eigene Stoffe…</translation>
+    </message>
+    <message>
+        <source>Lesson from a file…</source>
+        <translation>Lektion aus einer Datei…</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>Cloths of my own</source>
+        <translation>Eigene Stoffe</translation>
+    </message>
+    <message>
+        <source>Open Lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Lessons (*.json)</source>
+        <translation>Lektionen (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 – Hygroloom</source>
+        <translation>%1 – Hygroloom</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>The cloths are being laid out.</source>
+        <translation>Die Stoffe werden ausgelegt.</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>This machine follows at %1 of real time.</source>
+        <translation>Dieser Rechner folgt mit dem %1-fachen der wirklichen Zeit.</translation>
+    </message>
+    <message>
+        <source>Ten times slower than real</source>
+        <translation>Zehnmal langsamer als wirklich</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Wirkliche Zeit</translation>
+    </message>
+    <message>
+        <source>Recording of %1…</source>
+        <translation>Aufzeichnung von %1…</translation>
+    </message>
+    <message>
+        <source>End Film</source>
+        <translation>Film beenden</translation>
+    </message>
+    <message>
+        <source>Film as Pictures (PNG)…</source>
+        <translation>Film als Bilder (PNG)…</translation>
+    </message>
+    <message>
+        <source>Film (MP4)…</source>
+        <translation>Film (MP4)…</translation>
+    </message>
+    <message>
+        <source>Save Recording</source>
+        <translation>Aufzeichnung sichern</translation>
+    </message>
+    <message>
+        <source>Recordings (*.hygrorec)</source>
+        <translation>Aufzeichnungen (*.hygrorec)</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gesichert.</translation>
+    </message>
+    <message>
+        <source>Save Film</source>
+        <translation>Film sichern</translation>
+    </message>
+    <message>
+        <source>Films (*.mp4)</source>
+        <translation>Filme (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Folder for the Pictures</source>
+        <translation>Ordner für die Bilder</translation>
+    </message>
+    <message>
+        <source>The table is being filmed. Save ▸ End Film ends it.</source>
+        <translation>Der Tisch wird gefilmt. Sichern ▸ Film beenden beendet das.</translation>
+    </message>
+</context>
+<context>
     <name>hygroloom::LiquidPanel</name>
     <message>
         <source>Liquid</source>
@@ -5131,18 +5537,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>&amp;Wasserfarben</translation>
     </message>
     <message>
-        <source>Blue</source>
-        <translation>Blau</translation>
-    </message>
-    <message>
-        <source>Cividis</source>
-        <translation>Cividis</translation>
-    </message>
-    <message>
-        <source>Natural: wet yarns darken (maps stay blue)</source>
-        <translation>Natürlich: Nasse Garne werden dunkler (Karten bleiben blau)</translation>
-    </message>
-    <message>
         <source>&amp;Appearance</source>
         <translation>&amp;Aussehen</translation>
     </message>
@@ -5450,6 +5844,42 @@ Klicken zeigt diese Zeit.</translation>
         <source>Stop the Export</source>
         <translation>Export stoppen</translation>
     </message>
+    <message>
+        <source>S&amp;tart Page…</source>
+        <translation>S&amp;tartseite…</translation>
+    </message>
+    <message>
+        <source>Choose among recent projects, examples and fabrics.</source>
+        <translation>Unter letzten Projekten, Beispielen und Stoffen wählen.</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Units, look, mouse, autosave, runs, devices.</source>
+        <translation>Einheiten, Aussehen, Maus, Sicherungskopien, Läufe, Geräte.</translation>
+    </message>
+    <message>
+        <source>&amp;Lesson</source>
+        <translation>&amp;Lektion</translation>
+    </message>
+    <message>
+        <source>Drop water on cloths with a class, on the whole screen.</source>
+        <translation>Mit einer Klasse Wasser auf Stoffe tropfen, auf dem ganzen Bildschirm.</translation>
+    </message>
+    <message>
+        <source>The runs of this project take more than %1 GB. Delete the oldest that are not marked Keep?</source>
+        <translation>Die Läufe dieses Projekts belegen mehr als %1 GB. Die ältesten löschen, die nicht mit Behalten markiert sind?</translation>
+    </message>
+    <message>
+        <source>This frees %1. Edit ▸ Preferences ▸ Runs sets how much room runs may take.</source>
+        <translation>Das gibt %1 frei. Bearbeiten ▸ Einstellungen ▸ Läufe legt fest, wie viel Platz Läufe belegen dürfen.</translation>
+    </message>
+    <message>
+        <source>Runs take much room</source>
+        <translation>Läufe belegen viel Platz</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::NameDialog</name>
@@ -5744,10 +6174,6 @@ Klicken zeigt diese Zeit.</translation>
 <context>
     <name>hygroloom::PlanDialog</name>
     <message>
-        <source>numerical error %1 %</source>
-        <translation>numerischer Fehler %1 %</translation>
-    </message>
-    <message>
         <source>%1 on %2, %3</source>
         <translation>%1 mit %2, %3</translation>
     </message>
@@ -5875,6 +6301,14 @@ Klicken zeigt diese Zeit.</translation>
         <source>The run on screen: %1</source>
         <translation>Der gezeigte Lauf: %1</translation>
     </message>
+    <message>
+        <source>numerical error at most %1 % of any result</source>
+        <translation>numerischer Fehler höchstens %1 % eines Ergebnisses</translation>
+    </message>
+    <message>
+        <source>%1, error ≤ %2 %</source>
+        <translation>%1, Fehler ≤ %2 %</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::Playback</name>
@@ -5900,6 +6334,281 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Scroll along the ends</source>
         <translation>Entlang der Kettfäden rollen</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Pages of the preferences</source>
+        <translation>Seiten der Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;Restore Defaults</source>
+        <translation>&amp;Vorgaben wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Of all pages.</source>
+        <translation>Aller Seiten.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>How numbers are shown. Fields take any unit that is typed with the number.</source>
+        <translation>Wie Zahlen gezeigt werden. Felder nehmen jede Einheit, die mit der Zahl eingegeben wird.</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Längen</translation>
+    </message>
+    <message>
+        <source>millimetres (mm)</source>
+        <translation>Millimeter (mm)</translation>
+    </message>
+    <message>
+        <source>centimetres (cm)</source>
+        <translation>Zentimeter (cm)</translation>
+    </message>
+    <message>
+        <source>inches (in)</source>
+        <translation>Zoll (in)</translation>
+    </message>
+    <message>
+        <source>Yarn count</source>
+        <translation>Garnfeinheit</translation>
+    </message>
+    <message>
+        <source>tex (g per km)</source>
+        <translation>tex (g je km)</translation>
+    </message>
+    <message>
+        <source>English cotton count (Ne)</source>
+        <translation>englische Baumwollnummer (Ne)</translation>
+    </message>
+    <message>
+        <source>metric count (Nm)</source>
+        <translation>metrische Nummer (Nm)</translation>
+    </message>
+    <message>
+        <source>denier (g per 9 km)</source>
+        <translation>Denier (g je 9 km)</translation>
+    </message>
+    <message>
+        <source>Sett</source>
+        <translation>Fadendichte</translation>
+    </message>
+    <message>
+        <source>per centimetre</source>
+        <translation>je Zentimeter</translation>
+    </message>
+    <message>
+        <source>per inch</source>
+        <translation>je Zoll</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>degrees Celsius (°C)</source>
+        <translation>Grad Celsius (°C)</translation>
+    </message>
+    <message>
+        <source>degrees Fahrenheit (°F)</source>
+        <translation>Grad Fahrenheit (°F)</translation>
+    </message>
+    <message>
+        <source>Axes of charts, reports, tables saved as files and the command line keep mm, tex and °C.</source>
+        <translation>Achsen von Diagrammen, Berichte, gesicherte Tabellen und die Befehlszeile behalten mm, tex und °C.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Acts at the next start.</source>
+        <translation>Wirkt beim nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Schreibtisch</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Water colours</source>
+        <translation>Farben des Wassers</translation>
+    </message>
+    <message>
+        <source>Show the start page at the start</source>
+        <translation>Startseite beim Start zeigen</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>In pictures of cloth and of garments.</source>
+        <translation>In Bildern von Stoffen und von Kleidungsstücken.</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>forward comes nearer</source>
+        <translation>vorwärts kommt näher</translation>
+    </message>
+    <message>
+        <source>backward comes nearer</source>
+        <translation>rückwärts kommt näher</translation>
+    </message>
+    <message>
+        <source>Zoom to the pointer, not to the middle</source>
+        <translation>Zum Zeiger zoomen, nicht zur Mitte</translation>
+    </message>
+    <message>
+        <source>Autosave</source>
+        <translation>Sicherungskopien</translation>
+    </message>
+    <message>
+        <source>A copy of unsaved work outlives a crash and is offered at the next start. Your own file changes only when you save.</source>
+        <translation>Eine Kopie ungesicherter Arbeit überlebt einen Absturz und wird beim nächsten Start angeboten. Ihre eigene Datei ändert sich nur, wenn Sie sichern.</translation>
+    </message>
+    <message>
+        <source>Keep a copy every</source>
+        <translation>Kopie sichern alle</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>change, at once</source>
+        <translation>Änderung, sofort</translation>
+    </message>
+    <message>
+        <source>1 to %1 minutes, or a second after each change.</source>
+        <translation>1 bis %1 Minuten, oder eine Sekunde nach jeder Änderung.</translation>
+    </message>
+    <message>
+        <source>A crash loses at most what was changed since the last copy.</source>
+        <translation>Ein Absturz verliert höchstens, was seit der letzten Kopie geändert wurde.</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Room for the runs of a project</source>
+        <translation>Platz für die Läufe eines Projekts</translation>
+    </message>
+    <message>
+        <source>GB</source>
+        <translation>GB</translation>
+    </message>
+    <message>
+        <source>Beyond it the oldest runs that are not marked Keep are offered to be deleted, at the end of a run.</source>
+        <translation>Darüber wird am Ende eines Laufs angeboten, die ältesten Läufe zu löschen, die nicht mit Behalten markiert sind.</translation>
+    </message>
+    <message>
+        <source>Threads of a run on the CPU</source>
+        <translation>Threads eines Laufs auf der CPU</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Runs that are on already keep theirs. Fewer threads leave room for other work.</source>
+        <translation>Läufe, die schon rechnen, behalten ihre. Weniger Threads lassen Raum für andere Arbeit.</translation>
+    </message>
+    <message>
+        <source>Cache</source>
+        <translation>Zwischenspeicher</translation>
+    </message>
+    <message>
+        <source>C&amp;lear the Cache</source>
+        <translation>Zwischenspeicher &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Deletes pictures of the start page and how long runs took on this machine. Both are made anew.</source>
+        <translation>Löscht Bilder der Startseite und wie lange Läufe auf diesem Rechner dauerten. Beides entsteht neu.</translation>
+    </message>
+    <message>
+        <source>Cache: %1 in %2</source>
+        <translation>Zwischenspeicher: %1 in %2</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Processors that runs may be computed on.</source>
+        <translation>Prozessoren, auf denen Läufe rechnen können.</translation>
+    </message>
+    <message>
+        <source>For new runs</source>
+        <translation>Für neue Läufe</translation>
+    </message>
+    <message>
+        <source>Automatic: a GPU where one can be used</source>
+        <translation>Automatisch: eine GPU, wo eine nutzbar ist</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>GPU</source>
+        <translation>GPU</translation>
+    </message>
+    <message>
+        <source>%1: can be used</source>
+        <translation>%1: nutzbar</translation>
+    </message>
+    <message>
+        <source>%1: cannot be used. %2</source>
+        <translation>%1: nicht nutzbar. %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be deleted. Check that the folder can be written to.</source>
+        <translation>%1 lässt sich nicht löschen. Prüfen Sie, ob in den Ordner geschrieben werden kann.</translation>
     </message>
 </context>
 <context>
@@ -6038,6 +6747,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>“%1” is not a unit of this field. Use %2.</source>
         <translation>„%1“ ist keine Einheit dieses Felds. Nehmen Sie %2.</translation>
     </message>
+    <message>
+        <source>Ne %1</source>
+        <translation>Ne %1</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::QuantityEdit</name>
@@ -6052,6 +6765,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>auto %1</source>
         <translation>auto %1</translation>
+    </message>
+    <message>
+        <source>Calculated: %1.</source>
+        <translation>Berechnet: %1.</translation>
     </message>
 </context>
 <context>
@@ -6355,10 +7072,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Zu erwarten</translation>
     </message>
     <message>
-        <source>%1 (not usable)</source>
-        <translation>%1 (nicht nutzbar)</translation>
-    </message>
-    <message>
         <source>Device</source>
         <translation>Gerät</translation>
     </message>
@@ -6383,10 +7096,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>%1 %2, %3; %4 auf zwei Kernen.</translation>
     </message>
     <message>
-        <source>Go on with the run.</source>
-        <translation>Den Lauf fortsetzen.</translation>
-    </message>
-    <message>
         <source>Pause the run; its frames so far can be looked at.</source>
         <translation>Den Lauf pausieren; seine bisherigen Bilder lassen sich ansehen.</translation>
     </message>
@@ -6405,6 +7114,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Stopped. What was computed up to here is shown.</source>
         <translation>Gestoppt. Das bis hierher Berechnete ist gezeigt.</translation>
+    </message>
+    <message>
+        <source>Resume the run.</source>
+        <translation>Den Lauf fortsetzen.</translation>
     </message>
 </context>
 <context>
@@ -6829,14 +7542,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Zu erwarten für %1</translation>
     </message>
     <message>
-        <source>about 4 min, 38 MB, numerical error 14 %</source>
-        <translation>etwa 4 min, 38 MB, numerischer Fehler 14 %</translation>
-    </message>
-    <message>
-        <source>%1 (not usable)</source>
-        <translation>%1 (nicht nutzbar)</translation>
-    </message>
-    <message>
         <source>Device</source>
         <translation>Gerät</translation>
     </message>
@@ -6876,12 +7581,67 @@ Stattdessen auf der CPU rechnen?</translation>
         <source>Stopped. Results up to here are shown.</source>
         <translation>Gestoppt. Die Ergebnisse bis hierher sind gezeigt.</translation>
     </message>
+    <message>
+        <source>about 4 min, 38 MB, error ≤ 14 %</source>
+        <translation>etwa 4 min, 38 MB, Fehler ≤ 14 %</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::SimulationRun</name>
     <message>
         <source>Not enough memory for this run. Choose a smaller sample or a lower fidelity.</source>
         <translation>Der Speicher reicht für diesen Lauf nicht. Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::StartPage</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>New project with a fabric of the library</source>
+        <translation>Neues Projekt mit einem Stoff der Bibliothek</translation>
+    </message>
+    <message>
+        <source>&amp;Show at start</source>
+        <translation>Beim &amp;Start zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>&amp;New Project</source>
+        <translation>&amp;Neues Projekt</translation>
+    </message>
+    <message>
+        <source>Start with a plain-weave fabric and one droplet.</source>
+        <translation>Mit einem leinwandbindigen Stoff und einem Tropfen beginnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a project or a recording.</source>
+        <translation>Ein Projekt oder eine Aufzeichnung öffnen.</translation>
+    </message>
+    <message>
+        <source>User&apos;s &amp;Guide</source>
+        <translation>Hand&amp;buch</translation>
+    </message>
+    <message>
+        <source>How to design a fabric and to run an experiment.</source>
+        <translation>Wie man einen Stoff entwirft und einen Versuch rechnet.</translation>
     </message>
 </context>
 <context>
@@ -7756,18 +8516,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>&amp;Maus</translation>
     </message>
     <message>
-        <source>Hygroloom: left turns, middle moves</source>
-        <translation>Hygroloom: links dreht, Mitte verschiebt</translation>
-    </message>
-    <message>
-        <source>Blender: middle turns, Shift and middle moves</source>
-        <translation>Blender: Mitte dreht, Umschalt und Mitte verschiebt</translation>
-    </message>
-    <message>
-        <source>FreeCAD: middle moves, middle and left turns</source>
-        <translation>FreeCAD: Mitte verschiebt, Mitte und links dreht</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Ansicht</translation>
     </message>
@@ -7878,20 +8626,12 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Höchster Wert %1 Gramm Wasser je Quadratmeter</translation>
     </message>
     <message>
-        <source>%1; wetted radius %2 millimetres.</source>
-        <translation>%1; Benetzungsradius %2 Millimeter.</translation>
-    </message>
-    <message>
         <source>Largest difference to the baseline %1 grams per square metre; %2 of %3 cells differ.</source>
         <translation>Größter Unterschied zum Bezug %1 Gramm je Quadratmeter; %2 von %3 Zellen unterscheiden sich.</translation>
     </message>
     <message>
         <source>%1 g/m²</source>
         <translation>%1 g/m²</translation>
-    </message>
-    <message>
-        <source>%1 (%2: %3 to %4)</source>
-        <translation>%1 (%2: %3 bis %4)</translation>
     </message>
     <message>
         <source>%1 g/m² less than the baseline</source>
@@ -7910,14 +8650,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>trocken</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>wetted radius %1</source>
-        <translation>Benetzungsradius %1</translation>
-    </message>
-    <message>
         <source>%1: %2 at %3, %4 mm</source>
         <translation>%1: %2 an %3, %4 mm</translation>
     </message>
@@ -7928,6 +8660,18 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>least to most of %1 replicates</source>
         <translation>kleinste bis größte von %1 Wiederholungen</translation>
+    </message>
+    <message>
+        <source>%1; wetted radius now %2.</source>
+        <translation>%1; benetzter Radius jetzt %2.</translation>
+    </message>
+    <message>
+        <source>%1 (%2, in cells of %5 mm: %3 to %4)</source>
+        <translation>%1 (%2, in Zellen von %5 mm: %3 bis %4)</translation>
+    </message>
+    <message>
+        <source>wetted radius now %1</source>
+        <translation>benetzter Radius jetzt %1</translation>
     </message>
 </context>
 <context>
@@ -8399,6 +9143,10 @@ Stattdessen auf der CPU rechnen?</translation>
         <source>Ashenhurst&apos;s limit is %1 per cm: yarns side by side, with room to change sides. A firm cloth has about 75 % of it. Peirce&apos;s limit is %2 per cm (%3 %): circular arcs that touch.</source>
         <translation>Ashenhursts Grenze ist %1 je cm: Garne Seite an Seite, mit Platz zum Wechseln der Seite. Ein festes Gewebe hat etwa 75 % davon. Peirces Grenze ist %2 je cm (%3 %): Kreisbögen, die sich berühren.</translation>
     </message>
+    <message>
+        <source>endless</source>
+        <translation>endlos</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::WhyView</name>
@@ -8740,18 +9488,6 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>undyed</source>
         <translation>ungefärbt</translation>
-    </message>
-    <message>
-        <source>Ne %1</source>
-        <translation>Ne %1</translation>
-    </message>
-    <message>
-        <source>%1 %</source>
-        <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>%1 µm</source>
-        <translation>%1 µm</translation>
     </message>
     <message>
         <source>none</source>
