@@ -101,7 +101,9 @@ QPointF LessonScene::placeOn(int cloth, const QPointF& at) const
 void LessonScene::drop(int cloth, double x, double y)
 {
     Cloth& on = cloths_.at(static_cast<std::size_t>(cloth));
-    if (!table_ || !on.view) { return; }
+    if (!table_) { return; }
+    refresh(cloth); // it may have been laid out since the last picture
+    if (!on.view) { return; }
     Falling falling{++on.asked, x, y, 1e-9 * drop_ul_, {}};
     falling.since.start();
     on.falling.push_back(falling);
