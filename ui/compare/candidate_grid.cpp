@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
+#include "ui/basics/words.h"
 
 #include <QLocale>
 
@@ -14,10 +15,6 @@
 namespace hygroloom {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
-
-QString capital(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
 
 ShownValue inUserUnit(ShownValue value)
 {

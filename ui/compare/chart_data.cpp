@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 
 #include "ui/basics/core_words.h"
+#include "ui/basics/words.h"
 
 #include <QCoreApplication>
 
@@ -14,8 +15,6 @@
 namespace hygroloom {
 
 namespace {
-
-QString capital(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
 
 /// The number whose error a curve has.
 struct CurveError {

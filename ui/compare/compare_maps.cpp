@@ -20,7 +20,7 @@ namespace hygroloom {
 namespace {
 
 constexpr int legend_width = 92;
-constexpr int slider_steps = 200;
+constexpr int time_steps = 200;
 
 /// How many of its replicates keep maps or curves; those of other versions keep none.
 std::size_t tracesOf(const Candidate& candidate)
@@ -49,8 +49,8 @@ CompareMaps::CompareMaps(QWidget* parent)
     grey_->setVisible(false);
     face_->addItems({tr("Top face"), tr("Bottom face")});
     face_->setAccessibleName(tr("Face of the fabrics"));
-    time_->setRange(0, slider_steps);
-    time_->setValue(slider_steps);
+    time_->setRange(0, time_steps);
+    time_->setValue(time_steps);
     time_->setAccessibleName(tr("Time of all maps"));
     value_->setAccessibleName(tr("Value under the pointer"));
     value_->setContentsMargins(8, 0, 8, 0);
@@ -87,15 +87,15 @@ CompareMaps::CompareMaps(QWidget* parent)
     });
     connect(time_, &QSlider::valueChanged, this, [this] {
         readMaps();
-        Q_EMIT timeChanged(static_cast<double>(time_->value()) / slider_steps);
+        Q_EMIT timeChanged(static_cast<double>(time_->value()) / time_steps);
     });
 }
 
 double CompareMaps::duration() const { return runs_.empty() ? 0 : durationOf(runs_.front()); }
 
-double CompareMaps::shownTime() const { return duration() * time_->value() / slider_steps; }
+double CompareMaps::shownTime() const { return duration() * time_->value() / time_steps; }
 
-void CompareMaps::setTime(double share) { time_->setValue(static_cast<int>(std::lround(share * slider_steps))); }
+void CompareMaps::setTime(double share) { time_->setValue(static_cast<int>(std::lround(share * time_steps))); }
 
 void CompareMaps::setWaterColors(WaterColors colors)
 {
@@ -161,7 +161,7 @@ void CompareMaps::readMaps()
         update();
         return;
     }
-    MapsRequest wanted{runs_, candidates_, side(), static_cast<double>(time_->value()) / slider_steps, differs() && baseline_};
+    MapsRequest wanted{runs_, candidates_, side(), static_cast<double>(time_->value()) / time_steps, differs() && baseline_};
     wanted.candidates.resize(runs_.size());
     if (wanted.differences) {
         wanted.runs.push_back(*baseline_);

@@ -10,7 +10,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int margin = 6, bar_height = 10; // pixels
+constexpr int side_margin = 6, own_bar_height = 10; // pixels
 
 QColor colorOf(int tone, const QPalette& palette)
 {
@@ -33,17 +33,17 @@ void WhyDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     painter->setRenderHint(QPainter::Antialiasing);
     const bool selected = own.state & QStyle::State_Selected;
     const QColor ink = own.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);
-    const QRect room = own.rect.adjusted(margin, 3, -margin, -3);
+    const QRect room = own.rect.adjusted(side_margin, 3, -side_margin, -3);
     painter->setPen(ink);
     painter->setFont(own.font);
     painter->drawText(QRect(room.left(), room.top(), room.width(), own.fontMetrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
                       own.fontMetrics.elidedText(index.data(Qt::DisplayRole).toString(), Qt::ElideRight, room.width()));
     if (index.data(value_role).isValid()) {
-        const double y = own.rect.bottom() - 4 - bar_height / 2.0;
+        const double y = own.rect.bottom() - 4 - own_bar_height / 2.0;
         const auto at = [&](Role role) { return room.left() + 4 + index.data(role).toDouble() * (room.width() - 8); };
         const double zero = at(zero_role), value = at(value_role);
         const QColor fill = selected ? ink : colorOf(index.data(tone_role).toInt(), own.palette);
-        painter->fillRect(QRectF(std::min(zero, value), y - bar_height / 2.0, std::abs(value - zero), bar_height), fill);
+        painter->fillRect(QRectF(std::min(zero, value), y - own_bar_height / 2.0, std::abs(value - zero), own_bar_height), fill);
         QColor line = ink;
         line.setAlphaF(0.35F);
         painter->setPen(QPen(line, 1));
@@ -57,8 +57,8 @@ void WhyDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
 
 QSize WhyDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const
 {
-    return {option.fontMetrics.horizontalAdvance(index.data(Qt::DisplayRole).toString()) + 2 * margin + 4,
-            option.fontMetrics.height() + bar_height + 10};
+    return {option.fontMetrics.horizontalAdvance(index.data(Qt::DisplayRole).toString()) + 2 * side_margin + 4,
+            option.fontMetrics.height() + own_bar_height + 10};
 }
 
 } // namespace hygroloom

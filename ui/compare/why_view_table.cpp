@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What WhyView shows: the parts that differ, what they make, and in which state the question is.
 #include "ui/basics/core_words.h"
+#include "ui/basics/words.h"
 #include "ui/compare/candidate_grid.h"
 #include "ui/compare/why_delegate.h"
 #include "ui/compare/why_view.h"
@@ -19,8 +20,6 @@ namespace hygroloom {
 namespace {
 
 enum Column { part_column, fabric_column, against_column, number_column, words_column };
-
-QString capital(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
 
 QString capital(const std::string& text) { return capital(QString::fromStdString(text)); }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/project/library.h"
+#include "ui/basics/words.h"
 #include "ui/document/sources.h"
 
 #include <QFileInfo>
@@ -12,8 +13,6 @@
 namespace hygroloom {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
 
 void pushWear(Design& design, const std::string& garment, const Climate* climate)
 {

@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
+#include "ui/basics/words.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -50,8 +51,6 @@ constexpr Column columns[] = {
      [](const WearPart& p, const WearNow&, const std::optional<double>& stops) { return stops ? p.time_to_dry(*stops) : std::nullopt; },
      true},
 };
-
-QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
 
 struct Line {
     QString name;

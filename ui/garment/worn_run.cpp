@@ -3,6 +3,7 @@
 
 #include "ui/basics/color_map.h"
 #include "ui/basics/quantity.h"
+#include "ui/basics/words.h"
 #include "ui/garment/step_legend.h"
 
 #include <QCoreApplication>
@@ -16,8 +17,6 @@
 namespace hygroloom {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
 
 /// Fills bare pixels beside cells with those, so that outlines are covered.
 std::vector<int> widened(const PanelGrid& grid, const std::vector<int>& cells)

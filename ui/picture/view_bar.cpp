@@ -21,7 +21,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int slider_steps = 1000;
+constexpr int section_steps = 1000;
 
 QToolButton* menuButton(const QString& text, const QString& name, QMenu* menu)
 {
@@ -156,7 +156,7 @@ void ViewBar::buildSection()
     });
     addWidget(menuButton(tr("Section"), tr("Cut the fabric open"), sections_));
     slider_ = new QSlider(Qt::Horizontal);
-    slider_->setRange(-slider_steps, slider_steps);
+    slider_->setRange(-section_steps, section_steps);
     slider_->setMinimumWidth(80);
     slider_->setMaximumWidth(180);
     slider_->setAccessibleName(tr("Position of the cut"));
@@ -174,7 +174,7 @@ void ViewBar::buildSection()
     addAction(flip_);
     connect(slider_, &QSlider::valueChanged, this, [this](int value) {
         SectionPlane section = section_;
-        section.position = half() * value / slider_steps;
+        section.position = half() * value / section_steps;
         setSection(section);
     });
     connect(position_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
@@ -245,7 +245,7 @@ void ViewBar::refreshSection()
     position_->setRange(-most, most);
     position_->setSingleStep(most > 1 ? 0.05 : 0.01);
     position_->setValue(section_.position);
-    slider_->setValue(static_cast<int>(std::lround(slider_steps * std::clamp(section_.position / most, -1.0, 1.0))));
+    slider_->setValue(static_cast<int>(std::lround(section_steps * std::clamp(section_.position / most, -1.0, 1.0))));
     flip_->setChecked(section_.flipped);
 }
 

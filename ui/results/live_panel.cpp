@@ -21,7 +21,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int legend_width = 92;
+constexpr int own_legend_width = 92;
 constexpr int leading_numbers = 3;
 constexpr int short_pause_ms = 400, pause_ms = 1000; // without an edit, after which the whole and a finer answer are begun
 constexpr double longest_cut = 2;                    // s, that a cut answer may have taken for the whole to follow unasked
@@ -63,7 +63,7 @@ LivePanel::LivePanel(Document& document, QWidget* parent)
 
 void LivePanel::build()
 {
-    legend_->setFixedWidth(legend_width);
+    legend_->setFixedWidth(own_legend_width);
     status_->setWordWrap(true);
     status_->setAccessibleName(tr("What the map shows"));
     refine_->setChecked(QSettings().value(refine_setting, false).toBool());

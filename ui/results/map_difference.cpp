@@ -2,6 +2,7 @@
 #include "ui/results/map_difference.h"
 
 #include "core/analysis/outcomes.h"
+#include "ui/basics/words.h"
 
 #include <QCoreApplication>
 
@@ -11,8 +12,6 @@
 namespace hygroloom {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
 
 bool areEqualLengths(double one, double other) { return std::abs(one - other) <= 1e-6 * std::max(one, other); }
 

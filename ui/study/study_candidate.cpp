@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/project/library.h"
 #include "core/project/project_value.h"
+#include "ui/basics/words.h"
 #include "ui/document/document.h"
 #include "ui/study/study_fields.h"
 
@@ -16,8 +17,6 @@ namespace hygroloom {
 namespace {
 
 using Role = StudyColumnRole;
-
-QString tr(const char* text) { return QCoreApplication::translate("hygroloom", text); }
 
 /// The fabric that a row ran: its own column says it where there are several.
 std::string fabricOf(const StudyData& data, const Design& design, const Document& document, std::size_t row)

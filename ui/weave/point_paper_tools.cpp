@@ -20,7 +20,7 @@ QRect between(const QPoint& a, const QPoint& b)
 }
 
 /// A larger repeat takes too long to check and to draw anew while the mouse is down; it is painted when the stroke ends.
-constexpr int most_live_crossings = 250000;
+constexpr int most_followed_crossings = 250000;
 
 } // namespace
 
@@ -41,7 +41,7 @@ void PointPaper::drawShape(const QPoint& to)
 
 void PointPaper::brush(const Crossings& crossings)
 {
-    if (weave_.ends() * weave_.picks() <= most_live_crossings) {
+    if (weave_.ends() * weave_.picks() <= most_followed_crossings) {
         Q_EMIT painted(crossings, paintUp_);
         return;
     }
