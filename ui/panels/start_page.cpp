@@ -115,6 +115,7 @@ StartPage::StartPage(const QStringList& examples, const QStringList& recent, QWi
     });
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+    buttons->button(QDialogButtonBox::Close)->setIcon({});
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* bottom = new QHBoxLayout;
     bottom->addWidget(shown);
@@ -175,6 +176,7 @@ void StartPage::fill(const QStringList& examples, const QStringList& recent)
         auto* item = new QListWidgetItem(none, titleOf(path), examples_);
         item->setData(path_role, path);
         item->setData(example_role, true);
+        item->setToolTip("<p>" + item->text().toHtmlEscaped() + "</p>");
     }
     int number = 0;
     for (const Preset& preset : shipped_presets()) {

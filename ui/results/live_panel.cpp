@@ -2,6 +2,7 @@
 #include "ui/results/live_panel.h"
 
 #include "core/base/text.h"
+#include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/document/document.h"
 #include "ui/results/plan_dialog.h"
@@ -51,6 +52,9 @@ LivePanel::LivePanel(Document& document, QWidget* parent)
     connect(&live_, &LiveAnswer::answered, this, &LivePanel::take);
     connect(&live_, &LiveAnswer::refused, this, &LivePanel::refuse);
     connect(&pause_, &QTimer::timeout, this, &LivePanel::askFiner);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, [this, length = preferences().length]() mutable {
+        if (std::exchange(length, preferences().length) != length) { ask(); } // numbers come with their units
+    });
     connect(refine_, &QCheckBox::toggled, this, [this](bool on) {
         QSettings().setValue(refine_setting, on);
         if (on) {

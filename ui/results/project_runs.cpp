@@ -8,7 +8,6 @@
 #include "ui/document/run_folder.h"
 #include "ui/results/run_history.h"
 
-#include <QDateTime>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -117,12 +116,10 @@ QString ProjectRuns::settle(const QString& recording)
 
 QStringList ProjectRuns::beyond(double bytes) const
 {
-    QStringList recordings = recordingsIn(folder());
+    QStringList recordings = recordingsIn(folder()); // by number
     for (const QString& live : live_) { recordings.removeAll(live); }
     double all = 0;
     for (const QString& path : recordings) { all += static_cast<double>(QFileInfo(path).size()); }
-    std::stable_sort(recordings.begin(), recordings.end(),
-                     [](const QString& a, const QString& b) { return QFileInfo(a).lastModified() < QFileInfo(b).lastModified(); });
     if (!recordings.isEmpty()) { recordings.removeLast(); } // what was just computed stays
     QStringList oldest;
     for (const QString& path : recordings) {

@@ -69,6 +69,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent), names_(
     buttons->button(QDialogButtonBox::RestoreDefaults)->setText(tr("&Restore Defaults"));
     buttons->button(QDialogButtonBox::RestoreDefaults)->setToolTip(tr("Of all pages."));
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
+    for (QAbstractButton* button : buttons->buttons()) { button->setIcon({}); }
     auto* middle = new QHBoxLayout;
     middle->setSpacing(16);
     middle->addWidget(names_);
