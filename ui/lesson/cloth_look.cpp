@@ -5,6 +5,7 @@
 #include "ui/weave/cloth_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hygroloom {
@@ -22,6 +23,27 @@ int valueOf(double light)
     const double v = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
     return std::clamp(qRound(255 * v), 0, 255);
 }
+
+/// The same from tables: a picture has many pixels.
+class Lights {
+public:
+    Lights()
+    {
+        for (int value = 0; value < 256; ++value) { light_[static_cast<std::size_t>(value)] = lightOf(value); }
+        for (std::size_t k = 0; k < value_.size(); ++k) {
+            value_[k] = valueOf(static_cast<double>(k) / static_cast<double>(value_.size() - 1));
+        }
+    }
+    int shaded(int value, double light) const
+    {
+        const double share = std::clamp(light_[static_cast<std::size_t>(value)] * light, 0.0, 1.0);
+        return value_[static_cast<std::size_t>(share * static_cast<double>(value_.size() - 1))];
+    }
+
+private:
+    std::array<double, 256> light_{};
+    std::array<int, 16384> value_{};
+};
 
 /// How much light a yarn that lies on top sends up, at a place of its crossing from -1 to 1 across it and along it: round across, and a
 /// little bent down to where it goes under.
@@ -62,6 +84,7 @@ ClothLook::ClothLook(const Fabric& fabric, const Textile& textile, int side)
 {
     const int ends = textile.ends(), picks = textile.picks();
     const QImage colors = clothPicture(fabric, ends, picks);
+    static const Lights lights;
     std::array<int, 256> wet{};
     for (int value = 0; value < 256; ++value) { wet[static_cast<std::size_t>(value)] = valueOf(wet_reflectance(lightOf(value))); }
     for (int k = 0; k < side; ++k) {
@@ -77,7 +100,7 @@ ClothLook::ClothLook(const Fabric& fabric, const Textile& textile, int side)
             const int end = end_of_[static_cast<std::size_t>(column)];
             const double light = shadeOfPixel(textile.warp_up(end, pick), column * across, (side - 1 - row) * up, std::max(across, up));
             const QRgb color = colors.pixel(end, picks - 1 - pick);
-            const auto shaded = [light](int value) { return valueOf(lightOf(value) * light); };
+            const auto shaded = [&, light](int value) { return lights.shaded(value, light); };
             dry_line[column] = qRgb(shaded(qRed(color)), shaded(qGreen(color)), shaded(qBlue(color)));
             const auto darker = [&wet](int value) { return wet[static_cast<std::size_t>(value)]; };
             wet_line[column] = qRgb(darker(qRed(dry_line[column])), darker(qGreen(dry_line[column])), darker(qBlue(dry_line[column])));

@@ -58,7 +58,7 @@ public:
     /// nullptr until the user's guide has been opened.
     HelpWindow* guide() { return guide_; }
     /// nullptr unless a lesson is on.
-    LessonWindow* lesson() { return lesson_; }
+    LessonWindow* lesson();
     Workspace workspace() const { return workspace_; }
     void setWorkspace(Workspace workspace);
 

@@ -272,6 +272,8 @@ void MainWindow::showGuidePage(const QString& page)
     guide_->activateWindow();
 }
 
+LessonWindow* MainWindow::lesson() { return lesson_; }
+
 /// It has the whole screen until Esc.
 void MainWindow::showLesson()
 {
