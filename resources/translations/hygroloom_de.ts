@@ -1233,7 +1233,7 @@
     </message>
     <message>
         <source>Of capacity, %</source>
-        <translation>Vom Fassungsvermögen, %</translation>
+        <translation>Füllgrad, %</translation>
     </message>
     <message>
         <source>Wet area, %</source>
@@ -4070,7 +4070,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>Share of capacity, %</source>
-        <translation>Anteil am Fassungsvermögen, %</translation>
+        <translation>Füllgrad, %</translation>
     </message>
     <message>
         <source>Water, g/m²</source>
@@ -4102,7 +4102,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>%1 g/m², %2 % of capacity</source>
-        <translation>%1 g/m², %2 % des Fassungsvermögens</translation>
+        <translation>%1 g/m², Füllgrad %2 %</translation>
     </message>
     <message>
         <source>A: %1; B: %2</source>
@@ -4118,7 +4118,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>3D and flat</source>
-        <translation>3D und flach</translation>
+        <translation>3D, flach</translation>
     </message>
     <message>
         <source>3D</source>
@@ -4138,7 +4138,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>Share of capacity</source>
-        <translation>Anteil am Fassungsvermögen</translation>
+        <translation>Füllgrad</translation>
     </message>
     <message>
         <source>Which runs are drawn</source>
@@ -4158,7 +4158,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>End of the scale</source>
-        <translation>Ende der Skala</translation>
+        <translation>Skalenende</translation>
     </message>
     <message>
         <source>Keep as A</source>
@@ -5629,7 +5629,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>Grain</source>
-        <translation>Fadenlauf</translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Top face</source>
@@ -7339,7 +7339,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Fastest within an error</source>
-        <translation>Am schnellsten innerhalb eines Fehlers</translation>
+        <translation>Nach Fehlergrenze</translation>
     </message>
     <message>
         <source>Off</source>
@@ -7347,7 +7347,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Points laid out for it</source>
-        <translation>Dafür gelegte Punkte</translation>
+        <translation>Eigene Punkte</translation>
     </message>
     <message>
         <source>From a surface</source>
@@ -7709,7 +7709,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>&amp;Previous Yarn</source>
-        <translation>Vor&amp;heriger Faden</translation>
+        <translation>Vorh&amp;eriger Faden</translation>
     </message>
     <message>
         <source>Select the previous yarn.</source>
@@ -7793,7 +7793,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Across the &amp;Warp</source>
-        <translation>Quer zur &amp;Kette</translation>
+        <translation>Quer zur K&amp;ette</translation>
     </message>
     <message>
         <source>Across the We&amp;ft</source>
@@ -7958,7 +7958,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Map resolution (crossings per cell)</source>
-        <translation>Auflösung der Karten (Kreuzungspunkte je Zelle)</translation>
+        <translation>Kartenauflösung (Kreuzungen je Zelle)</translation>
     </message>
     <message>
         <source>Water</source>
@@ -7973,7 +7973,7 @@ Stattdessen auf der CPU rechnen?</translation>
     <name>hygroloom::WearChart</name>
     <message>
         <source>Share of capacity at the pin, %</source>
-        <translation>Anteil am Fassungsvermögen am angehefteten Ort, %</translation>
+        <translation>Füllgrad am angehefteten Ort, %</translation>
     </message>
     <message>
         <source>Water at the pin, g/m²</source>
@@ -7981,7 +7981,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Share of the garment&apos;s capacity, %</source>
-        <translation>Anteil am Fassungsvermögen des Kleidungsstücks, %</translation>
+        <translation>Füllgrad des Kleidungsstücks, %</translation>
     </message>
     <message>
         <source>Water in the garment, g/m²</source>
