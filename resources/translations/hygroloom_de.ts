@@ -62,11 +62,11 @@
     </message>
     <message>
         <source>stain on top, semi-axis along warp</source>
-        <translation>Fleck auf der Oberseite, Halbachse in Kettrichtung</translation>
+        <translation>Fleck oben, Halbachse in Kettrichtung</translation>
     </message>
     <message>
         <source>stain on top, semi-axis along weft</source>
-        <translation>Fleck auf der Oberseite, Halbachse in Schussrichtung</translation>
+        <translation>Fleck oben, Halbachse in Schussrichtung</translation>
     </message>
     <message>
         <source>stain at rest from</source>
