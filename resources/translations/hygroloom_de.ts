@@ -62,11 +62,11 @@
     </message>
     <message>
         <source>stain on top, semi-axis along warp</source>
-        <translation>Fleck auf der Oberseite, Halbachse in Kettrichtung</translation>
+        <translation>Fleck oben, Halbachse in Kettrichtung</translation>
     </message>
     <message>
         <source>stain on top, semi-axis along weft</source>
-        <translation>Fleck auf der Oberseite, Halbachse in Schussrichtung</translation>
+        <translation>Fleck oben, Halbachse in Schussrichtung</translation>
     </message>
     <message>
         <source>stain at rest from</source>
@@ -1229,7 +1229,7 @@
     </message>
     <message>
         <source>Of capacity, %</source>
-        <translation>Vom Fassungsvermögen, %</translation>
+        <translation>Füllgrad, %</translation>
     </message>
     <message>
         <source>Wet area, %</source>
@@ -4101,7 +4101,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>Share of capacity, %</source>
-        <translation>Anteil am Fassungsvermögen, %</translation>
+        <translation>Füllgrad, %</translation>
     </message>
     <message>
         <source>Water, g/m²</source>
@@ -4133,7 +4133,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>%1 g/m², %2 % of capacity</source>
-        <translation>%1 g/m², %2 % des Fassungsvermögens</translation>
+        <translation>%1 g/m², Füllgrad %2 %</translation>
     </message>
     <message>
         <source>A: %1; B: %2</source>
@@ -4149,7 +4149,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>3D and flat</source>
-        <translation>3D und flach</translation>
+        <translation>3D, flach</translation>
     </message>
     <message>
         <source>3D</source>
@@ -4169,7 +4169,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>Share of capacity</source>
-        <translation>Anteil am Fassungsvermögen</translation>
+        <translation>Füllgrad</translation>
     </message>
     <message>
         <source>Which runs are drawn</source>
@@ -4189,7 +4189,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>End of the scale</source>
-        <translation>Ende der Skala</translation>
+        <translation>Skalenende</translation>
     </message>
     <message>
         <source>Keep as A</source>
@@ -6059,7 +6059,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>Grain</source>
-        <translation>Fadenlauf</translation>
+        <translation>Winkel</translation>
     </message>
     <message>
         <source>Top face</source>
@@ -8099,7 +8099,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Fastest within an error</source>
-        <translation>Am schnellsten innerhalb eines Fehlers</translation>
+        <translation>Nach Fehlergrenze</translation>
     </message>
     <message>
         <source>Off</source>
@@ -8107,7 +8107,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Points laid out for it</source>
-        <translation>Dafür gelegte Punkte</translation>
+        <translation>Eigene Punkte</translation>
     </message>
     <message>
         <source>From a surface</source>
@@ -8469,7 +8469,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>&amp;Previous Yarn</source>
-        <translation>Vor&amp;heriger Faden</translation>
+        <translation>Vorh&amp;eriger Faden</translation>
     </message>
     <message>
         <source>Select the previous yarn.</source>
@@ -8541,7 +8541,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Across the &amp;Warp</source>
-        <translation>Quer zur &amp;Kette</translation>
+        <translation>Quer zur K&amp;ette</translation>
     </message>
     <message>
         <source>Across the We&amp;ft</source>
@@ -8702,7 +8702,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Map resolution (crossings per cell)</source>
-        <translation>Auflösung der Karten (Kreuzungspunkte je Zelle)</translation>
+        <translation>Kartenauflösung (Kreuzungen je Zelle)</translation>
     </message>
     <message>
         <source>Water</source>
@@ -8717,7 +8717,7 @@ Stattdessen auf der CPU rechnen?</translation>
     <name>hygroloom::WearChart</name>
     <message>
         <source>Share of capacity at the pin, %</source>
-        <translation>Anteil am Fassungsvermögen am angehefteten Ort, %</translation>
+        <translation>Füllgrad am angehefteten Ort, %</translation>
     </message>
     <message>
         <source>Water at the pin, g/m²</source>
@@ -8725,7 +8725,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Share of the garment&apos;s capacity, %</source>
-        <translation>Anteil am Fassungsvermögen des Kleidungsstücks, %</translation>
+        <translation>Füllgrad des Kleidungsstücks, %</translation>
     </message>
     <message>
         <source>Water in the garment, g/m²</source>

