@@ -17,6 +17,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
+#include <QScreen>
 #include <QScrollArea>
 #include <QToolButton>
 
@@ -56,6 +57,7 @@ LessonWindow::LessonWindow(const Document& document, QWidget* parent)
 {
     setWindowTitle(tr("Lesson – Hygroloom"));
     setObjectName("lesson window");
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize())); // where it does not fill the screen
     build();
     connectParts();
     chooseLesson(0);
