@@ -21,7 +21,7 @@ namespace {
 
 enum Column { part_column, fabric_column, against_column, number_column, words_column };
 
-QString capital(const std::string& text) { return capital(QString::fromStdString(text)); }
+QString capitalOf(const std::string& text) { return capital(QString::fromStdString(text)); }
 
 } // namespace
 
@@ -103,7 +103,7 @@ void WhyView::showParts()
             {capital(coreWord(part.title)), QString::fromStdString(part.first), QString::fromStdString(part.second), QString(), QString()});
     }
     QStringList notes;
-    for (const std::string& note : plan_->notes) { notes << capital(note); }
+    for (const std::string& note : plan_->notes) { notes << capitalOf(note); }
     note_->setText(notes.join(' '));
 }
 
@@ -130,7 +130,7 @@ void WhyView::showWhy()
         addBar(*line.compared, low, high);
     }
     QStringList notes;
-    for (std::size_t i = why.parts.size(); i < sentences.size(); ++i) { notes << capital(sentences[i]); } // the others stand in the table
+    for (std::size_t i = why.parts.size(); i < sentences.size(); ++i) { notes << capitalOf(sentences[i]); } // the others stand in the table
     note_->setText(notes.join(' '));
 }
 

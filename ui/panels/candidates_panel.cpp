@@ -23,7 +23,7 @@ namespace hygroloom {
 namespace {
 
 /// A small piece of the weave, to recognize fabrics by.
-QPixmap swatch(const Weave& weave, const QPalette& palette, double ratio)
+QPixmap weaveSwatch(const Weave& weave, const QPalette& palette, double ratio)
 {
     constexpr int squares = 6, size = 3;
     QPixmap pixmap(QSize(squares * size, squares * size) * ratio);
@@ -124,7 +124,7 @@ void CandidatesPanel::refresh()
         const Fabric& fabric = fabrics[static_cast<std::size_t>(row)];
         QListWidgetItem* item = list_->item(row);
         item->setText(QString::fromStdString(fabric.name));
-        item->setIcon(swatch(fabric.weave, palette(), devicePixelRatioF()));
+        item->setIcon(weaveSwatch(fabric.weave, palette(), devicePixelRatioF()));
         const QString about = tr("%1: %2, %3 × %4 per cm")
                                   .arg(QString::fromStdString(fabric.name),
                                        fabric.weave.pattern().empty() ? tr("free weave") : QString::fromStdString(fabric.weave.pattern()),

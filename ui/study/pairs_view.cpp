@@ -18,7 +18,7 @@ namespace hygroloom {
 namespace {
 
 constexpr double reach = 8; // pixels
-constexpr std::size_t many_rows = 5000;
+constexpr std::size_t many_points = 5000;
 
 } // namespace
 
@@ -76,7 +76,7 @@ void PairsChart::drawPicture(QPainter& painter)
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QRectF(on.left(), on.bottom() + line + 4, on.width(), line + 2), Qt::AlignCenter, across_->title);
     painter.drawText(QRectF(8, 4, on.right() - 8, line + 2), Qt::AlignLeft, up_->title);
-    const bool many = data_->table.rows() > many_rows;
+    const bool many = data_->table.rows() > many_points;
     const double radius = many ? 1 : 4.5;
     painter.setRenderHint(QPainter::Antialiasing, !many);
     const QColor plain = strokeOf(0, palette()).color(), faint = gridColor(palette());
