@@ -57,7 +57,6 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent), names_(
 {
     setWindowTitle(tr("Preferences"));
     names_->setAccessibleName(tr("Pages of the preferences"));
-    names_->setFixedWidth(names_->fontMetrics().averageCharWidth() * 18);
     addUnits();
     addLanguage();
     addLook();
@@ -65,6 +64,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent), names_(
     addAutosave();
     addRuns();
     addDevices();
+    names_->setFixedWidth(names_->sizeHintForColumn(0) + 24); // of the longest name, in any language
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
     buttons->button(QDialogButtonBox::RestoreDefaults)->setText(tr("&Restore Defaults"));
     buttons->button(QDialogButtonBox::RestoreDefaults)->setToolTip(tr("Of all pages."));
