@@ -97,10 +97,6 @@
         <translation>Aufnahmerate</translation>
     </message>
     <message>
-        <source>spreading speed</source>
-        <translation>Ausbreitungsgeschwindigkeit</translation>
-    </message>
-    <message>
         <source>one-way transport</source>
         <translation>Einwegtransport</translation>
     </message>
@@ -1051,6 +1047,10 @@
     <message>
         <source>measured values</source>
         <translation>gemessene Werte</translation>
+    </message>
+    <message>
+        <source>spreading speed by 5 mm rings</source>
+        <translation>Ausbreitungsgeschwindigkeit nach 5-mm-Ringen</translation>
     </message>
 </context>
 <context>
@@ -5846,7 +5846,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>S&amp;tart Page…</source>
-        <translation>S&amp;tartseite…</translation>
+        <translation>St&amp;artseite…</translation>
     </message>
     <message>
         <source>Choose among recent projects, examples and fabrics.</source>
@@ -5862,7 +5862,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>&amp;Lesson</source>
-        <translation>&amp;Lektion</translation>
+        <translation>Lek&amp;tion</translation>
     </message>
     <message>
         <source>Drop water on cloths with a class, on the whole screen.</source>

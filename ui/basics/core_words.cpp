@@ -23,7 +23,7 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "wicking rate"),
     QT_TRANSLATE_NOOP("core", "wetting time"),
     QT_TRANSLATE_NOOP("core", "absorption rate"),
-    QT_TRANSLATE_NOOP("core", "spreading speed"),
+    QT_TRANSLATE_NOOP("core", "spreading speed by 5 mm rings"),
     QT_TRANSLATE_NOOP("core", "one-way transport"),
     QT_TRANSLATE_NOOP("core", "overall capability (OMMC)"),
     QT_TRANSLATE_NOOP("core", "class"),
