@@ -5862,7 +5862,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>&amp;Lesson</source>
-        <translation>Lek&amp;tion</translation>
+        <translation>Lektio&amp;n</translation>
     </message>
     <message>
         <source>Drop water on cloths with a class, on the whole screen.</source>
