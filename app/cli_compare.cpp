@@ -254,7 +254,7 @@ int compare(CompareOptions options)
     if (why && comparison.complete) find_why(comparison, *why, design, how, options.quiet, backends, control);
     give_results(options, comparison, choice, maps, fabrics);
     if (control.cancel && comparison.complete) {
-        print_note("Cancelled before all that was asked for was there; the numbers of all runs are.\n");
+        print_note("Cancelled after all runs; maps or reasons are missing.\n");
         return exit_cancelled;
     }
     if (!comparison.complete) {

@@ -173,7 +173,7 @@ Climate air_in(ObjectReader& lesson, Climate air)
     const ProjectJson* value = lesson.find("air");
     if (!value) return air;
     ObjectReader reader(*value, lesson.file(), "air");
-    air.temperature_c = number_from(reader, "temperature_c", air.temperature_c, 5, 60, " C");
+    air.temperature_c = number_from(reader, "temperature_c", air.temperature_c, 5, 60, " °C");
     air.relative_humidity = number_from(reader, "relative_humidity", air.relative_humidity, 0, 1, "");
     air.air_speed_m_s = number_from(reader, "air_speed_m_s", air.air_speed_m_s, 0, 5, " m/s");
     reader.finish();
@@ -184,7 +184,7 @@ const ProjectJson& list_in(ObjectReader& reader, const std::string& key, std::si
 {
     const ProjectJson& list = array_in(reader.require(key), reader.file(), key);
     if (list.size() < least || list.size() > most)
-        reader.refuse(key, fmt::format("This must be a list of {} to {}; given are {}.", least, most, list.size()));
+        reader.refuse(key, fmt::format("This must be a list of {} to {} entries; given are {}.", least, most, list.size()));
     return list;
 }
 
@@ -220,15 +220,7 @@ Lesson parse_lesson(std::string_view text, const std::string& name)
 {
     const ProjectJson json = parse_json(text, name);
     ObjectReader reader(json, name, {});
-    std::string format;
-    int version = 0;
-    reader.require("format");
-    reader.read("format", format);
-    if (format != "hygroloom-lesson") reader.refuse("format", fmt::format("This must be \"hygroloom-lesson\"; given is \"{}\".", format));
-    reader.require("version");
-    reader.read("version", version);
-    if (version != lesson_version)
-        reader.refuse("version", fmt::format("This program reads version {} of lessons; the file has {}.", lesson_version, version));
+    require_format(reader, "hygroloom-lesson", lesson_version, "lessons");
     Lesson lesson;
     lesson.title = words_from(reader, "title", longest_title, false);
     lesson.air = air_in(reader, lesson.air);

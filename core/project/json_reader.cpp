@@ -169,6 +169,19 @@ std::string in_words(const ProjectJson& value)
     return shortened(value.dump(-1, ' ', false, ProjectJson::error_handler_t::replace));
 }
 
+void require_format(ObjectReader& file, const std::string& format, int version, const char* things)
+{
+    std::string given;
+    int of_file = 0;
+    file.require("format");
+    file.read("format", given);
+    if (given != format) file.refuse("format", fmt::format("This must be \"{}\"; given is \"{}\".", format, given));
+    file.require("version");
+    file.read("version", of_file);
+    if (of_file != version)
+        file.refuse("version", fmt::format("This program reads version {} of {}; the file has {}.", version, things, of_file));
+}
+
 double number_in(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     if (!value.is_number()) refuse_at(file, path, fmt::format("This must be a number; given is {}.", in_words(value)));

@@ -61,6 +61,9 @@ private:
     std::vector<std::string> known_;
 };
 
+/// Refuses a file of another format or version. things: what such files hold, "lessons".
+void require_format(ObjectReader& file, const std::string& format, int version, const char* things);
+
 double number_in(const ProjectJson& value, const std::string& file, const std::string& path);
 std::string text_in(const ProjectJson& value, const std::string& file, const std::string& path);
 const ProjectJson& array_in(const ProjectJson& value, const std::string& file, const std::string& path);

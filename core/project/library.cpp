@@ -25,15 +25,7 @@ std::vector<Preset> presets_from(std::string_view text, const std::string& name)
 {
     const ProjectJson json = parse_json(text, name);
     ObjectReader file(json, name, {});
-    std::string format;
-    int version = 0;
-    file.require("format");
-    file.read("format", format);
-    if (format != "hygroloom-library") file.refuse("format", fmt::format("This must be \"hygroloom-library\"; given is \"{}\".", format));
-    file.require("version");
-    file.read("version", version);
-    if (version != library_version)
-        file.refuse("version", fmt::format("This program reads version {} of libraries; the file has {}.", library_version, version));
+    require_format(file, "hygroloom-library", library_version, "libraries");
     const ProjectJson& list = array_in(file.require("presets"), name, "presets");
     file.finish();
     std::vector<Preset> presets;

@@ -1872,8 +1872,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Stoffe</translation>
     </message>
     <message>
-        <source>Tick %1 to %2 fabrics; ticked are %3.</source>
-        <translation>Wählen Sie %1 bis %2 Stoffe; gewählt sind %3.</translation>
+        <source>Tick %1 to %2 fabrics (%3 ticked).</source>
+        <translation>Wählen Sie %1 bis %2 Stoffe (%3 gewählt).</translation>
     </message>
 </context>
 <context>
@@ -2159,8 +2159,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Je ein Lauf von %1 und vom Bezug, von deren Wiederholungen weniger als zwei Paare Karten haben: Grau ist nur der numerische Fehler.</translation>
     </message>
     <message>
-        <source>%1 Mean of %2 or more pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of the mean difference, with %4, holds 0.</source>
-        <translation>%1 Mittel aus %2 oder mehr Paaren von Wiederholungen nach %3, dem nächsten Zeitpunkt, für den sie Karten haben. Grau: Das Intervall der mittleren Differenz, mit %4, enthält 0.</translation>
+        <source>%1 Mean of at least %2 pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of the mean difference, with %4, holds 0.</source>
+        <translation>%1 Mittel aus mindestens %2 Paaren von Wiederholungen nach %3, dem nächsten Zeitpunkt, für den sie Karten haben. Grau: Das Intervall der mittleren Differenz, mit %4, enthält 0.</translation>
     </message>
 </context>
 <context>
@@ -6351,10 +6351,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>&amp;Vorgaben wiederherstellen</translation>
     </message>
     <message>
-        <source>Of all pages.</source>
-        <translation>Aller Seiten.</translation>
-    </message>
-    <message>
         <source>&amp;Close</source>
         <translation>&amp;Schließen</translation>
     </message>
@@ -6543,20 +6539,12 @@ Klicken zeigt diese Zeit.</translation>
         <translation>GB</translation>
     </message>
     <message>
-        <source>Beyond it the oldest runs that are not marked Keep are offered to be deleted, at the end of a run.</source>
-        <translation>Darüber wird am Ende eines Laufs angeboten, die ältesten Läufe zu löschen, die nicht mit Behalten markiert sind.</translation>
-    </message>
-    <message>
         <source>Threads of a run on the CPU</source>
         <translation>Threads eines Laufs auf der CPU</translation>
     </message>
     <message>
         <source>all</source>
         <translation>alle</translation>
-    </message>
-    <message>
-        <source>Runs that are on already keep theirs. Fewer threads leave room for other work.</source>
-        <translation>Läufe, die schon rechnen, behalten ihre. Weniger Threads lassen Raum für andere Arbeit.</translation>
     </message>
     <message>
         <source>Cache</source>
@@ -6609,6 +6597,18 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>%1 cannot be deleted. Check that the folder can be written to.</source>
         <translation>%1 lässt sich nicht löschen. Prüfen Sie, ob in den Ordner geschrieben werden kann.</translation>
+    </message>
+    <message>
+        <source>Sets all pages to their defaults.</source>
+        <translation>Setzt alle Seiten auf ihre Vorgaben.</translation>
+    </message>
+    <message>
+        <source>When a run ends and the runs take more, the window offers to delete the oldest that are not marked Keep.</source>
+        <translation>Wenn ein Lauf endet und die Läufe mehr belegen, bietet das Fenster an, die ältesten zu löschen, die nicht mit Behalten markiert sind.</translation>
+    </message>
+    <message>
+        <source>Running simulations keep theirs. Fewer threads leave room for other work.</source>
+        <translation>Laufende Simulationen behalten ihre. Weniger Threads lassen Raum für andere Arbeit.</translation>
     </message>
 </context>
 <context>

@@ -245,6 +245,29 @@ private Q_SLOTS:
             QVERIFY(shared == solution(equations, threads, true));
         }
     }
+    /// As a GPU lays them out.
+    void columnsHoldANumberForEachPlace_data() { add_teams_and_lines(); }
+    void columnsHoldANumberForEachPlace()
+    {
+        QFETCH(int, threads);
+        QFETCH(int, places);
+        with_team<OfPairs>(threads, false, places, [&](const auto& team) {
+            const auto numbers = team.columns(OfPairs::columns, places);
+            for (int i = 0; i < places; ++i) numbers(0, i) = i;
+            for (int i = 0; i < places; ++i) QCOMPARE(numbers(0, i), static_cast<double>(i));
+        });
+    }
+    void pairsWithNothingOpenStayAsTheyAre()
+    {
+        const std::vector<PairEquation> equations = random_pairs(97, 1);
+        for (int threads : {0, 32})
+            with_team<OfPairs>(threads, false, 97, [&](const auto& team) {
+                int used = 0;
+                const auto row = [&](int i, bool&) { return equations[static_cast<std::size_t>(i)]; };
+                QVERIFY(!team.solve_pairs(0, 97, row, [&](int, const Pair&) { ++used; }));
+                QCOMPARE(used, 0);
+            });
+    }
     void whatPlacesCannotKeepIsPassedOnExactly_data() { add_teams_and_lines(); }
     void whatPlacesCannotKeepIsPassedOnExactly()
     {

@@ -91,9 +91,9 @@ private:
         auto* maps = view.findChild<CompareMaps*>();
         QTRY_VERIFY_WITH_TIMEOUT(says(view, "Under the pointer also the range of its replicates"), 20000);
         maps->show(CompareMaps::Shown::differences);
-        QTRY_VERIFY_WITH_TIMEOUT(says(view, "Mean of 4 or more pairs of replicates after 0.2") && says(view, "holds 0."), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(says(view, "Mean of at least 4 pairs of replicates after 0.2") && says(view, "holds 0."), 20000);
         maps->setTime(0.3); // the nearest time with maps is a quarter
-        QTRY_VERIFY_WITH_TIMEOUT(says(view, "Mean of 4 or more pairs of replicates after 0.05"), 20000);
+        QTRY_VERIFY_WITH_TIMEOUT(says(view, "Mean of at least 4 pairs of replicates after 0.05"), 20000);
         const auto shown = std::find_if(maps->maps().begin(), maps->maps().end(), [](const WaterMap* map) { return !map->isHidden(); });
         const auto baseline = std::find_if(view.comparison().candidates.begin(), view.comparison().candidates.end(),
                                            [&view](const Candidate& each) { return each.fabric == view.comparison().baseline; });

@@ -259,9 +259,9 @@ QString CompareMaps::greyText(const MapError& error, int pairs, double share) co
     const QString percent = error.share ? shownNumber(100 * *error.share, decimals_for(100 * *error.share, 2)) : QString();
     if (pairs > 0) {
         const QString numerical = error.share ? tr("a numerical error of %1 %").arg(percent) : tr("no numerical error, which is not known");
-        return tr("%1 Mean of %2 or more pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of the "
-                  "mean "
-                  "difference, with %4, holds 0.")
+        return tr("%1 Mean of at least %2 pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of "
+                  "the "
+                  "mean difference, with %4, holds 0.")
             .arg(to)
             .arg(pairs)
             .arg(momentText(share * duration(), duration()), numerical);

@@ -57,7 +57,7 @@ std::vector<LessonCloth> ClothChoice::chosen() const
 void ClothChoice::refresh()
 {
     const std::size_t count = chosen().size();
-    note_->setText(tr("Tick %1 to %2 fabrics; ticked are %3.").arg(fewest_lesson_cloths).arg(most_lesson_cloths).arg(count));
+    note_->setText(tr("Tick %1 to %2 fabrics (%3 ticked).").arg(fewest_lesson_cloths).arg(most_lesson_cloths).arg(count));
     buttons_->button(QDialogButtonBox::Ok)->setEnabled(count >= fewest_lesson_cloths && count <= most_lesson_cloths);
 }
 

@@ -67,7 +67,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent), names_(
     names_->setFixedWidth(names_->sizeHintForColumn(0) + 24); // of the longest name, in any language
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
     buttons->button(QDialogButtonBox::RestoreDefaults)->setText(tr("&Restore Defaults"));
-    buttons->button(QDialogButtonBox::RestoreDefaults)->setToolTip(tr("Of all pages."));
+    buttons->button(QDialogButtonBox::RestoreDefaults)->setToolTip(tr("Sets all pages to their defaults."));
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
     for (QAbstractButton* button : buttons->buttons()) { button->setIcon({}); }
     auto* middle = new QHBoxLayout;
@@ -253,9 +253,9 @@ void PreferencesDialog::addRuns()
 {
     QFormLayout* form = addPage(tr("Runs"));
     addNumber(*form, tr("Room for the runs of a project"), &Preferences::runs_gigabytes, 1, most_runs_gigabytes, tr("GB"), {},
-              tr("Beyond it the oldest runs that are not marked Keep are offered to be deleted, at the end of a run."));
+              tr("When a run ends and the runs take more, the window offers to delete the oldest that are not marked Keep."));
     addNumber(*form, tr("Threads of a run on the CPU"), &Preferences::threads, 0, most_threads, {}, tr("all"),
-              tr("Runs that are on already keep theirs. Fewer threads leave room for other work."));
+              tr("Running simulations keep theirs. Fewer threads leave room for other work."));
     cache_ = addNote(*form, {});
     cache_->setAccessibleName(tr("Cache"));
     auto* clear = new QPushButton(tr("C&lear the Cache"));
