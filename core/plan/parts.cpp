@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/plan/parts.h"
 
-#include "core/physics/caps.h"
+#include "core/plan/cap_room.h"
 #include "core/plan/supply.h"
 
 #include <fmt/format.h>
@@ -47,46 +47,6 @@ std::string left_out_below(double share)
 {
     return share > 0 ? fmt::format("parts below {:.3g} % are left out at this fidelity", 100 * share)
                      : "nothing that has an effect is left out at this fidelity";
-}
-
-/// Radius of a drop's base at rest, m, at most: of a ball's cap, or of a puddle with its rim. That a drop which
-/// spreads on below 30 degrees is absorbed before it gets much farther is an assumption.
-double base_at_rest(double volume, const Bounds& b)
-{
-    const double angle = std::max(radian_from_degree(b.advancing_deg), radian_from_degree(30));
-    const double length = std::sqrt(b.liquid.surface_tension / (b.liquid.density * gravity_acceleration)); // capillary
-    return std::max(cap_base(volume, angle), std::sqrt(volume / (pi * 2.0 * length * std::sin(0.5 * angle))) + 0.5 * length);
-}
-
-/// Why drops cannot stand as caps, in a sentence; empty: they can.
-std::string why_no_cap(const Experiment& experiment, const Bounds& b)
-{
-    constexpr double most_volume_ul = 2000; // for which shapes are tabled
-    constexpr std::size_t most_drops = 200; // each is looked at from every crossing
-    if (experiment.closure != Closure::pores) return "Caps give their liquid by suction, which only the closure pores has.";
-    const std::vector<Droplet> drops = falling_drops(experiment);
-    if (drops.size() > most_drops) return fmt::format("More than {} drops fall.", most_drops);
-    const auto [width, height] = sample_extent_mm(experiment);
-    for (const Droplet& drop : drops) {
-        const double volume = cubic_metre_from_ul(drop.volume_ul), ball = std::cbrt(3.0 * volume / (4.0 * pi));
-        const double speed = std::sqrt(drop.speed_m_s * drop.speed_m_s + 2.0 * gravity_acceleration * metre_from_mm(drop.height_mm));
-        if (splashes(b.liquid.surface_tension, b.liquid.viscosity, b.liquid.density, ball, speed))
-            return fmt::format("A drop lands with {:.3g} m/s and may splash.", speed);
-        const double thrown = impact_base(b.liquid.surface_tension, b.liquid.density, ball, speed);
-        double joined = 0; // m3 of all drops that may become one with this
-        for (const Droplet& other : drops) {
-            const double apart = metre_from_mm(std::hypot(drop.at_mm[0] - other.at_mm[0], drop.at_mm[1] - other.at_mm[1]));
-            if (apart > 2.0 * base_at_rest(cubic_metre_from_ul(std::max(drop.volume_ul, other.volume_ul)), b)) continue;
-            joined += cubic_metre_from_ul(other.volume_ul);
-        }
-        if (joined > cubic_metre_from_ul(most_volume_ul))
-            return fmt::format("Drops of more than {:g} µl together are no cap.", most_volume_ul);
-        const double base = std::max(base_at_rest(joined, b), thrown);
-        const double room =
-            std::min(metre_from_mm(0.5 * width - std::abs(drop.at_mm[0])), metre_from_mm(0.5 * height - std::abs(drop.at_mm[1])));
-        if (base > room) return "A drop may reach over the sample's edge.";
-    }
-    return "";
 }
 
 /// Goes through the parts in their order; each depends on those before.

@@ -14,6 +14,7 @@ target_sources(hygroloom_core PRIVATE
   ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes_json.cpp
   plan/bounds.cpp
   plan/bundling.cpp
+  plan/cap_room.cpp
   plan/expectation.cpp
   plan/fidelity.cpp
   plan/fidelity_choice.cpp

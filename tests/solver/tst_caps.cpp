@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Drops that stand as caps: their water is kept, they become one where they touch, dry, and are absorbed wherever they lie.
 #include "core/analysis/metrics.h"
+#include "core/base/random.h"
 #include "core/physics/caps.h"
 #include "core/physics/heat_moisture.h"
+#include "core/plan/cap_room.h"
 #include "core/plan/planning.h"
 #include "core/scene/coarse_scene.h"
 #include "core/solver/cap_shapes.h"
@@ -99,6 +101,47 @@ private Q_SLOTS:
         QVERIFY(std::abs(frame.caps[0].x - (-0.8e-3 * 10 + 0.8e-3 * 20) / 30) < 1e-6);
         const double weight = scene.climate.density * gravity_acceleration / scene.climate.surface_tension;
         QVERIFY(frame.caps[0].base >= 0.99 * drop_of_volume(frame.caps[0].volume, scene.caps.advancing, weight).base_radius);
+    }
+    void noCapLeavesTheSampleWhereThePlanGivesItRoom()
+    {
+        Scene scene = scene_of(library_fabric("Textile F"), drops_on_sample({drop_at(0, 0, 5)}, 1));
+        int allowed = 0, small_angles = 0;
+        for (std::uint64_t trial = 0; trial < 400; ++trial) {
+            std::uint64_t drawn = 0;
+            const auto from = [&](double least, double most) { return least + (most - least) * random_uniform(7, trial, drawn++); };
+            Bounds bounds;
+            bounds.liquid = {scene.climate.surface_tension, scene.climate.viscosity, scene.climate.density};
+            bounds.advancing_deg = from(0, 60);
+            const double duration = std::pow(10.0, from(-2, 2));
+            std::vector<Droplet> drops;
+            scene.supply.droplets.clear();
+            for (int left = static_cast<int>(from(1, 5)); left > 0; --left) {
+                Droplet drop = drop_at(from(-8, 8), from(-8, 8), std::pow(10.0, from(0, 2)));
+                drop.height_mm = from(0, 20);
+                drops.push_back(drop);
+                const double volume = cubic_metre_from_ul(drop.volume_ul), ball = std::cbrt(3 * volume / (4 * pi));
+                scene.supply.droplets.push_back(
+                    {0,
+                     volume,
+                     {1e-3 * drop.at_mm[0], 1e-3 * drop.at_mm[1], scene.cloth.half_thickness + 1e-3 * drop.height_mm + ball},
+                     0});
+            }
+            if (!why_no_cap(drops_on_sample(drops, duration), bounds).empty()) continue;
+            ++allowed;
+            small_angles += bounds.advancing_deg < 30;
+            scene.caps.advancing = radian_from_degree(bounds.advancing_deg);
+            scene.caps.receding = 0;
+            Caps caps;
+            caps.load(scene);
+            caps.release(1e-9);
+            for (double time = 0, dt = 1e-4; time < duration; dt = std::min({1.2 * dt, 0.05, std::max(1e-6, duration - time)})) {
+                caps.spread(time += dt, dt);
+                for (const FrameCap& cap : caps.shown(time))
+                    QVERIFY2(std::max(std::abs(cap.x), std::abs(cap.y)) + cap.base <= 10e-3,
+                             qPrintable(QString("%1 degrees, %2 s").arg(bounds.advancing_deg).arg(time)));
+            }
+        }
+        QVERIFY2(allowed > 60 && small_angles > 20, qPrintable(QString("%1, %2").arg(allowed).arg(small_angles)));
     }
     void aCapThatNothingAbsorbsDriesAsItsSurfaceSays()
     {
