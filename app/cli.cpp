@@ -198,7 +198,7 @@ int devices(const DevicesOptions& options)
             list.push_back({{"backend", info.name}, {"device", info.device}, {"usable", info.usable}});
             if (!info.usable) list.back()["reason"] = info.reason;
         }
-        print_result("{}\n", nlohmann::ordered_json{{"devices", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_json(nlohmann::ordered_json{{"devices", list}});
         return exit_ok;
     }
     for (const BackendInfo& info : backends)

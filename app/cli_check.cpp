@@ -301,7 +301,7 @@ int check(const ProjectOptions& options)
         print_weave(fabric, fitted.yarns);
     }
     show_garments(design, garments, options.json, json);
-    if (options.json) print_result("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (options.json) print_json(json);
     return has_error(issues) ? exit_invalid : exit_ok;
 }
 

@@ -147,11 +147,6 @@ std::string size_text(const Textile& textile, const ExportEstimate& size)
                        bytes_text(size.bytes));
 }
 
-void print_json(const nlohmann::ordered_json& json)
-{
-    print_result("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
-}
-
 /// Writes the file and prints its name, or the JSON with what was written.
 void write_piece(const Piece& piece, const ExportOptions& how, const ExportVerbOptions& options, nlohmann::ordered_json json)
 {

@@ -157,7 +157,7 @@ int import_garment(const GarmentOptions& options)
         Json json = json_of(pattern);
         if (!options.output.empty())
             json.update({{"project", options.output}, {"garment", garment.name}, {"experiment", experiment}, {"added", existing}});
-        print_result("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+        print_json(json);
     } else {
         print_pattern(options, garment, pattern);
         if (!options.output.empty())

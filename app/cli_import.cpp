@@ -81,7 +81,7 @@ int import_file(const ImportOptions& options)
         write_project(design, options.output);
     }
     if (options.json) {
-        print_result("{}\n", import_json(options, draft, takes, existing).dump(2, ' ', false, Json::error_handler_t::replace));
+        print_json(import_json(options, draft, takes, existing));
     } else {
         print_result("{}: \"{}\"\n", options.draft, draft.fabric.name);
         for (const ImportLine& line : draft.report)
@@ -102,12 +102,11 @@ int export_wif(const ProjectOptions& options, const std::string& output)
     const Fabric& fabric = chosen_fabric(design, options);
     write_wif(design, fabric, output);
     if (options.json)
-        print_result("{}\n", Json{{"format", "hygroloom-export"},
-                                  {"version", 1},
-                                  {"file", output},
-                                  {"ends", fabric.weave.ends()},
-                                  {"picks", fabric.weave.picks()}}
-                                 .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_json(Json{{"format", "hygroloom-export"},
+                        {"version", 1},
+                        {"file", output},
+                        {"ends", fabric.weave.ends()},
+                        {"picks", fabric.weave.picks()}});
     else
         print_result("{}\n", output);
     return exit_ok;

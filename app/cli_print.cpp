@@ -3,6 +3,8 @@
 
 #include "core/base/utf8.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -38,6 +40,11 @@ void write_result(const std::string& text)
         if (std::ferror(stdout) != 0) failure_of_results = errno != 0 ? errno : EIO;
     }
     if (failure_of_results != 0) throw ResultsLost();
+}
+
+void print_json(const nlohmann::ordered_json& json)
+{
+    print_result("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 void flush_results()

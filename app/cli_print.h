@@ -3,6 +3,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <nlohmann/json_fwd.hpp>
 
 #include <cstdio>
 #include <string>
@@ -19,6 +20,8 @@ struct ResultsLost {};
 
 /// On stdout. Throws ResultsLost.
 void write_result(const std::string& text);
+/// On stdout, indented. Throws ResultsLost.
+void print_json(const nlohmann::ordered_json& json);
 /// What was written so far is to be seen now.
 void flush_results();
 /// Whether stdout took all of the results. Says on stderr when not.

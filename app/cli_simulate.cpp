@@ -112,7 +112,7 @@ int plan(const SimulateOptions& options)
         json.update(plan_value(plan));
         json["idle_keys"] = nlohmann::ordered_json::array();
         for (const IdleKey& key : idle) json["idle_keys"].push_back({{"key", key.key}, {"because", key.because}});
-        print_result("{}\n", json.dump(2));
+        print_json(json);
     } else {
         print_plan(plan, idle, fabric.name, experiment);
     }
@@ -175,7 +175,7 @@ int print_cancelled(const SoFar& so_far, bool json)
     } else if (json) {
         auto object = nlohmann::ordered_json::parse(words->result);
         object["so_far"] = metrics_value(so_far.run, metrics);
-        print_result("{}\n", object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_json(object);
     } else {
         print_metrics(so_far.run, metrics, false);
     }

@@ -143,7 +143,7 @@ void give_outcome(const SweepOptions& options, const StudyFolder& study, const S
     }
     if (outcome.progress.failed > most_named) print_note("{} more failed.\n", outcome.progress.failed - most_named);
     if (options.json) {
-        print_result("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+        print_json(json);
     } else {
         const StudyProgress& progress = outcome.progress;
         print_result("{} of {} runs done, {} failed, {:.1f} s\n", progress.ended - progress.failed, progress.rows, progress.failed,
@@ -235,14 +235,13 @@ int merge_rows(const SweepOptions& options)
     study_folder(options); // says what is wrong with it
     const MergeResult merged = merge_study(options.folder);
     if (options.json)
-        print_result("{}\n", Json{{"format", "hygroloom-sweep"},
-                                  {"version", 1},
-                                  {"folder", options.folder},
-                                  {"rows", merged.rows},
-                                  {"done", merged.ended - merged.failed},
-                                  {"failed", merged.failed},
-                                  {"missing", merged.rows - merged.ended}}
-                                 .dump(2));
+        print_json(Json{{"format", "hygroloom-sweep"},
+                        {"version", 1},
+                        {"folder", options.folder},
+                        {"rows", merged.rows},
+                        {"done", merged.ended - merged.failed},
+                        {"failed", merged.failed},
+                        {"missing", merged.rows - merged.ended}});
     else
         print_result("{}/results.csv: {} of {} rows, {} failed\n", options.folder, merged.ended, merged.rows, merged.failed);
     if (!merged.missing.empty())

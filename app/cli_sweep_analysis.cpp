@@ -43,8 +43,6 @@ std::vector<Surface> surfaces_in(const SweepOptions& options, const StudyFolder&
     return read_surfaces(study, file);
 }
 
-void print_json(const Json& json) { print_result("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace)); }
-
 /// "metric" of which fabric and experiment, where there are several.
 std::string title_of(const StudyFolder& study, const std::string& metric, const std::string& fabric, const std::string& experiment)
 {

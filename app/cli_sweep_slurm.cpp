@@ -14,8 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void print_json(const Json& json) { print_result("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace)); }
-
 } // namespace
 
 int submit_to_slurm(const SweepOptions& options)

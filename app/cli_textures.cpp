@@ -41,15 +41,14 @@ int export_textures(const ProjectOptions& options, const TextureRequest& request
     }
     bar.clear();
     if (options.json)
-        print_result("{}\n", nlohmann::ordered_json{{"format", "hygroloom-textures"},
-                                                    {"version", 1},
-                                                    {"folder", folder},
-                                                    {"width_mm", size.width_mm},
-                                                    {"height_mm", size.height_mm},
-                                                    {"columns", size.columns},
-                                                    {"rows", size.rows},
-                                                    {"files", files}}
-                                 .dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_json(nlohmann::ordered_json{{"format", "hygroloom-textures"},
+                                          {"version", 1},
+                                          {"folder", folder},
+                                          {"width_mm", size.width_mm},
+                                          {"height_mm", size.height_mm},
+                                          {"columns", size.columns},
+                                          {"rows", size.rows},
+                                          {"files", files}});
     else
         print_result("{}: {:.4f} x {:.4f} mm in {} x {} pixels; {} files in {}\n", fabric.name, size.width_mm, size.height_mm, size.columns,
                      size.rows, files.size(), folder);

@@ -90,7 +90,7 @@ int list_cases(const VerifyOptions& options)
         list.push_back(entry);
         if (!options.json) print_result("{:<26} {}\n", c.name, c.about);
     }
-    if (options.json) print_result("{}\n", Json{{"cases", list}}.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    if (options.json) print_json(Json{{"cases", list}});
     return exit_ok;
 }
 
@@ -131,7 +131,7 @@ int verify(const VerifyOptions& options)
     if (options.json) {
         Json all = Json::array();
         for (const VerifyReport& report : reports) all.push_back(report_value(report));
-        print_result("{}\n", (several ? Json{{"reports", all}} : all[0]).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+        print_json((several ? Json{{"reports", all}} : all[0]));
     } else if (several) {
         print_summary(reports);
     }

@@ -212,7 +212,7 @@ int plan_garment(const WearVerbOptions& options)
                                       {"cells", plan.panel_cells[k]},
                                       {"crossings_per_cell", plan.crossings_per_cell[k]}});
         json["seam_joints"] = garment.scene.cloth.seams.joints.size();
-        print_result("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+        print_json(json);
         return exit_ok;
     }
     print_result("{} in \"{}\": {} cells; {}\n", layout.garment, wear.name, plan.cells, layout.cells_in_words);
@@ -267,16 +267,14 @@ int map_garment(const WearMapVerbOptions& options)
     }
     if (!options.report.empty()) write_wear_report(recording, metrics_of(recording), options.times, how, options.report, options.quiet);
     if (options.output.empty()) {
-        if (options.json) print_result("{}\n", Json{{"files", {options.report}}}.dump(2));
+        if (options.json) print_json(Json{{"files", {options.report}}});
         return exit_ok;
     }
     const WearMap map = wear_map(layout, frame, how);
     make_folder(options.output);
     const std::vector<std::string> files = write_wear_map(layout, frame, map, options.output);
     if (options.json)
-        print_result(
-            "{}\n",
-            Json{{"time_s", frame.time}, {"most", map.most()}, {"steps", map.steps}, {"cells", map.cells}, {"files", files}}.dump(2));
+        print_json(Json{{"time_s", frame.time}, {"most", map.most()}, {"steps", map.steps}, {"cells", map.cells}, {"files", files}});
     else
         print_result("{} at {:.4g} s, {}: {} files in {}\n", layout.garment, frame.time, map.cells, files.size(), options.output);
     return exit_ok;

@@ -193,7 +193,7 @@ WhyPlan plan_why(const Design& design, const std::string& fabric, const std::str
 
 Design mixed(const Design& design, const WhyPlan& plan, Mixture mixture)
 {
-    Design own{design.materials, design.liquids, {*find_fabric(design, plan.fabric)}, {*find_experiment(design, plan.experiment)}};
+    Design own{design.materials, design.liquids, {*find_fabric(design, plan.fabric)}, {*find_experiment(design, plan.experiment)}, {}, {}};
     const Fabric& other = *find_fabric(design, plan.against);
     for (std::size_t i = 0; i < plan.parts.size(); ++i)
         if (mixture & bit(i))

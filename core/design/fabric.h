@@ -84,6 +84,14 @@ struct Fabric {
 };
 
 /// The fabric's own warp or weft, or an extra yarn. Precondition: 0 <= yarn <= extra_yarns.size().
+/// Its warp, its weft, then its extra yarns.
+inline std::vector<Yarn*> yarns_of(Fabric& fabric)
+{
+    std::vector<Yarn*> yarns{&fabric.warp, &fabric.weft};
+    for (Yarn& yarn : fabric.extra_yarns) yarns.push_back(&yarn);
+    return yarns;
+}
+
 inline const Yarn& yarn_in(const Fabric& fabric, bool warp, int yarn)
 {
     if (yarn > 0) return fabric.extra_yarns[static_cast<std::size_t>(yarn - 1)];

@@ -37,13 +37,6 @@ std::size_t place_of(const Design& design, const std::string& fabric)
     return static_cast<std::size_t>(find_fabric(design, fabric) - design.fabrics.data());
 }
 
-std::vector<Yarn*> yarns_of(Fabric& fabric)
-{
-    std::vector<Yarn*> yarns{&fabric.warp, &fabric.weft};
-    for (Yarn& yarn : fabric.extra_yarns) yarns.push_back(&yarn);
-    return yarns;
-}
-
 /// Precondition: the fabric's fibres share it.
 double angle_in_use(const Design& design, const Fabric& fabric)
 {

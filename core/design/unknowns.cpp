@@ -87,13 +87,6 @@ UnknownInput packing(const Fabric& fabric, const Yarn& yarn)
 
 bool leaves_packing_open(const Yarn& yarn) { return !(yarn.diameter_mm && yarn.linear_density_tex); }
 
-std::vector<Yarn*> yarns_of(Fabric& fabric)
-{
-    std::vector<Yarn*> yarns{&fabric.warp, &fabric.weft};
-    for (Yarn& yarn : fabric.extra_yarns) yarns.push_back(&yarn);
-    return yarns;
-}
-
 std::vector<const Material*> fibres_in(const Design& design, const Fabric& fabric)
 {
     std::set<std::string> seen;

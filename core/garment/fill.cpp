@@ -19,11 +19,6 @@ constexpr double most_places = 60000;          // of all panels' grids
 constexpr std::size_t most_work = 200'000'000; // comparisons of all outlines
 constexpr double most_filled_places = 20000;   // of a panel
 
-double twice_area(const FlatPlace& a, const FlatPlace& b, const FlatPlace& c)
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 /// Whether d lies inside the circle through a, b, c, which go round counter-clockwise.
 bool in_circle(const FlatPlace& a, const FlatPlace& b, const FlatPlace& c, const FlatPlace& d)
 {

@@ -19,11 +19,6 @@ std::uint64_t key_of(int a, int b)
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32 | static_cast<std::uint32_t>(b);
 }
 
-double twice_area(const FlatPlace& a, const FlatPlace& b, const FlatPlace& c)
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 struct CellHash {
     std::size_t operator()(const std::array<std::int64_t, 3>& cell) const
     {

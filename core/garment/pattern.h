@@ -13,6 +13,11 @@
 namespace hygroloom {
 
 using FlatPlace = std::array<double, 2>; ///< m, of the flat panel, y along the pattern's +y
+/// Of the triangle a b c; positive when they go round counter-clockwise. m2
+inline double twice_area(const FlatPlace& a, const FlatPlace& b, const FlatPlace& c)
+{
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
 
 /// A side of a panel, as a chain of straight pieces; curves are flattened to within 0.02 mm.
 struct PanelEdge {

@@ -35,7 +35,7 @@ double metre_of(UvUnit unit)
 }
 
 /// A side of an outline.
-struct Side {
+struct PanelSide {
     int panel = 0, at = 0; ///< of the loop
 };
 
@@ -54,7 +54,7 @@ private:
     void find_outlines();
     void name_panels();
     void find_meetings();
-    Side partner(std::size_t k, std::size_t i) const;
+    PanelSide partner(std::size_t k, std::size_t i) const;
     void split();
     void sew();
     void make_shape_of_mesh();
@@ -72,10 +72,10 @@ private:
     UvUnit unit_;
     FlatIslands found_;
     GarmentPattern pattern_;
-    std::vector<std::size_t> kept_;                  ///< islands that are panels
-    std::vector<std::vector<int>> numbers_;          ///< of each panel's outline: places that meet have one
-    std::multimap<std::pair<int, int>, Side> sides_; ///< by the numbers of their ends
-    std::vector<std::vector<int>> edge_of_;          ///< of each panel's sides
+    std::vector<std::size_t> kept_;                       ///< islands that are panels
+    std::vector<std::vector<int>> numbers_;               ///< of each panel's outline: places that meet have one
+    std::multimap<std::pair<int, int>, PanelSide> sides_; ///< by the numbers of their ends
+    std::vector<std::vector<int>> edge_of_;               ///< of each panel's sides
 };
 
 /// m of the file's unit in space, where the format has none: by the flat coordinates' unit, or by the size: from 0.25 to 2.5 m of cm or mm.
@@ -219,13 +219,13 @@ void MeshReader::find_meetings()
         for (const int corner : loop_of(k)) numbers_[k].push_back(meetings.number_of(place_of(corner)));
         for (std::size_t i = 0; i < numbers_[k].size(); ++i) {
             const auto [a, b] = std::minmax(numbers_[k][i], numbers_[k][(i + 1) % numbers_[k].size()]);
-            if (a != b) sides_.emplace(std::pair(a, b), Side{static_cast<int>(k), static_cast<int>(i)});
+            if (a != b) sides_.emplace(std::pair(a, b), PanelSide{static_cast<int>(k), static_cast<int>(i)});
         }
     }
 }
 
 /// The side that one is sewn to; panel -1: none.
-Side MeshReader::partner(std::size_t k, std::size_t i) const
+PanelSide MeshReader::partner(std::size_t k, std::size_t i) const
 {
     const auto [a, b] = std::minmax(numbers_[k][i], numbers_[k][(i + 1) % numbers_[k].size()]);
     const auto [first, last] = sides_.equal_range({a, b});
@@ -273,7 +273,7 @@ void MeshReader::sew()
     std::set<std::array<int, 4>> sewn;
     for (std::size_t k = 0; k < kept_.size(); ++k)
         for (std::size_t i = 0; i < edge_of_[k].size(); ++i) {
-            const Side other = partner(k, i);
+            const PanelSide other = partner(k, i);
             if (other.panel < 0) continue;
             const auto m = static_cast<std::size_t>(other.panel), n = static_cast<std::size_t>(other.at);
             std::array<int, 4> pair{static_cast<int>(k), edge_of_[k][i], other.panel, edge_of_[m][n]};

@@ -14,11 +14,9 @@ namespace hygroloom {
 namespace {
 
 /// Crossings along one yarn.
-int crossings_of(const Textile& textile, YarnKind kind) { return kind == YarnKind::warp ? textile.picks() : textile.ends(); }
-
 std::size_t rings_of(const Textile& textile, YarnKind kind, int samples)
 {
-    return static_cast<std::size_t>(crossings_of(textile, kind)) * static_cast<std::size_t>(samples) + 1;
+    return static_cast<std::size_t>(textile.crossings_along(kind)) * static_cast<std::size_t>(samples) + 1;
 }
 
 /// One station along a yarn: (across, tangent, up) are right-handed.
@@ -31,7 +29,7 @@ struct Station {
 
 Station station(const Textile& textile, YarnKind kind, int yarn, std::size_t ring, int samples)
 {
-    const int crossings = crossings_of(textile, kind);
+    const int crossings = textile.crossings_along(kind);
     Station s;
     s.crossing = std::min(static_cast<int>(ring / static_cast<std::size_t>(samples)), crossings - 1);
     const double offset = static_cast<double>(ring) / samples - s.crossing - 0.5;
@@ -193,9 +191,9 @@ YarnMesh mesh_yarns(const Textile& textile, int samples, int sides)
     return mesh;
 }
 
-YarnLine yarn_line(const Textile& textile, YarnKind kind, int yarn, int samples)
+MiddleLine yarn_line(const Textile& textile, YarnKind kind, int yarn, int samples)
 {
-    YarnLine line;
+    MiddleLine line;
     line.name = yarn_name(kind, yarn);
     const std::size_t rings = rings_of(textile, kind, samples);
     line.positions.reserve(3 * rings);
@@ -206,9 +204,9 @@ YarnLine yarn_line(const Textile& textile, YarnKind kind, int yarn, int samples)
     return line;
 }
 
-std::vector<YarnLine> yarn_lines(const Textile& textile, int samples)
+std::vector<MiddleLine> yarn_lines(const Textile& textile, int samples)
 {
-    std::vector<YarnLine> lines;
+    std::vector<MiddleLine> lines;
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
         for (int yarn = 0; yarn < textile.system(kind).count; ++yarn) lines.push_back(yarn_line(textile, kind, yarn, samples));
     return lines;

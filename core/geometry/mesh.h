@@ -50,16 +50,16 @@ std::string yarn_name(YarnKind kind, int yarn);
 void append_yarn(const Textile& textile, YarnKind kind, int yarn, int samples_per_crossing, int sides, YarnMesh& mesh, bool capped = true);
 
 /// The middle line of one yarn.
-struct YarnLine {
+struct MiddleLine {
     std::string name;             ///< as MeshGroup::name
     std::vector<float> positions; ///< x y z per point, m
 };
 
 /// The same points along the yarn as mesh_yarns() has rings.
-YarnLine yarn_line(const Textile& textile, YarnKind kind, int yarn, int samples_per_crossing);
+MiddleLine yarn_line(const Textile& textile, YarnKind kind, int yarn, int samples_per_crossing);
 
 /// All ends, then all picks.
-std::vector<YarnLine> yarn_lines(const Textile& textile, int samples_per_crossing);
+std::vector<MiddleLine> yarn_lines(const Textile& textile, int samples_per_crossing);
 
 /// A point of a section's skin, angle from the yarn's upward direction towards its across direction (+x of the warp, -y of the weft).
 /// The middles of a racetrack's two flats stand at angle 0 and pi; its half circles at the angles between.

@@ -19,8 +19,6 @@ constexpr std::size_t most_pieces_at_once = 6;
 constexpr double vertex_bytes = 60; // 36 a vertex, 24 for its two triangles
 constexpr double wanted_memory = 250e6;
 
-int crossings_of(const Textile& textile, YarnKind kind) { return kind == YarnKind::warp ? textile.picks() : textile.ends(); }
-
 void resize(YarnMesh& mesh, std::size_t vertices, std::size_t triangles)
 {
     mesh.positions.resize(3 * vertices);
@@ -54,7 +52,7 @@ public:
             strand_ = 0;
             fibres_.reset();
             if (request_.detail == MeshDetail::fibre)
-                fibres_ = std::make_shared<YarnFibres>(textile_, request_.fibres(), kind_, yarn_, 0, crossings_of(textile_, kind_));
+                fibres_ = std::make_shared<YarnFibres>(textile_, request_.fibres(), kind_, yarn_, 0, textile_.crossings_along(kind_));
             ++yarn_;
         }
         piece = {kind_, yarn_ - 1, fibres_, strand_, 0};
@@ -111,7 +109,7 @@ double largest_piece(const Textile& textile, const MeshRequest& request)
 {
     double vertices = request.detail == MeshDetail::yarn ? 0 : static_cast<double>(piece_vertices);
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
-        const double rings = static_cast<double>(crossings_of(textile, kind)) * request.samples_per_crossing + 1;
+        const double rings = static_cast<double>(textile.crossings_along(kind)) * request.samples_per_crossing + 1;
         vertices = std::max(vertices, request.detail == MeshDetail::yarn ? (rings + 2) * (request.sides + 1) : rings * request.sides);
     }
     return vertices * vertex_bytes;
@@ -137,7 +135,7 @@ MeshRequest smooth_request(const Textile& textile, MeshDetail detail)
 
 MeshSize stream_size(const Textile& textile, const MeshRequest& request, YarnKind kind, int yarn)
 {
-    const auto rings = static_cast<std::size_t>(crossings_of(textile, kind)) * static_cast<std::size_t>(request.samples_per_crossing) + 1;
+    const auto rings = static_cast<std::size_t>(textile.crossings_along(kind)) * static_cast<std::size_t>(request.samples_per_crossing) + 1;
     const auto sides = static_cast<std::size_t>(request.sides);
     if (request.detail == MeshDetail::centreline) return {rings, 0};
     if (request.detail == MeshDetail::yarn) {
@@ -145,7 +143,7 @@ MeshSize stream_size(const Textile& textile, const MeshRequest& request, YarnKin
         return {(rings + caps) * (sides + 1), 2 * sides * (rings - 1) + caps * sides};
     }
     const auto fibres = static_cast<std::size_t>(textile.type(kind, yarn).fibres);
-    const std::size_t hairs = YarnFibres::count_hairs(textile, request.fibres(), kind, yarn, 0, crossings_of(textile, kind));
+    const std::size_t hairs = YarnFibres::count_hairs(textile, request.fibres(), kind, yarn, 0, textile.crossings_along(kind));
     const std::size_t caps = request.capped ? 2 * (sides - 2) : 0;
     return {sides * (fibres * rings + hairs * YarnFibres::hair_points),
             fibres * (2 * (rings - 1) * sides + caps) + hairs * (2 * (YarnFibres::hair_points - 1) * sides + caps)};

@@ -74,6 +74,8 @@ struct Textile {
     int ends() const { return warp.count; }
     int picks() const { return weft.count; }
     int crossings() const { return ends() * picks(); }
+    /// Of one yarn.
+    int crossings_along(YarnKind kind) const { return kind == YarnKind::warp ? picks() : ends(); }
     int segments() const { return 2 * crossings(); }
     int segment(YarnKind kind, int end, int pick) const
     {

@@ -27,7 +27,7 @@ struct Row {
     std::vector<const char*> keys;
 };
 
-std::vector<Row> table(const Fabric& fabric, const Experiment& experiment, const ModelPlan& plan)
+std::vector<Row> rows_of(const Fabric& fabric, const Experiment& experiment, const ModelPlan& plan)
 {
     const bool by_suction = experiment.closure == Closure::pores, printed = experiment.closure == Closure::paper;
     const auto out = [&](const char* part) { return !plan.on(part) && !plan.watches(part); };
@@ -73,7 +73,7 @@ std::vector<Row> table(const Fabric& fabric, const Experiment& experiment, const
 std::vector<IdleKey> idle_keys(const Fabric& fabric, const Experiment& experiment, const ModelPlan& plan)
 {
     std::vector<IdleKey> keys;
-    for (const Row& row : table(fabric, experiment, plan))
+    for (const Row& row : rows_of(fabric, experiment, plan))
         for (const char* key : row.keys)
             if (row.idle && std::none_of(keys.begin(), keys.end(), [&](const IdleKey& known) { return known.key == key; }))
                 keys.push_back({key, row.because});

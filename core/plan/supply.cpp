@@ -62,7 +62,7 @@ struct Supply {
     double (*delivered)(const Experiment&, const DryCloth&);
     std::string (*in_words)(const Experiment&, std::size_t drops, double delivered);
 };
-constexpr Supply table[] = {
+constexpr Supply supplies[] = {
     {WaterSource::drops, drops_deliver, drops_in_words},    {WaterSource::pool, volume_delivers, pump_in_words},
     {WaterSource::bath, bath_delivers, bath_in_words},      {WaterSource::cloth, wet_cloth_holds, wet_cloth_in_words},
     {WaterSource::air, nothing_delivers, nothing_in_words}, {WaterSource::face, sweat_delivers, sweat_in_words},
@@ -70,13 +70,13 @@ constexpr Supply table[] = {
 
 constexpr bool in_order()
 {
-    for (std::size_t i = 0; i < std::size(table); ++i)
-        if (table[i].source != static_cast<WaterSource>(i)) return false;
+    for (std::size_t i = 0; i < std::size(supplies); ++i)
+        if (supplies[i].source != static_cast<WaterSource>(i)) return false;
     return true;
 }
 static_assert(in_order());
 
-const Supply& supply_of(const Experiment& experiment) { return table[static_cast<std::size_t>(info_of(experiment.type).source)]; }
+const Supply& supply_of(const Experiment& experiment) { return supplies[static_cast<std::size_t>(info_of(experiment.type).source)]; }
 
 } // namespace
 

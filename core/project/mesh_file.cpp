@@ -211,7 +211,7 @@ void for_each_piece(const ExportJob& job, const std::function<void(const YarnMes
     }
     for_each_yarn(job.textile, [&](YarnKind kind, int yarn) {
         YarnMesh piece;
-        YarnLine line = yarn_line(job.textile, kind, yarn, job.options.mesh.samples_per_crossing);
+        MiddleLine line = yarn_line(job.textile, kind, yarn, job.options.mesh.samples_per_crossing);
         piece.positions = std::move(line.positions);
         const std::size_t points = piece.positions.size() / 3;
         for (std::size_t i = 0; i < points; ++i) piece.segment_of_vertex.push_back(job.segment_of_point(kind, yarn, i));

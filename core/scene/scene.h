@@ -49,7 +49,7 @@ struct CrossingParameters {
     double vapour_conductance = 0; ///< m3/s
     double warp_rise = 0;          ///< m, of the warp's centreline over the middle plane where it is up, or under it
     double weft_rise = 0;
-    BetweenParameters between; ///< where liquid flows by suction
+    BetweenParameters between{}; ///< where liquid flows by suction
 };
 
 /// Air and liquid.

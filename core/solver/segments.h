@@ -353,7 +353,7 @@ struct Segments : Yarns, SegmentFields<Pointer> {
     HL_FN const FaceAir& air_over(int segment) const { return panels.airs[panels.air[crossing_of(segment)]]; }
     HL_FN double cell_area(int segment) const { return panels.cell_area[panel_at(crossing_of(segment))]; }
     /// The face that a yarn lies on at a crossing: 1 on top, 0 at the bottom.
-    HL_FN int face_of(int crossing, bool is_warp) const { return (warp_up[crossing] != 0) == is_warp ? 1 : 0; }
+    HL_FN int face_of(int place, bool is_warp) const { return (warp_up[place] != 0) == is_warp ? 1 : 0; }
     /// kg that has a segment's temperature: its liquid and bound water, and of the warp's the liquid beside it, or of the weft's.
     HL_FN double warm_water(int i) const
     {

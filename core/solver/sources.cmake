@@ -16,3 +16,7 @@ target_compile_definitions(hygroloom_core_double PRIVATE HYGROLOOM_DOUBLE)
 target_compile_options(hygroloom_core_double PRIVATE -fPIC -fno-semantic-interposition) # as the rest of the core
 target_link_libraries(hygroloom_core_double PRIVATE hygroloom_common Eigen3::Eigen TBB::tbb)
 target_sources(hygroloom_core PRIVATE $<TARGET_OBJECTS:hygroloom_core_double>)
+
+# Compiled alone whatever HYGROLOOM_UNITY says: what is inlined into stages decides which products are added unrounded.
+set_source_files_properties(solver/cap_shapes.cpp solver/caps.cpp solver/cpu_backend.cpp solver/drop_shapes.cpp ${solver_sources}
+  PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -17,13 +17,13 @@ bool particles_offer(const Scene& scene);
 
 /// One value per segment; regain per shell.
 struct YarnStart {
-    std::vector<double> pores;  ///< m3
-    std::vector<double> vapour; ///< kg
-    std::vector<double> regain;
+    std::vector<double> pores{};  ///< m3
+    std::vector<double> vapour{}; ///< kg
+    std::vector<double> regain{};
     // Where liquid flows by suction, else empty:
-    std::vector<double> suction, settled;                       ///< see SegmentFields
-    std::vector<double> room, between_suction, between_settled; ///< one value per crossing
-    AtStake at_stake;
+    std::vector<double> suction{}, settled{};                         ///< see SegmentFields
+    std::vector<double> room{}, between_suction{}, between_settled{}; ///< one value per crossing
+    AtStake at_stake{};
 };
 YarnStart yarn_start(const Scene& scene);
 /// Into a scene's fields of segments; of one in which liquid flows by suction.

@@ -103,8 +103,8 @@ void KeptRows::read_part(const std::filesystem::path& file, const std::string& m
         if (status != row_done && status != row_failed) refuse();
         result.failed = status == row_failed;
         for (double& metric : result.metrics) {
-            const std::string_view text = field();
-            const std::optional<double> number = text.empty() ? std::numeric_limits<double>::quiet_NaN() : number_of(text);
+            const std::string_view written = field();
+            const std::optional<double> number = written.empty() ? std::numeric_limits<double>::quiet_NaN() : number_of(written);
             if (!number) refuse();
             metric = *number;
         }

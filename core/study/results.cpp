@@ -15,7 +15,7 @@ namespace {
 
 using Role = StudyColumnRole;
 
-constexpr std::size_t largest_table_bytes = std::size_t{4} << 30U, most_columns = 1000, most_rows = 2'000'000;
+constexpr std::size_t largest_table_bytes = std::size_t{4} << 30U;
 
 struct FixedColumn {
     const char* name;
@@ -121,11 +121,12 @@ StudyTable parse_results(std::string_view text, const std::string& name)
     if (!rows.next_line()) refuse(name, 1, "The header is missing.");
     std::vector<std::string> names;
     while (const auto field = rows.next_field()) names.emplace_back(*field);
-    if (names.size() > most_columns) refuse(name, 1, fmt::format("There are {} columns; at most {} are read.", names.size(), most_columns));
+    if (names.size() > most_table_columns)
+        refuse(name, 1, fmt::format("There are {} columns; at most {} are read.", names.size(), most_table_columns));
     StudyTable table{columns_of(names, name)};
     std::vector<WordList> words(table.columns.size());
     while (rows.next_line()) {
-        if (table.rows() == most_rows) refuse(name, rows.line_number(), fmt::format("At most {} rows are read.", most_rows));
+        if (table.rows() == most_table_rows) refuse(name, rows.line_number(), fmt::format("At most {} rows are read.", most_table_rows));
         for (std::size_t k = 0; k < table.columns.size(); ++k) {
             const auto field = rows.next_field();
             if (!field) refuse(name, rows.line_number(), fmt::format("There are {} fields; the header has {}.", k, names.size()));

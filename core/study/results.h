@@ -28,6 +28,9 @@ struct StudyColumn {
     std::string text(std::size_t row) const;
 };
 
+/// That are read.
+constexpr std::size_t most_table_columns = 1000, most_table_rows = 2'000'000;
+
 struct StudyTable {
     std::vector<StudyColumn> columns;
     std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }

@@ -20,8 +20,8 @@ namespace {
 using hdf5::Handle;
 using Role = StudyColumnRole;
 
-constexpr hsize_t rows_of_chunk = 4096, most_chunk = 65536, most_rows = 2'000'000;
-constexpr std::size_t most_columns = 1000, longest_word = 4096;
+constexpr hsize_t rows_of_chunk = 4096, most_chunk = 65536;
+constexpr std::size_t longest_cell = 4096;
 
 /// Compressed, and without the time of day, so that the same table has the same bytes.
 Handle column_properties(hsize_t rows)
@@ -84,7 +84,8 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
     if (H5Sget_simple_extent_ndims(space.get()) != 1) refuse("This must have one dimension.");
     H5Sget_simple_extent_dims(space.get(), &count, nullptr);
     if (rows == HSIZE_UNDEF) rows = count;
-    if (count != rows || count > most_rows) refuse(fmt::format("This must have {} rows; it has {}.", std::min(rows, most_rows), count));
+    if (count != rows || count > most_table_rows)
+        refuse(fmt::format("This must have {} rows; it has {}.", std::min<hsize_t>(rows, most_table_rows), count));
     const Handle properties(H5Dget_create_plist(set.get()), H5Pclose, column.name);
     hsize_t chunk = 0;
     if (H5Pget_layout(properties.get()) == H5D_CHUNKED && (H5Pget_chunk(properties.get(), 1, &chunk) != 1 || chunk > most_chunk))
@@ -97,8 +98,8 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
     }
     column.is_number = false;
     const std::size_t length = H5Tget_size(type.get());
-    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 || length > longest_word)
-        refuse(fmt::format("This must be numbers, or texts of a fixed length of {} bytes at most.", longest_word));
+    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 || length > longest_cell)
+        refuse(fmt::format("This must be numbers, or texts of a fixed length of {} bytes at most.", longest_cell));
     WordList words;
     std::string block;
     for (hsize_t first = 0; first < rows; first += rows_of_chunk) {
@@ -176,7 +177,7 @@ StudyTable read_results_hdf5(const std::filesystem::path& path)
     StudyTable table;
     hsize_t count = HSIZE_UNDEF;
     for (const ProjectJson& name : array_in(names, path.string(), "columns")) {
-        if (table.columns.size() == most_columns || !name.is_array() || name.size() != 2 || !name[0].is_string() ||
+        if (table.columns.size() == most_table_columns || !name.is_array() || name.size() != 2 || !name[0].is_string() ||
             !name[1].is_number_unsigned() || name[1].get<unsigned>() > static_cast<unsigned>(Role::reason))
             throw FileError(path.string() + ": columns: This is no table of a study.");
         table.columns.push_back({name[0].get<std::string>(), static_cast<Role>(name[1].get<int>()), true, {}, {}, {}});

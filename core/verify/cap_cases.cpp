@@ -13,8 +13,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
-
 const double temperature = kelvin_from_celsius(20);
 
 /// A plate on which one drop lands at 0 s without a fall.

@@ -15,8 +15,6 @@ namespace {
 constexpr double pitch = 3e-4; // m
 constexpr int threads = 80;    // each way
 
-double value(const VerifyValues& values, const std::string& name) { return values.at(name).value; }
-
 /// Plain weave of yarns a sixth of the pitch high, which leave a gap of this share of the pitch between them and absorb nothing.
 Scene cloth_with_gaps(double gap)
 {

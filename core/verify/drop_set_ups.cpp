@@ -43,7 +43,7 @@ Scene ball(int particles, double radius, double temperature, std::uint64_t seed)
     return scene_with(places, particle_volume, temperature);
 }
 
-Scene cap_on_plate(int particles, const Cap& cap, double temperature)
+Scene cap_on_plate(int particles, const PlateCap& cap, double temperature)
 {
     const double particle_volume = cap.volume / particles, spacing = std::cbrt(particle_volume), start_angle = cap.start_angle;
     const DropOnPlate shape = drop_of_volume(cap.volume, start_angle, 0);

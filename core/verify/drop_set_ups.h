@@ -23,12 +23,12 @@ void disturb(std::vector<Vec3d>& places, double spacing, std::uint64_t seed = 1)
 Scene ball(int particles, double radius, double temperature, std::uint64_t seed = 1);
 
 /// A drop on a plate, in the shape of a weightless drop at the angle it starts with.
-struct Cap {
+struct PlateCap {
     double volume;        ///< m3
     double start_angle;   ///< rad
     double contact_angle; ///< of the plate, rad
 };
-Scene cap_on_plate(int particles, const Cap& cap, double temperature);
+Scene cap_on_plate(int particles, const PlateCap& cap, double temperature);
 
 Vec3d place(const Frame& frame, std::size_t particle);
 Vec3d velocity(const Frame& frame, std::size_t particle);

@@ -14,8 +14,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
-
 double warmth_at(const Frame& frame, double place) // in cells from the first one's middle
 {
     const auto cell = static_cast<std::size_t>(place);

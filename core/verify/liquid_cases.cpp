@@ -17,7 +17,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const std::string& name) { return values.at(name).value; }
 double temperature_of(const VerifyValues& values) { return kelvin_from_celsius(value(values, "temperature_c")); }
 int particles_of(const VerifyValues& values) { return static_cast<int>(value(values, "particles")); }
 
@@ -29,7 +28,7 @@ Scene ball_of(const VerifyValues& v, double radius, std::uint64_t start = 1)
 /// The cap of the case's volume at an angle, on a plate of the case's own angle.
 Scene cap_of(const VerifyValues& v, double start_angle)
 {
-    const Cap cap{cubic_metre_from_ul(value(v, "volume_ul")), start_angle, radian_from_degree(value(v, "contact_angle_deg"))};
+    const PlateCap cap{cubic_metre_from_ul(value(v, "volume_ul")), start_angle, radian_from_degree(value(v, "contact_angle_deg"))};
     return cap_on_plate(particles_of(v), cap, temperature_of(v));
 }
 

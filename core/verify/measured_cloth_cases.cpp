@@ -10,8 +10,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const std::string& name) { return values.at(name).value; }
-
 /// A moisture management test of a quarter of the liquid, or of volume_ul, on a sample whose edge it does not reach.
 struct Management {
     double ommc = 0, radius = 0; ///< of the circle as large as the wet spot, m; a farthest crossing would tell whole pitches only

@@ -11,8 +11,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
-
 struct Published {
     const char* fibre;
     double value;

@@ -11,8 +11,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
-
 /// The n-th zero of J0: McMahon, then Newton.
 double bessel_root(int n)
 {

@@ -15,8 +15,6 @@ namespace {
 constexpr int radii = 24, sections = 4;
 constexpr double most_voxels = 3e7;
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
-
 /// One repeat, its yarns round and without finishes: as fibres are drawn.
 Textile plain_repeat(const Fabric& fabric)
 {

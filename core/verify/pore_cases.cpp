@@ -13,7 +13,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
 double degree_from_radian(double angle) { return angle * 180.0 / pi; }
 
 const double tension = water_surface_tension(kelvin_from_celsius(20));

@@ -11,8 +11,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
-
 struct WovenPatch {
     Design design;
     Textile textile;

@@ -12,8 +12,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
-
 /// What no path can pass: the slug's pores at the front's suction, those beyond it just connected.
 struct SlugBounds {
     double core, edge; ///< edge over the slug's length

@@ -10,8 +10,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
-
 constexpr double threshold = 0.1; // of the room's saturation; low, so that water rises far
 
 PoreClosure room_pores(const VerifyValues& v)

@@ -59,6 +59,7 @@ struct VerifyResult {
 };
 
 using VerifyValues = std::map<std::string, VerifyParameter>;
+inline double value(const VerifyValues& values, const std::string& name) { return values.at(name).value; }
 
 struct VerifyCase {
     std::string name;

@@ -15,8 +15,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
-
 /// A front so sharp that the yarn fills like a tube: D = D0 s^p with D0 / (p + 1) kept and p large.
 constexpr double tube_exponent = 1999;
 

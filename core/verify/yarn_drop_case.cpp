@@ -12,8 +12,6 @@
 namespace hygroloom {
 namespace {
 
-double value(const VerifyValues& values, const char* name) { return values.at(name).value; }
-
 const double temperature = kelvin_from_celsius(20);
 constexpr double sample_mm = 10;     // on a side
 constexpr double yarn_radius = 1e-4; // m, of the parallel ones

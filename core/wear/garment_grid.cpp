@@ -16,12 +16,6 @@ constexpr double most_cells_across = 100'000;
 
 double dot(const FlatPlace& a, const FlatPlace& b) { return a[0] * b[0] + a[1] * b[1]; }
 
-/// Of a triangle, with its sign.
-double twice_area(const FlatPlace& a, const FlatPlace& b, const FlatPlace& c)
-{
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
 /// Marks the cells of each pick between every second place where the outline crosses the pick's middle line.
 void mark_inside(PanelGrid& grid, const std::vector<FlatPlace>& outline)
 {

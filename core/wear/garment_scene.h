@@ -34,7 +34,7 @@ struct GarmentCell {
     int zone = 0;            ///< of body_zones(), then of the wearer's own zones
     int crossing = 0;        ///< in the scene's cloth
     FlatPlace flat{};        ///< m
-    Vec3d place;             ///< m
+    Vec3d place{};           ///< m
     double area = 0;         ///< m2
     double skin_contact = 0; ///< W/(m2 K), from the skin to the cloth
     double capacity = 0;     ///< kg of water that its fibres, pores and room can hold beyond what they hold at rest

@@ -10,7 +10,6 @@
 namespace hygroloom {
 namespace {
 
-constexpr long most_cells = 100'000'000;
 constexpr std::size_t most_panels = 255;
 constexpr double most_flat = 100;                  // m, of places on flat panels
 constexpr double least_side = 1e-6, most_side = 1; // m, of cells
@@ -53,9 +52,9 @@ WearPanel read_panel(const ProjectJson& value, const std::string& file, const st
     const auto is_count = [](int count) { return count >= 1 && count <= 100'000; };
     if (!is_count(panel.crossings_per_cell) || !is_count(panel.grid.ends) || !is_count(panel.grid.picks) || panel.outline.size() < 3)
         throw FileError(fmt::format("{}: {}: a panel has from 1 to 100 000 cells each way, and an outline.", file, path));
-    if (static_cast<long>(panel.grid.ends) * panel.grid.picks > most_cells)
-        throw FileError(fmt::format("{}: {}: a panel has at most {} cells; given are {} x {}.", file, path, most_cells, panel.grid.ends,
-                                    panel.grid.picks));
+    if (static_cast<long>(panel.grid.ends) * panel.grid.picks > most_layout_cells)
+        throw FileError(fmt::format("{}: {}: a panel has at most {} cells; given are {} x {}.", file, path, most_layout_cells,
+                                    panel.grid.ends, panel.grid.picks));
     if (!can_be_sides(panel.grid.across, panel.grid.along))
         throw FileError(fmt::format("{}: {}: a cell's sides, across and along, are from {:g} to {:g} m long and cross each other.", file,
                                     path, least_side, most_side));

@@ -6,6 +6,8 @@
 
 namespace hygroloom {
 
+constexpr long most_layout_cells = 100'000'000; ///< of a panel, and of a recording
+
 std::string layout_json(const WearLayout& layout);
 /// Throws FileError with the file's name and the place in it.
 WearLayout layout_from(const std::string& text, const std::string& file);

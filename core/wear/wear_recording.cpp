@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* wear_format = "hygroloom-wear-recording";
 constexpr int wear_version = 1;
-constexpr long most_cells = 100'000'000, most_vertices = 20'000'000;
+constexpr long most_vertices = 20'000'000;
 constexpr double most_far = 1000;                         // m, of places in space
 constexpr double least_amount = 1e-20, most_amount = 1e6; // m2 or kg, of cells
 
@@ -108,7 +108,7 @@ std::vector<GarmentCell> read_cells(hid_t file, const WearLayout& layout)
 {
     const std::size_t zones = body_zones().size() + layout.own_zones.size();
     const h5::Handle group = h5::open_group(file, "cells");
-    const auto count = static_cast<std::size_t>(h5::read_count(group.get(), "count", 1, most_cells));
+    const auto count = static_cast<std::size_t>(h5::read_count(group.get(), "count", 1, most_layout_cells));
     std::vector<GarmentCell> cells;
     for (const CellColumn& column : cell_columns) {
         const std::vector<float> values = h5::read_floats(group.get(), column.name, count);

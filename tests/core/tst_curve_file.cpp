@@ -151,7 +151,7 @@ private Q_SLOTS:
         export_textile(textile, fabric(), with(MeshDetail::centreline), path("lines.bcc"));
         const std::string bcc = text_of(path("lines.bcc"));
         QCOMPARE(at<std::uint64_t>(bcc, 8), std::uint64_t(7));
-        const YarnLine line = yarn_lines(textile, 8)[0];
+        const MiddleLine line = yarn_lines(textile, 8)[0];
         QCOMPARE(std::size_t(at<std::int32_t>(bcc, 64)), line.positions.size() / 3);
         QCOMPARE(at<float>(bcc, 68), 1000 * line.positions[0]);
         QVERIFY(bcc.substr(24, 40).find("yarn radius 0.") != std::string::npos);

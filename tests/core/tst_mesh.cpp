@@ -159,7 +159,7 @@ private Q_SLOTS:
     void linesRunThroughTheMiddle()
     {
         const Textile textile = cloth("plain", 2, 3);
-        const std::vector<YarnLine> lines = yarn_lines(textile, 4);
+        const std::vector<MiddleLine> lines = yarn_lines(textile, 4);
         QCOMPARE(lines.size(), std::size_t(5));
         QCOMPARE(lines[0].positions.size(), std::size_t(3 * 13));
         double along = 0;

@@ -19,7 +19,7 @@ struct StandingPool {
 };
 
 /// Classes of pores at a place of a line.
-enum PoreClass { own_pores, room_pores, crossed_pores };
+constexpr int own_pores = 0, room_pores = 1, crossed_pores = 2;
 
 struct PoreLines {
     /// What a line's team keeps of each place; of three, one for each class.

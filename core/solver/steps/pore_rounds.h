@@ -87,13 +87,13 @@ struct PoreRounds : PoreLines {
         const double coupled[3] = {line(along, i) + (starts ? 0.0 : line(along, i - 1)) + ab_all + ax_all,
                                    line(along + 1, i) + (starts ? 0.0 : line(along + 1, i - 1)) + ax_all + bx_all, ab_all + bx_all};
         const Place p = place(line, i);
-        const double shed = through_hole(line, room(p), i), leak = shed > 0 ? hole(room(p), line(presses, i)) : 0.0;
+        const double falls = through_hole(line, room(p), i), leak = falls > 0 ? hole(room(p), line(presses, i)) : 0.0;
         Balance found{{}, {}, false};
         for (int which = 0; which < 3; ++which) {
             const double cap = line(can_hold + which, i), fed = from_pool(line, which, i);
             const PoreCourse c = course(line, p, which, i);
             const Held h = held(c, line(suction + which, i), nested ? bends_taken(line, which, i) : 0, nested);
-            const double out = which == room_pores ? shed : 0.0, leaks = which == room_pores ? leak : 0.0;
+            const double out = which == room_pores ? falls : 0.0, leaks = which == room_pores ? leak : 0.0;
             const double over = in[which] + fed - out - cap * (h.saturation - line(held_before + which, i));
             const double least = cap * least_fall / c.pores.entry + least_share * coupled[which];
             found.left[which] = over;
