@@ -3,13 +3,13 @@
 
 #include "core/base/words.h"
 
+#include "ui/basics/ask.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/icon_button.h"
 
 #include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLabel>
-#include <QMessageBox>
 #include <QToolButton>
 
 #include <algorithm>
@@ -255,16 +255,12 @@ void LiquidPanel::askRemoval()
 {
     const QStringList users = own() ? usersOf(own()->name) : QStringList();
     if (!users.isEmpty()) {
-        QMessageBox box(QMessageBox::Question, tr("Delete liquid"),
-                        tr("“%1” is used by %2. They will use %3 instead.")
-                            .arg(QString::fromStdString(own()->name), users.join(", "),
-                                 inLibrary(own()->name) ? tr("the library's liquid of the same name") : tr("water")),
-                        QMessageBox::Cancel, window_);
-        box.setTextFormat(Qt::PlainText);
-        QPushButton* remove = box.addButton(tr("Delete"), QMessageBox::AcceptRole);
-        box.setDefaultButton(remove);
-        box.exec();
-        if (box.clickedButton() != remove) { return; }
+        const QString name = QString::fromStdString(own()->name);
+        const QString instead = inLibrary(own()->name) ? tr("the library's liquid of the same name") : tr("water");
+        if (!confirm(window_, tr("Delete liquid"), tr("Delete “%1”?").arg(name),
+                     tr("“%1” is used by %2. They will use %3 instead.").arg(name, users.join(", "), instead), tr("Delete"))) {
+            return;
+        }
     }
     removeLiquid();
 }
