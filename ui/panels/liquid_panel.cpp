@@ -6,9 +6,9 @@
 #include "ui/basics/ask.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/icon_button.h"
+#include "ui/basics/name_dialog.h"
 
 #include <QHBoxLayout>
-#include <QInputDialog>
 #include <QLabel>
 #include <QToolButton>
 
@@ -201,20 +201,21 @@ void LiquidPanel::duplicateLiquid()
     choose(static_cast<int>(document.design()->liquids.size()) - 1);
 }
 
-bool LiquidPanel::rename(const QString& name, QString* why)
+QString LiquidPanel::whyNotNamed(const QString& name) const
 {
     const std::string wanted = name.trimmed().toStdString();
-    if (!own() || wanted.empty()) {
-        *why = tr("A liquid needs a name.");
-        return false;
-    }
-    const std::string old = own()->name;
+    if (!own() || wanted.empty()) { return tr("A liquid needs a name."); }
+    const bool taken = wanted != own()->name && find_liquid(*form_.document().design(), wanted);
+    return taken ? tr("A liquid “%1” already exists. Choose another name.").arg(name.trimmed()) : QString();
+}
+
+bool LiquidPanel::rename(const QString& name, QString* why)
+{
+    *why = whyNotNamed(name);
+    if (!why->isEmpty()) { return false; }
+    const std::string wanted = name.trimmed().toStdString(), old = own()->name;
     if (wanted == old) { return true; }
     Document& document = form_.document();
-    if (find_liquid(*document.design(), wanted)) {
-        *why = tr("A liquid “%1” already exists. Choose another name.").arg(name.trimmed());
-        return false;
-    }
     const auto index = static_cast<std::size_t>(own() - document.design()->liquids.data());
     document.endStroke();
     document.edit(tr("rename liquid"), {}, [&](Design& design) {
@@ -241,14 +242,11 @@ void LiquidPanel::removeLiquid()
 
 void LiquidPanel::askName()
 {
-    QString name = own() ? QString::fromStdString(own()->name) : QString(), why;
-    QString question = tr("Name:");
-    for (;;) {
-        bool accepted = false;
-        name = QInputDialog::getText(window_, tr("Rename liquid"), question, QLineEdit::Normal, name, &accepted);
-        if (!accepted || rename(name, &why)) { return; }
-        question = why;
-    }
+    if (!own()) { return; }
+    NameDialog dialog(
+        tr("Rename liquid"), QString::fromStdString(own()->name), [this](const QString& name) { return whyNotNamed(name); }, window_);
+    QString why;
+    if (dialog.exec() == QDialog::Accepted) { rename(dialog.name(), &why); }
 }
 
 void LiquidPanel::askRemoval()
