@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/picture/view_bar.h"
 
@@ -50,6 +51,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent)
     bar_ = new ViewBar(canvas_, this);
     swatch_ = bar_->swatch();
     connect(bar_, &ViewBar::swatchChosen, this, &Viewport::setSwatch);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &Viewport::refreshCaption); // its unit
     layout->insertWidget(0, bar_);
     if (canvas_) { layout->addWidget(canvas_, 1); }
     setMinimumSize(240, 180);
