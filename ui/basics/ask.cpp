@@ -26,23 +26,23 @@ void dress(QMessageBox& box, const QString& icon, const QString& title, const QS
     box.setInformativeText(under);
 }
 
-QMessageBox::StandardButton standardOf(Answer answer)
+QMessageBox::StandardButton standardOf(Reply answer)
 {
     switch (answer) {
-    case Answer::cancel: return QMessageBox::Cancel;
-    case Answer::save: return QMessageBox::Save;
-    case Answer::lose: return QMessageBox::Discard;
-    case Answer::act: break;
+    case Reply::cancel: return QMessageBox::Cancel;
+    case Reply::save: return QMessageBox::Save;
+    case Reply::lose: return QMessageBox::Discard;
+    case Reply::act: break;
     }
     return QMessageBox::Ok;
 }
 
 } // namespace
 
-Answer ask(QWidget* parent, const Question& question)
+Reply ask(QWidget* parent, const Question& question)
 {
     QMessageBox box(parent);
-    const auto loses = [](const Choice& choice) { return choice.answer == Answer::lose; };
+    const auto loses = [](const Choice& choice) { return choice.answer == Reply::lose; };
     const bool dangerous = std::any_of(question.choices.begin(), question.choices.end(), loses);
     dress(box, dangerous ? "warning" : "note", question.title, question.text, question.consequence);
     for (const Choice& choice : question.choices) {
@@ -50,19 +50,19 @@ Answer ask(QWidget* parent, const Question& question)
         button->setText(choice.button);
         button->setIcon({});
         if (choice.answer == question.preset) { box.setDefaultButton(button); }
-        if (choice.answer == Answer::cancel) { box.setEscapeButton(button); }
+        if (choice.answer == Reply::cancel) { box.setEscapeButton(button); }
     }
     const int pressed = box.exec();
     for (const Choice& choice : question.choices) {
         if (pressed == standardOf(choice.answer)) { return choice.answer; }
     }
-    return Answer::cancel;
+    return Reply::cancel;
 }
 
 bool confirm(QWidget* parent, const QString& title, const QString& question, const QString& consequence, const QString& button)
 {
     const QString cancel = QCoreApplication::translate("hygroloom", "Cancel");
-    return ask(parent, {title, question, consequence, {{Answer::act, button}, {Answer::cancel, cancel}}}) == Answer::act;
+    return ask(parent, {title, question, consequence, {{Reply::act, button}, {Reply::cancel, cancel}}}) == Reply::act;
 }
 
 void tell(QWidget* parent, const QString& sentence)

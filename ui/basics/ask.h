@@ -14,10 +14,10 @@ class QWidget;
 namespace hygroloom {
 
 /// What pressing a button comes to; lose: something is lost for good.
-enum class Answer { cancel, act, save, lose };
+enum class Reply { cancel, act, save, lose };
 
 struct Choice {
-    Answer answer = Answer::act;
+    Reply answer = Reply::act;
     QString button; ///< names the act: "Stop the Export"
 };
 
@@ -27,10 +27,10 @@ struct Question {
     QString text;
     QString consequence; ///< what follows, in a sentence; what would be lost
     QList<Choice> choices;
-    Answer preset = Answer::cancel; ///< of Enter
+    Reply preset = Reply::cancel; ///< of Enter
 };
 
-Answer ask(QWidget* parent, const Question& question);
+Reply ask(QWidget* parent, const Question& question);
 
 /// True when the user presses the button instead of Cancel, which is the default. consequence: what pressing it does, in a sentence.
 bool confirm(QWidget* parent, const QString& title, const QString& question, const QString& consequence, const QString& button);

@@ -90,7 +90,7 @@ bool RunActions::mayDelete(const std::vector<KeptRun>& runs)
     return ask(this, {tr("Forget runs"),
                       question,
                       names.join('\n') + "\n\n" + lost,
-                      {{Answer::lose, tr("&Forget")}, {Answer::cancel, tr("Cancel")}}}) == Answer::lose;
+                      {{Reply::lose, tr("&Forget")}, {Reply::cancel, tr("Cancel")}}}) == Reply::lose;
 }
 
 void RunActions::forget()

@@ -199,13 +199,12 @@ bool StudyPage::save(bool as)
 bool StudyPage::mayDiscardStudy()
 {
     if (!modified()) { return true; }
-    const Answer answer =
-        ask(this, {tr("The study is not saved"),
-                   tr("Save the changes to the study?"),
-                   tr("Otherwise they are lost."),
-                   {{Answer::save, tr("&Save")}, {Answer::lose, tr("&Discard the Changes")}, {Answer::cancel, tr("Cancel")}},
-                   Answer::save});
-    return answer == Answer::lose || (answer == Answer::save && save(false));
+    const Reply answer = ask(this, {tr("The study is not saved"),
+                                    tr("Save the changes to the study?"),
+                                    tr("Otherwise they are lost."),
+                                    {{Reply::save, tr("&Save")}, {Reply::lose, tr("&Discard the Changes")}, {Reply::cancel, tr("Cancel")}},
+                                    Reply::save});
+    return answer == Reply::lose || (answer == Reply::save && save(false));
 }
 
 bool StudyPage::agreesToLeave()

@@ -93,15 +93,15 @@ bool MainWindow::offer(const LeftOver& left)
         tr("The file %1 was saved later. The recovered copy opens separately and asks for a name when you save it.").arg(left.path);
     const auto runs = recordingsIn(left.runs).size();
     const QString with = runs == 0 ? QString() : runs == 1 ? tr("1 run belongs to it.") : tr("%1 runs belong to it.").arg(runs);
-    const Answer answer = ask(this, {tr("Unsaved work found"),
-                                     tr("Hygroloom ended before “%1” was saved. Open the recovered copy?").arg(name),
-                                     QStringList{when, left.outdated ? later : QString(), with}.join(' ').simplified(),
-                                     {{Answer::act, tr("&Open")}, {Answer::lose, tr("&Discard")}, {Answer::cancel, tr("&Ask Again Later")}},
-                                     Answer::act});
-    const bool opened = answer == Answer::act && mayLeave() && recovery_.open(left);
+    const Reply answer = ask(this, {tr("Unsaved work found"),
+                                    tr("Hygroloom ended before “%1” was saved. Open the recovered copy?").arg(name),
+                                    QStringList{when, left.outdated ? later : QString(), with}.join(' ').simplified(),
+                                    {{Reply::act, tr("&Open")}, {Reply::lose, tr("&Discard")}, {Reply::cancel, tr("&Ask Again Later")}},
+                                    Reply::act});
+    const bool opened = answer == Reply::act && mayLeave() && recovery_.open(left);
     if (opened) {
         compare_->project().takeFrom(left.runs);
-    } else if (answer == Answer::lose) {
+    } else if (answer == Reply::lose) {
         Recovery::discard(left);
     }
     compare_->project().stay();
@@ -278,17 +278,17 @@ bool MainWindow::mayDropRuns()
         names << (run ? runInWords(*run) : QFileInfo(path).fileName());
     }
     if (runs.size() > most) { names << tr("and %1 more").arg(runs.size() - most); }
-    const Answer answer = ask(this, {tr("Runs are not saved"),
-                                     tr("Save the project, so that its runs are kept beside it?"),
-                                     tr("Otherwise these runs are deleted:") + "\n" + names.join('\n'),
-                                     {{Answer::save, tr("&Save the Project")},
-                                      {Answer::lose, runs.size() == 1 ? tr("&Delete the Run") : tr("&Delete the Runs")},
-                                      {Answer::cancel, tr("Cancel")}},
-                                     Answer::save});
-    if (answer == Answer::save) {
+    const Reply answer = ask(this, {tr("Runs are not saved"),
+                                    tr("Save the project, so that its runs are kept beside it?"),
+                                    tr("Otherwise these runs are deleted:") + "\n" + names.join('\n'),
+                                    {{Reply::save, tr("&Save the Project")},
+                                     {Reply::lose, runs.size() == 1 ? tr("&Delete the Run") : tr("&Delete the Runs")},
+                                     {Reply::cancel, tr("Cancel")}},
+                                    Reply::save});
+    if (answer == Reply::save) {
         return (document_.path().isEmpty() ? save() : saveAs()) && copiesAreDone() && compare_->project().unfiled().isEmpty();
     }
-    if (answer != Answer::lose) { return false; }
+    if (answer != Reply::lose) { return false; }
     compare_->project().agreeToLeave();
     return true;
 }
@@ -311,13 +311,12 @@ bool MainWindow::mayDiscard()
 {
     commitTypedValue(*this);
     if (!document_.modified()) { return true; }
-    const Answer answer =
-        ask(this, {tr("Unsaved changes"),
-                   tr("Save the changes to “%1”?").arg(document_.title()),
-                   tr("Otherwise they are lost."),
-                   {{Answer::save, tr("&Save")}, {Answer::lose, tr("&Discard the Changes")}, {Answer::cancel, tr("Cancel")}},
-                   Answer::save});
-    return answer == Answer::lose || (answer == Answer::save && save());
+    const Reply answer = ask(this, {tr("Unsaved changes"),
+                                    tr("Save the changes to “%1”?").arg(document_.title()),
+                                    tr("Otherwise they are lost."),
+                                    {{Reply::save, tr("&Save")}, {Reply::lose, tr("&Discard the Changes")}, {Reply::cancel, tr("Cancel")}},
+                                    Reply::save});
+    return answer == Reply::lose || (answer == Reply::save && save());
 }
 
 bool MainWindow::agreesToStopExport()

@@ -103,9 +103,9 @@ void SimulateWorkspace::showRunEnd(SimulationRun::Outcome outcome, const QString
         const Question question{tr("The device failed"),
                                 tr("%1\n\nRun on the CPU instead?").arg(sentence),
                                 {},
-                                {{Answer::act, tr("&Run on the CPU")}, {Answer::cancel, tr("&Do Not Run")}},
-                                Answer::act};
-        if (ask(&window_, question) == Answer::act) {
+                                {{Reply::act, tr("&Run on the CPU")}, {Reply::cancel, tr("&Do Not Run")}},
+                                Reply::act};
+        if (ask(&window_, question) == Reply::act) {
             simulation_->setBackend("cpu");
             startRun();
         }
@@ -129,8 +129,8 @@ bool SimulateWorkspace::agreesToStopRun()
     const Question question{tr("A run is in progress"),
                             tr("Stop the run of “%1”?").arg(what),
                             tr("What is recorded up to now is kept with the project's runs."),
-                            {{Answer::act, tr("&Stop and Keep What Is Recorded")}, {Answer::cancel, tr("&Let It Run")}}};
-    return ask(&window_, question) == Answer::act;
+                            {{Reply::act, tr("&Stop and Keep What Is Recorded")}, {Reply::cancel, tr("&Let It Run")}}};
+    return ask(&window_, question) == Reply::act;
 }
 
 /// Until the run has ended, 0.2 s or so, the window is drawn, but takes no input.
