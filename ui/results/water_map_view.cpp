@@ -63,8 +63,7 @@ void WaterMapView::layOut()
     middle->addWidget(legend_);
     auto* foot = new QHBoxLayout;
     foot->setContentsMargins(8, 0, 8, 4);
-    foot->addWidget(quantity_);
-    foot->addWidget(value_, 1);
+    foot->addStretch(1);
     auto* name = new QLabel(tr("Map resolution (crossings per cell)"));
     name->setBuddy(cells_);
     foot->addWidget(name);
@@ -75,6 +74,11 @@ void WaterMapView::layOut()
     layout->addLayout(middle, 1);
     layout->addWidget(empty_);
     layout->addLayout(foot);
+    auto* shown = new QHBoxLayout; // with room for the value, which moves nothing
+    shown->setContentsMargins(8, 0, 8, 4);
+    shown->addWidget(quantity_);
+    shown->addWidget(value_, 1);
+    layout->addLayout(shown);
 }
 
 void WaterMapView::connectParts()
