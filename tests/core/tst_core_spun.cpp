@@ -5,7 +5,7 @@
 #include "core/design/yarn_quantities.h"
 #include "core/geometry/textile.h"
 #include "core/project/library.h"
-#include "core/project/project_json.h"
+#include "core/project/project_file.h"
 #include "core/verify/set_ups.h"
 
 #include <QTest>

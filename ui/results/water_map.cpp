@@ -246,9 +246,12 @@ QString WaterMap::wordsAt(const QPointF& at) const
     if (cell.x() < 0) { return {}; }
     const double x = (cell.x() + 0.5) * map_.cell_width - 0.5 * size_.width();
     const double y = (cell.y() + 0.5) * map_.cell_height - 0.5 * size_.height();
-    return tr("%1: %2 at %3, %4 mm")
-        .arg(title_, valueText(cell.x(), cell.y()), QLocale().toString(mm_from_metre(x), 'f', 1),
-             QLocale().toString(mm_from_metre(y), 'f', 1));
+    const UserUnit user = userUnit(QStringLiteral("mm"));
+    const auto place = [decimals = user.per_one == 1     ? 1
+                                   : user.per_one < 0.05 ? 3
+                                                         : 2,
+                        &user](double metre) { return QLocale().toString(user.of(mm_from_metre(metre)), 'f', decimals); };
+    return tr("%1: %2 at %3, %4 %5").arg(title_, valueText(cell.x(), cell.y()), place(x), place(y), user.unit);
 }
 
 void WaterMap::mouseMoveEvent(QMouseEvent* event)
