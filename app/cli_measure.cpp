@@ -25,6 +25,7 @@ namespace {
 struct MeasureOptions : CommonOptions {
     std::string recording;
     std::string map;
+    std::string quantity = "water";
     int cells = 2;
     double time = -1;
     std::string output;
@@ -36,8 +37,10 @@ struct MeasureOptions : CommonOptions {
 void write_map(const Recording& recording, const MeasureOptions& options)
 {
     MapSide side{};
+    ShownQuantity quantity{};
     try {
         side = map_side_from_name(options.map);
+        quantity = shown_quantity_from_name(options.quantity);
     } catch (const Error& error) {
         throw Stop(exit_usage, error.what());
     }
@@ -46,7 +49,10 @@ void write_map(const Recording& recording, const MeasureOptions& options)
 
     const RunRecord& run = recording.run();
     const Frame frame = recording.frame(frame_at(recording, options.recording, options.time));
-    const MapPicture picture = map_picture(run, frame, start_of_maps(run, recording.frame(0)), side, options.cells);
+    if (const std::string why = why_not_shown(run.plan, quantity); !why.empty()) throw Stop(exit_invalid, options.recording + ": " + why);
+    const MapPicture picture = quantity == ShownQuantity::water
+                                   ? map_picture(run, frame, start_of_maps(run, recording.frame(0)), side, options.cells)
+                                   : quantity_picture(run, frame, quantity, side, options.cells);
     if (ending == ".csv")
         write_cell_map_csv(picture.map, run, frame.time, side, options.output);
     else
@@ -129,6 +135,7 @@ int measure(const MeasureOptions& options)
     if (options.time >= 0 && options.map.empty() && options.report.empty())
         throw Stop(exit_usage, "--time sets the time of the maps; it goes with --map or --report.");
     if (options.map.empty() != options.output.empty()) throw Stop(exit_usage, "--map (the side) and -o (the file) go together.");
+    if (options.quantity != "water" && options.map.empty()) throw Stop(exit_usage, "--quantity says what a map shows; it goes with --map.");
     if (WearRecording::is_one(options.recording)) {
         if (!options.map.empty() || !options.vtk.empty())
             throw Stop(exit_usage, options.recording + ": This is the recording of a worn garment; `garment map` writes its maps.");
@@ -222,7 +229,9 @@ void add_measure(CLI::App& app, Verb& verb)
     CLI::App& measure_verb = *app.add_subcommand("measure", "Print the metrics of a recording; write maps, reports and ParaView files");
     measure_verb.footer("Example: hygroloom-cli measure cloth.hygrorec --map top --cells 2 -o top.png");
     measure_verb.add_option("recording", options->recording, "Recording (.hygrorec)")->required()->type_name("FILE");
-    measure_verb.add_option("--map", options->map, "Write a water map of this side")->type_name("{top,bottom,total}");
+    measure_verb.add_option("--map", options->map, "Write a map of this side")->type_name("{top,bottom,total}");
+    measure_verb.add_option("--quantity", options->quantity, "What the map shows; humidity is the relative one in the yarns' pores")
+        ->type_name("{water,temperature,humidity}");
     measure_verb.add_option("--cells", options->cells, "Map resolution: N x N crossings per cell")->check(CLI::Range(1, 1000));
     measure_verb.add_option("--time", options->time, "Time of the maps, s; the end when left out")
         ->default_str("")

@@ -37,7 +37,9 @@ Frame start_of_maps(const RunRecord& run, Frame first)
     return first;
 }
 
-CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start, MapSide side, int n)
+namespace {
+
+CellMap empty_map(const Textile& textile, int n)
 {
     CellMap map;
     map.crossings_per_cell = n;
@@ -46,22 +48,51 @@ CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start,
     map.cell_width = n * textile.warp.pitch;
     map.cell_height = n * textile.weft.pitch;
     map.water.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows), 0.0);
+    return map;
+}
 
-    for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+/// Calls use(kind, end, pick, segment, cell) for each segment that lies on a side.
+template <typename Use> void for_each_on(const Textile& textile, MapSide side, const CellMap& map, const Use& use)
+{
+    const int n = map.crossings_per_cell;
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
         for (int end = 0; end < textile.ends(); ++end)
             for (int pick = 0; pick < textile.picks(); ++pick) {
                 const bool on_top = textile.warp_up(end, pick) == (kind == YarnKind::warp);
                 if (side != MapSide::total && on_top != (side == MapSide::top)) continue;
-                const auto i = static_cast<std::size_t>(textile.segment(kind, end, pick));
-                const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
-                const double fibres = type.area * type.packing * type.fibre.density_kg_m3; // kg/m
-                const double bound = (static_cast<double>(frame.regain[i]) - static_cast<double>(start.regain[i])) * fibres *
-                                     textile.segment_length(kind, end, pick);
-                const auto cell =
-                    static_cast<std::size_t>(pick / n) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(end / n);
-                map.water[cell] += static_cast<double>(frame.liquid[i]) - static_cast<double>(start.liquid[i]) + bound;
+                use(kind, end, pick, static_cast<std::size_t>(textile.segment(kind, end, pick)),
+                    static_cast<std::size_t>(pick / n) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(end / n));
             }
-    }
+}
+
+} // namespace
+
+CellMap quantity_map(const Textile& textile, const Frame& frame, ShownQuantity quantity, MapSide side, int n)
+{
+    CellMap map = empty_map(textile, n);
+    map.quantity = quantity;
+    const std::vector<float> values = segment_values(frame, quantity);
+    std::vector<double> lengths(map.water.size());
+    for_each_on(textile, side, map, [&](YarnKind kind, int end, int pick, std::size_t i, std::size_t cell) {
+        const double length = textile.segment_length(kind, end, pick);
+        map.water[cell] += length * static_cast<double>(values[i]);
+        lengths[cell] += length;
+    });
+    // At each crossing one of its two yarns lies on the side.
+    for (std::size_t cell = 0; cell < lengths.size(); ++cell) map.water[cell] /= lengths[cell];
+    return map;
+}
+
+CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start, MapSide side, int n)
+{
+    CellMap map = empty_map(textile, n);
+    for_each_on(textile, side, map, [&](YarnKind kind, int end, int pick, std::size_t i, std::size_t cell) {
+        const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
+        const double fibres = type.area * type.packing * type.fibre.density_kg_m3; // kg/m
+        const double bound = (static_cast<double>(frame.regain[i]) - static_cast<double>(start.regain[i])) * fibres *
+                             textile.segment_length(kind, end, pick);
+        map.water[cell] += static_cast<double>(frame.liquid[i]) - static_cast<double>(start.liquid[i]) + bound;
+    });
     for (int row = 0; row < map.rows; ++row)
         for (int column = 0; column < map.columns; ++column) {
             const int ends = std::min(n, textile.ends() - column * n), picks = std::min(n, textile.picks() - row * n);
@@ -74,18 +105,23 @@ CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start,
 void write_cell_map_csv(const CellMap& map, const RunRecord& run, double time, MapSide side, const std::filesystem::path& path)
 {
     constexpr const char* names[] = {"top", "bottom", "total"};
+    const bool warm = map.quantity == ShownQuantity::temperature;
+    const char* column_name = warm ? "temperature_c" : map.quantity == ShownQuantity::humidity ? "relative_humidity" : "water_g_m2";
+    const auto written = [&](double value) {
+        return warm ? celsius_from_kelvin(value) : map.quantity == ShownQuantity::humidity ? value : 1e3 * value;
+    };
     std::string text =
         fmt::format("# program=Hygroloom {}\n# simulated=true\n# fabric={}\n# experiment={}\n# fidelity={}\n# seed={}\n# time_s={}\n"
-                    "# side={}\n# crossings_per_cell={}\ncolumn,row,x_mm,y_mm,water_g_m2\n",
+                    "# side={}\n# crossings_per_cell={}\ncolumn,row,x_mm,y_mm,{}\n",
                     HYGROLOOM_VERSION, run.fabric, run.experiment, name_of(run.plan.fidelity), run.seed, time,
-                    names[static_cast<int>(side)], map.crossings_per_cell);
+                    names[static_cast<int>(side)], map.crossings_per_cell, column_name);
     const double width = run.textile.ends() * run.textile.warp.pitch, height = run.textile.picks() * run.textile.weft.pitch;
     for (int row = 0; row < map.rows; ++row)
         for (int column = 0; column < map.columns; ++column) {
             // The middle of what the cell really covers.
             const double right = std::min((column + 1) * map.cell_width, width), top = std::min((row + 1) * map.cell_height, height);
             text += fmt::format("{},{},{:.6g},{:.6g},{:.6g}\n", column, row, mm_from_metre(0.5 * (column * map.cell_width + right - width)),
-                                mm_from_metre(0.5 * (row * map.cell_height + top - height)), 1e3 * map.at(column, row));
+                                mm_from_metre(0.5 * (row * map.cell_height + top - height)), written(map.at(column, row)));
         }
     write_file(path, text);
 }

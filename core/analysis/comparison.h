@@ -93,8 +93,8 @@ const LaboratoryValue* measured_of(const Comparison& comparison, const std::stri
 /// What limits a candidate's numbers, in sentences: its notes, and in how many replicates water reached the edge.
 std::vector<std::string> all_notes(const Comparison& comparison, const Candidate& candidate);
 
-/// "3.25 ± 0.04", in the unit that people read.
-std::string with_interval(const OutcomeInfo& criterion, const Interval& interval);
+/// "3.25 ± 0.04", in the unit that people read, or in the reader's own.
+std::string with_interval(const OutcomeInfo& criterion, const Interval& interval, const ReaderUnits& units = {});
 
 /// A table for people: numbers with intervals below titles and units, then the verdicts in words.
 std::string comparison_table(const Comparison& comparison);

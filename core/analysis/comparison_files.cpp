@@ -154,9 +154,9 @@ const LaboratoryValue* measured_of(const Comparison& comparison, const std::stri
     return nullptr;
 }
 
-std::string with_interval(const OutcomeInfo& criterion, const Interval& interval)
+std::string with_interval(const OutcomeInfo& criterion, const Interval& interval, const ReaderUnits& units)
 {
-    const ShownInterval seen = shown(criterion, interval);
+    const ShownInterval own = shown(criterion, interval), seen = units ? in_unit(own, units(own.unit)) : own;
     if (seen.cut)
         return fmt::format("{:.{}f} ({:.{}f} to {:.{}f})", seen.value, seen.decimals, seen.low, seen.decimals, seen.high, seen.decimals);
     return seen.half > 0 ? fmt::format("{:.{}f} ± {:.{}f}", seen.value, seen.decimals, seen.half, seen.decimals)

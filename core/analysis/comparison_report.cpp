@@ -38,25 +38,27 @@ std::string question(const Comparison& comparison)
         more ? "more" : "less", escaped_markup(comparison.baseline));
 }
 
-std::string cell(const Comparison& comparison, const Candidate& candidate, const OutcomeInfo& criterion)
+std::string cell(const Comparison& comparison, const Candidate& candidate, const OutcomeInfo& criterion, const ReaderUnits& units)
 {
     const auto found = candidate.intervals.find(criterion.key);
-    std::string text = found == candidate.intervals.end() ? "–" : with_interval(criterion, found->second);
+    std::string text = found == candidate.intervals.end() ? "–" : with_interval(criterion, found->second, units);
     if (const Compared* verdict = verdict_of(comparison, candidate.fabric, criterion.key))
         text += fmt::format("<br><b>{}</b>", name_of(verdict->verdict));
     if (const LoneNumber* lone = lone_number_of(comparison, candidate.fabric, criterion.key))
         text += fmt::format("<br><b>{}</b>", lone->words);
-    if (const LaboratoryValue* value = measured_of(comparison, candidate.fabric, criterion.key))
-        text += fmt::format("<br>measured {:.4g}{}", shown(criterion, value->value).value,
-                            value->spread ? fmt::format(" ± {:.2g}", *value->spread) : "");
+    if (const LaboratoryValue* value = measured_of(comparison, candidate.fabric, criterion.key)) {
+        const ReaderUnit own = reader_unit(units, shown(criterion, 0).unit);
+        text += fmt::format("<br>measured {:.4g}{}", own.of(shown(criterion, value->value).value),
+                            value->spread ? fmt::format(" ± {:.2g}", own.per_one * *value->spread) : "");
+    }
     return "<td class=\"number\">" + text + "</td>";
 }
 
-std::string results(const Comparison& comparison)
+std::string results(const Comparison& comparison, const ReaderUnits& units)
 {
     std::string rows = "<tr><th></th><th>fabric</th>";
     for (const OutcomeInfo& criterion : comparison.criteria) {
-        const std::string unit = shown(criterion, 0).unit;
+        const std::string unit = reader_unit(units, shown(criterion, 0).unit).unit;
         rows += "<th>" + escaped_markup(full_title(criterion) + (unit.empty() ? "" : ", " + unit)) + "</th>";
     }
     rows += "</tr>\n";
@@ -65,7 +67,7 @@ std::string results(const Comparison& comparison)
         if (!candidate.failure.empty())
             rows += fmt::format("<td colspan=\"{}\">{}</td>", comparison.criteria.size(), escaped_markup(candidate.failure));
         else
-            for (const OutcomeInfo& criterion : comparison.criteria) rows += cell(comparison, candidate, criterion);
+            for (const OutcomeInfo& criterion : comparison.criteria) rows += cell(comparison, candidate, criterion, units);
         rows += "</tr>\n";
     }
     std::vector<std::string> sentences{basis_text(comparison)};
@@ -74,7 +76,7 @@ std::string results(const Comparison& comparison)
 }
 
 /// The intervals of one number, a line a candidate; what was measured is a hollow diamond.
-std::string whiskers(const Comparison& comparison, const OutcomeInfo& criterion)
+std::string whiskers(const Comparison& comparison, const OutcomeInfo& criterion, const ReaderUnits& units)
 {
     constexpr double left = 170, width = 380, line = 22;
     double low = 0, high = 0;
@@ -107,8 +109,9 @@ std::string whiskers(const Comparison& comparison, const OutcomeInfo& criterion)
                                 x_of(value->value), y - 5);
         y += line;
     }
-    body += svg_text(left, y + 4, "start", fmt::format("{:.4g}", shown(criterion, low).value));
-    body += svg_text(left + width, y + 4, "end", fmt::format("{:.4g} {}", shown(criterion, high).value, shown(criterion, high).unit));
+    const ReaderUnit own = reader_unit(units, shown(criterion, 0).unit);
+    body += svg_text(left, y + 4, "start", fmt::format("{:.4g}", own.of(shown(criterion, low).value)));
+    body += svg_text(left + width, y + 4, "end", fmt::format("{:.4g} {}", own.of(shown(criterion, high).value), own.unit));
     return fmt::format("<figure>{}{}</svg><figcaption>{}. Point and line: simulated, with its interval.{}</figcaption></figure>\n",
                        svg_begin(580, y + 14), body, escaped_markup(full_title(criterion)), measured ? " Hollow diamond: measured." : "");
 }
@@ -148,7 +151,7 @@ std::string bands_text(const Comparison& comparison, const Plot& plot, const Cur
 }
 
 /// Curves of what the type of experiment measures, a figure for each with all fabrics in it.
-std::string curves(const Comparison& comparison)
+std::string curves(const Comparison& comparison, const ReaderUnits& units)
 {
     const auto first = std::find_if(comparison.candidates.begin(), comparison.candidates.end(),
                                     [](const Candidate& c) { return experiment_of(c) && c.metrics && c.metrics->series.time.size() > 1; });
@@ -157,12 +160,17 @@ std::string curves(const Comparison& comparison)
     const bool replicates = comparison.replicates > 1;
     const std::vector<double> times = replicates ? trace_times(experiment.duration_s) : first->metrics->series.time;
     const Plot& plot = subject_plot(experiment.type);
+    const ReaderUnit own = reader_unit(units, plot.unit);
     std::string figures;
     for (const Curve& curve : plot.curves) {
         if (curve.in_reports_only) continue;
-        LineChart chart{fmt::format("{}, {}", plot.title, curve.name), "time, s", plot.unit, times, {}};
+        LineChart chart{fmt::format("{}, {}", plot.title, curve.name), "time, s", own.unit, times, {}};
         for (const Candidate& candidate : comparison.candidates)
-            if (auto made = curve_of(candidate, plot, curve, times); !made.values.empty()) chart.curves.push_back(std::move(made));
+            if (auto made = curve_of(candidate, plot, curve, times); !made.values.empty()) {
+                for (std::vector<double>* values : {&made.values, &made.low, &made.high})
+                    for (double& value : *values) value = own.of(value);
+                chart.curves.push_back(std::move(made));
+            }
         if (chart.curves.empty()) continue;
         const std::string bands = bands_text(comparison, plot, curve);
         figures +=
@@ -260,15 +268,15 @@ std::string map_caption(const Comparison& comparison, const std::string& fabric,
     return fabric + (comparison.replicates > 1 ? ", as given, " : ", ") + side;
 }
 
-std::string comparison_report_html(const Comparison& comparison, const std::vector<ReportPicture>& maps)
+std::string comparison_report_html(const Comparison& comparison, const std::vector<ReportPicture>& maps, const ReaderUnits& units)
 {
     std::string intervals;
-    for (const OutcomeInfo& criterion : comparison.criteria) intervals += whiskers(comparison, criterion);
+    for (const OutcomeInfo& criterion : comparison.criteria) intervals += whiskers(comparison, criterion, units);
     return page("Comparison: " + comparison.experiment,
                 "<p>All numbers are simulated, except those marked as measured.</p>\n" + question(comparison) +
-                    section("Results", results(comparison)) + section("Intervals", intervals) +
+                    section("Results", results(comparison, units)) + section("Intervals", intervals) +
                     section("Why", comparison.why ? why_html(*comparison.why) : std::string()) +
-                    section("Maps", maps_of(comparison, maps)) + section("Over time", curves(comparison)) +
+                    section("Maps", maps_of(comparison, maps)) + section("Over time", curves(comparison, units)) +
                     section("What differs in the descriptions", differences(comparison)) + section("Computation", computation(comparison)) +
                     section("What is not known", unknown(comparison)));
 }

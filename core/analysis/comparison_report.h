@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/comparison.h"
+#include "core/analysis/reader_units.h"
 #include "core/analysis/report_parts.h"
 
 namespace hygroloom {
@@ -11,6 +12,7 @@ namespace hygroloom {
 std::string map_caption(const Comparison& comparison, const std::string& fabric, const std::string& side);
 
 /// HTML of one file, as report_html() is. maps: of all candidates as given, on one colour scale.
-std::string comparison_report_html(const Comparison& comparison, const std::vector<ReportPicture>& maps);
+/// units: of numbers and curves.
+std::string comparison_report_html(const Comparison& comparison, const std::vector<ReportPicture>& maps, const ReaderUnits& units = {});
 
 } // namespace hygroloom

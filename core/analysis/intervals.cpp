@@ -162,6 +162,15 @@ ShownInterval shown(const OutcomeInfo& info, const Interval& interval)
     return seen;
 }
 
+ShownInterval in_unit(ShownInterval interval, const ReaderUnit& unit)
+{
+    for (double* number : {&interval.value, &interval.low, &interval.high}) *number = unit.of(*number);
+    interval.half *= unit.per_one;
+    interval.decimals = std::max(0, interval.decimals - static_cast<int>(std::lround(std::log10(unit.per_one))));
+    interval.unit = unit.unit;
+    return interval;
+}
+
 const char* name_of(Verdict verdict)
 {
     constexpr const char* names[] = {"better", "probably better", "no difference shown", "probably worse", "worse"};

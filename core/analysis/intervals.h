@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/outcomes.h"
+#include "core/analysis/reader_units.h"
 #include "core/base/student.h"
 
 #include <limits>
@@ -61,6 +62,8 @@ struct ShownInterval {
     std::string unit;
 };
 ShownInterval shown(const OutcomeInfo& info, const Interval& interval);
+/// The same in a reader's unit.
+ShownInterval in_unit(ShownInterval interval, const ReaderUnit& unit);
 
 enum class Verdict { better, probably_better, no_difference, probably_worse, worse };
 /// "probably better"

@@ -26,10 +26,12 @@ constexpr int line_height = 20;
 constexpr int margin = 16;
 constexpr int bar_width = 18;
 
-/// 0 light .. 1 deep blue.
-Colour blue(double share)
+/// 0 light .. 1 deep blue, or of temperatures deep red.
+Colour colour_of(ShownQuantity quantity, double share)
 {
-    constexpr Colour stops[] = {{240, 247, 253}, {181, 212, 238}, {104, 165, 217}, {40, 106, 182}, {8, 42, 108}};
+    constexpr Colour blues[] = {{240, 247, 253}, {181, 212, 238}, {104, 165, 217}, {40, 106, 182}, {8, 42, 108}};
+    constexpr Colour reds[] = {{255, 243, 205}, {253, 200, 125}, {240, 128, 70}, {190, 52, 48}, {98, 8, 38}};
+    const Colour* stops = quantity == ShownQuantity::temperature ? reds : blues;
     const double at = std::clamp(share, 0.0, 1.0) * 4;
     const auto low = std::min(static_cast<std::size_t>(at), std::size_t(3));
     Colour mixed;
@@ -121,22 +123,46 @@ double round_length(double most)
 
 constexpr int swatch = 16;
 
-void draw_bar(Canvas& canvas, int x, int y, int height, double most)
+/// What the colours of a map say.
+struct Scale {
+    ShownQuantity quantity;
+    ValueRange range;
+    Colour of(double value) const
+    {
+        if (quantity == ShownQuantity::water && (range.high <= 0 || value < 0.01 * range.high)) return dry;
+        return colour_of(quantity, (value - range.low) / (range.high - range.low));
+    }
+    const char* unit() const { return quantity == ShownQuantity::water ? "g/m²" : quantity == ShownQuantity::temperature ? "°C" : "%"; }
+    std::string number(double value) const
+    {
+        if (quantity == ShownQuantity::temperature) return fmt::format("{:.1f}", celsius_from_kelvin(value));
+        return fmt::format("{:.3g}", (quantity == ShownQuantity::humidity ? 100 : 1e3) * value);
+    }
+};
+
+Scale scale_of(const CellMap& map, const MapImageOptions& options)
+{
+    if (map.quantity != ShownQuantity::water) return {map.quantity, options.range};
+    return {map.quantity, {0, options.most > 0 ? options.most : map.maximum()}};
+}
+
+void draw_bar(Canvas& canvas, int x, int y, int height, const Scale& scale)
 {
     const int length = height - 2 * line_height;
-    for (int j = 0; j < length; ++j) canvas.box(x, y + j, bar_width, 1, blue(1 - (j + 0.5) / length));
+    for (int j = 0; j < length; ++j) canvas.box(x, y + j, bar_width, 1, colour_of(scale.quantity, 1 - (j + 0.5) / length));
     canvas.frame(x, y, bar_width, length, ink);
     const int beside = x + bar_width + 6;
-    canvas.text(beside, y, fmt::format("{:.3g}", 1e3 * most));
-    canvas.text(beside, y + line_height, "g/m²");
-    canvas.text(beside, y + length - swatch, "0");
+    canvas.text(beside, y, scale.number(scale.range.high));
+    canvas.text(beside, y + line_height, scale.unit());
+    canvas.text(beside, y + length - swatch, scale.number(scale.range.low));
+    if (scale.quantity != ShownQuantity::water) return;
     canvas.box(x, y + height - swatch, bar_width, swatch, dry);
     canvas.frame(x, y + height - swatch, bar_width, swatch, ink);
     canvas.text(beside, y + height - swatch, "dry");
 }
 
 /// The cells, a pixel at a time.
-void draw_cells(Canvas& canvas, const CellMap& map, double height, int top, int across, int down, double scale, double most)
+void draw_cells(Canvas& canvas, const CellMap& map, double height, int top, int across, int down, double scale, const Scale& colours)
 {
     for (int j = 0; j < down; ++j) {
         const double y = height - (j + 0.5) * height / down; // the first row lies at the bottom
@@ -145,8 +171,7 @@ void draw_cells(Canvas& canvas, const CellMap& map, double height, int top, int 
         for (int i = 0, next = 0; i < across; i = next) {
             const int column = column_at(i);
             while (next < across && column_at(next) == column) ++next;
-            const double water = map.at(column, row);
-            canvas.box(margin + i, top + j, next - i, 1, most > 0 && water >= 0.01 * most ? blue(water / most) : dry);
+            canvas.box(margin + i, top + j, next - i, 1, colours.of(map.at(column, row)));
         }
     }
 }
@@ -168,8 +193,8 @@ Image draw_map(const CellMap& map, double width, double height, const MapImageOp
 
     for (std::size_t line = 0; line < options.captions.size(); ++line)
         canvas.text(margin, margin + static_cast<int>(line) * line_height, options.captions[line]);
-    const double most = options.most > 0 ? options.most : map.maximum();
-    draw_cells(canvas, map, height, top, across, down, scale, most);
+    const Scale colours = scale_of(map, options);
+    draw_cells(canvas, map, height, top, across, down, scale, colours);
     canvas.frame(margin - 1, top - 1, across + 2, down + 2, ink);
     if (options.circle && options.circle->radius > 0)
         canvas.circle(margin + (options.circle->x + 0.5 * width) * scale, top + (0.5 * height - options.circle->y) * scale,
@@ -179,7 +204,7 @@ Image draw_map(const CellMap& map, double width, double height, const MapImageOp
     const int bar = static_cast<int>(std::lround(length * scale)), bar_top = top + down + margin;
     canvas.box(margin, bar_top, bar, 4, ink);
     canvas.text(margin, bar_top + 8, fmt::format("{:.3g} mm", mm_from_metre(length)));
-    draw_bar(canvas, bar_left, top, down, most);
+    draw_bar(canvas, bar_left, top, down, colours);
     return canvas.take();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A water map as a picture for people without the window: cells in blue, scale bar, colour bar, wetted circle.
+// A map as a picture for people without the window: water and humidity in blue, temperature in red; scale bar, colour bar, wetted circle.
 #pragma once
 
 #include "core/analysis/cell_map.h"
@@ -13,10 +13,11 @@ struct MapImageOptions {
     std::vector<std::string> captions; ///< lines over the map
     std::optional<Circle> circle;      ///< from the sample's middle, m
     double most = 0;                   ///< kg/m2 at the colour bar's end; 0: the map's own maximum
+    ValueRange range;                  ///< of the colour bar, of another quantity than water
 };
 
-/// width and height: of the sample, m (cells at the far edges may reach over it). Cells below 1 % of the bar's end count as dry. Throws
-/// Error when there is no memory for it.
+/// width and height: of the sample, m (cells at the far edges may reach over it). Cells with less than 1 % of the water at the bar's end
+/// count as dry. Throws Error when there is no memory for it.
 Image draw_map(const CellMap& map, double width, double height, const MapImageOptions& options);
 
 /// Throws Error when there is no memory for it.

@@ -2,6 +2,7 @@
 #include "core/analysis/map_picture.h"
 
 #include "core/analysis/cell_map.h"
+#include "core/base/error.h"
 #include "core/base/units.h"
 
 #include <fmt/format.h>
@@ -10,16 +11,38 @@
 
 namespace hygroloom {
 
+namespace {
+
+MapPicture captioned(const RunRecord& run, const Frame& frame, CellMap map, const std::string& what)
+{
+    MapPicture picture;
+    picture.width = run.textile.ends() * run.textile.warp.pitch;
+    picture.height = run.textile.picks() * run.textile.weft.pitch;
+    picture.image.captions = {
+        fmt::format("{}, {}", run.fabric, run.experiment),
+        fmt::format("{} after {:.4g} s, cells of {} × {}", what, frame.time, map.crossings_per_cell, map.crossings_per_cell)};
+    picture.map = std::move(map);
+    return picture;
+}
+
+} // namespace
+
+MapPicture quantity_picture(const RunRecord& run, const Frame& frame, ShownQuantity quantity, MapSide side, int crossings_per_cell)
+{
+    if (const std::string why = why_not_shown(run.plan, quantity); !why.empty()) throw Error(why);
+    const char* what = quantity == ShownQuantity::temperature ? "temperature" : "relative humidity in the yarns";
+    const char* where = side == MapSide::top ? "top face, " : side == MapSide::bottom ? "bottom face, " : "";
+    MapPicture picture =
+        captioned(run, frame, quantity_map(run.textile, frame, quantity, side, crossings_per_cell), fmt::format("{}{}", where, what));
+    picture.image.range = range_of_values(frame, quantity);
+    return picture;
+}
+
 MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell)
 {
     const Textile& t = run.textile;
-    MapPicture picture;
-    picture.map = cell_map(t, frame, start, side, crossings_per_cell);
-    picture.width = t.ends() * t.warp.pitch;
-    picture.height = t.picks() * t.weft.pitch;
     const char* what = side == MapSide::top ? "top face" : side == MapSide::bottom ? "bottom face" : "water";
-    picture.image.captions = {fmt::format("{}, {}", run.fabric, run.experiment),
-                              fmt::format("{} after {:.4g} s, cells of {} × {}", what, frame.time, crossings_per_cell, crossings_per_cell)};
+    MapPicture picture = captioned(run, frame, cell_map(t, frame, start, side, crossings_per_cell), what);
     if (side == MapSide::total) return picture;
     const Circle circle = wetted_circle(t, frame, side == MapSide::top ? Face::top : Face::bottom);
     if (circle.radius > 0) {

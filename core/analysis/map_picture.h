@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The water map of one side of a run at one time, with its captions, as a picture.
+// The map of one side of a run at one time, with its captions, as a picture.
 #pragma once
 
 #include "core/analysis/map_image.h"
@@ -15,6 +15,9 @@ struct MapPicture {
 };
 /// start: see start_of_maps().
 MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell);
+
+/// Of another quantity. Throws Error where the run does not model it.
+MapPicture quantity_picture(const RunRecord& run, const Frame& frame, ShownQuantity quantity, MapSide side, int crossings_per_cell);
 
 /// As PNG. Throws FileError.
 void write_picture(const MapPicture& picture, const std::filesystem::path& path);

@@ -20,7 +20,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string results(const RunRecord& run, const Metrics& metrics)
+/// A number with so many digits, in the reader's unit.
+std::string row_of(const ReaderUnits& units, const std::string& name, double value, int digits, const std::string& unit)
+{
+    const ReaderUnit own = reader_unit(units, unit);
+    return row(name, rounded_text(own.of(value), digits), own.unit);
+}
+
+std::string results(const RunRecord& run, const Metrics& metrics, const ReaderUnits& units)
 {
     std::string rows;
     std::vector<std::string> notes = metrics.notes;
@@ -29,10 +36,12 @@ std::string results(const RunRecord& run, const Metrics& metrics)
         if (!is_shown(outcome)) continue;
         const ShownValue value = shown(outcome, outcome.value.value_or(0));
         const auto found = intervals.find(outcome.key);
-        const std::string number = found == intervals.end() ? fmt::format("{:.4g}", value.value) : with_interval(outcome, found->second);
+        const ReaderUnit own = reader_unit(units, value.unit);
+        const std::string number =
+            found == intervals.end() ? fmt::format("{:.4g}", own.of(value.value)) : with_interval(outcome, found->second, units);
         const std::string text = !outcome.text.empty() ? outcome.text : outcome.value ? number : "–";
         const std::string grade = outcome.grade ? fmt::format("grade {} of 5", *outcome.grade) : "";
-        rows += row(full_title(outcome), text, outcome.value ? value.unit : "", grade);
+        rows += row(full_title(outcome), text, outcome.value ? own.unit : "", grade);
         for (const std::string& note : {outcome.missing, outcome.remark})
             if (!note.empty()) notes.push_back(full_title(outcome) + ": " + note + ".");
     }
@@ -50,35 +59,39 @@ std::string balance(const Ledger& ledger)
 }
 
 /// Curves that are empty or all 0 are left out, and so is a plot without curves.
-std::string charts(const Metrics& metrics)
+std::string charts(const Metrics& metrics, const ReaderUnits& units)
 {
     std::string figures;
     for (const Plot& plot : all_plots()) {
-        LineChart chart{plot.title, "time, s", plot.unit, metrics.series.time, {}};
+        const ReaderUnit own = reader_unit(units, plot.unit);
+        LineChart chart{plot.title, "time, s", own.unit, metrics.series.time, {}};
         for (const Curve& curve : plot.curves) {
-            const std::vector<double> values = plotted(plot, curve, metrics);
-            if (std::any_of(values.begin(), values.end(), [](double value) { return value != 0; }))
-                chart.curves.push_back({curve.name, values});
+            std::vector<double> values = plotted(plot, curve, metrics);
+            if (std::none_of(values.begin(), values.end(), [](double value) { return value != 0; })) continue;
+            for (double& value : values) value = own.of(value);
+            chart.curves.push_back({curve.name, values});
         }
         if (!chart.curves.empty() && chart.x.size() > 1) figures += "<figure>" + svg_of(chart) + "</figure>\n";
     }
     return figures;
 }
 
-std::string derived(const FabricQuantities& q)
+std::string derived(const ReaderUnits& units, const FabricQuantities& q)
 {
     return row("cover factor", rounded_text(q.cover_factor, 3), "") + row("areal density", rounded_text(q.areal_density_g_m2, 4), "g/m²") +
-           row("thickness", rounded_text(q.thickness_mm, 3), "mm") + row("porosity", rounded_text(q.porosity, 3), "") +
+           row_of(units, "thickness", q.thickness_mm, 3, "mm") + row("porosity", rounded_text(q.porosity, 3), "") +
            row("fibres in the yarn layer", rounded_text(q.fibre_volume_fraction, 3), "m³/m³") +
-           row("gap between ends", rounded_text(q.gap_warp_mm, 3), "mm") + row("gap between picks", rounded_text(q.gap_weft_mm, 3), "mm") +
+           row_of(units, "gap between ends", q.gap_warp_mm, 3, "mm") + row_of(units, "gap between picks", q.gap_weft_mm, 3, "mm") +
            row("smoothness", rounded_text(q.smoothness, 3), "");
 }
 
-std::string derived(const char* which, const YarnQuantities& q)
+std::string derived(const ReaderUnits& units, const char* which, const YarnQuantities& q)
 {
     const std::string yarn = std::string(which) + ", ";
-    return row(yarn + "linear density", rounded_text(q.linear_density_tex, 3), "tex") +
-           row(yarn + "section", rounded_text(q.section_mm.width, 3) + " x " + rounded_text(q.section_mm.height, 3), "mm") +
+    const ReaderUnit length = reader_unit(units, "mm");
+    const auto side = [&length](double mm) { return rounded_text(length.of(mm), 3); };
+    return row_of(units, yarn + "linear density", q.linear_density_tex, 3, "tex") +
+           row(yarn + "section", side(q.section_mm.width) + " x " + side(q.section_mm.height), length.unit) +
            row(yarn + "fibre share", rounded_text(q.packing_factor_in_fabric, 3), "m³/m³") +
            row(yarn + "crimp", rounded_text(q.crimp_percent, 3), "%") + row(yarn + "pore radius", rounded_text(q.pore_radius_um, 3), "µm") +
            row(yarn + "contact angle", rounded_text(q.contact_angle_deg, 3), "°");
@@ -89,9 +102,9 @@ Design with_what_was_used(const RunRecord& run, const Fabric& fabric, const Expe
 {
     Design used;
     const auto add = [&](const Yarn& yarn) {
-        for (const MaterialShare& share : yarn.material) {
-            const Material* material = find_material(run.design, share.name);
-            const auto is_there = [&](const Material& other) { return other.name == share.name; };
+        for (const std::string& name : materials_in(yarn)) {
+            const Material* material = find_material(run.design, name);
+            const auto is_there = [&](const Material& other) { return other.name == name; };
             if (material && std::none_of(used.materials.begin(), used.materials.end(), is_there)) used.materials.push_back(*material);
         }
     };
@@ -104,10 +117,10 @@ Design with_what_was_used(const RunRecord& run, const Fabric& fabric, const Expe
     return used;
 }
 
-std::string input(const RunRecord& run)
+std::string input(const RunRecord& run, const ReaderUnits& units)
 {
     const FabricQuantities& q = run.textile.quantities;
-    std::string body = table(derived(q) + derived("warp", q.warp) + derived("weft", q.weft)) + list(q.notes);
+    std::string body = table(derived(units, q) + derived(units, "warp", q.warp) + derived(units, "weft", q.weft)) + list(q.notes);
     const Fabric* fabric = find_fabric(run.design, run.fabric);
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     if (!fabric || !experiment) return body;
@@ -161,13 +174,15 @@ std::string origin(const RunRecord& run, const Ledger& ledger, bool finished)
 
 } // namespace
 
-std::string report_html(const RunRecord& run, const Metrics& metrics, const std::vector<ReportPicture>& pictures, bool finished)
+std::string report_html(const RunRecord& run, const Metrics& metrics, const std::vector<ReportPicture>& pictures, bool finished,
+                        const ReaderUnits& units)
 {
     const std::string origin_of_all =
         "Simulated, not measured." + (finished ? "" : fmt::format(" The run was stopped at {:.4g} s.", metrics.ledger.time));
-    return page(run.fabric + ", " + run.experiment, "<p>" + origin_of_all + "</p>\n" + section("Results", results(run, metrics)) +
-                                                        section("Maps", figures_of(pictures)) + section("Over time", charts(metrics)) +
-                                                        section("Balance", balance(metrics.ledger)) + section("Inputs", input(run)) +
+    return page(run.fabric + ", " + run.experiment, "<p>" + origin_of_all + "</p>\n" + section("Results", results(run, metrics, units)) +
+                                                        section("Maps", figures_of(pictures)) +
+                                                        section("Over time", charts(metrics, units)) +
+                                                        section("Balance", balance(metrics.ledger)) + section("Inputs", input(run, units)) +
                                                         section("Computation", origin(run, metrics.ledger, finished)));
 }
 

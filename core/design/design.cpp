@@ -106,4 +106,28 @@ Material blended_material(const Design& design, const std::vector<MaterialShare>
     return blend;
 }
 
+Material yarn_substance(const Design& design, const Yarn& yarn)
+{
+    const Material cover = blended_material(design, yarn.material);
+    if (!yarn.core) return cover;
+    std::vector<MaterialShare> all = yarn.material;
+    for (MaterialShare& part : all) part.share *= 1 - yarn.core->share;
+    all.push_back({yarn.core->material, yarn.core->share});
+    Material mean = blended_material(design, all);
+    mean.based_on = two_stage_law(cover);
+    mean.fibre_radius_um = cover.fibre_radius_um;
+    mean.cross_section = cover.cross_section;
+    mean.diffusion = cover.diffusion;
+    mean.contact_angle_deg = cover.contact_angle_deg;
+    mean.receding_angle_deg = cover.receding_angle_deg;
+    return mean;
+}
+
+double core_of_solids(const Design& design, const Yarn& yarn)
+{
+    if (!yarn.core) return 0;
+    const double core = yarn.core->share / find_material(design, yarn.core->material)->density_kg_m3;
+    return core / (core + (1 - yarn.core->share) / blended_material(design, yarn.material).density_kg_m3);
+}
+
 } // namespace hygroloom

@@ -31,6 +31,12 @@ const Liquid* find_liquid(const Design& design, const std::string& name);
 /// Precondition: validate() found no error in it.
 Material blended_material(const Design& design, const std::vector<MaterialShare>& shares);
 
+/// The mean substance of all that a yarn is made of. A core counts in density, regain and heat by its mass; how thick and how wettable
+/// the fibres are, and how fast they take water up, is said of those round it alone. Precondition as above.
+Material yarn_substance(const Design& design, const Yarn& yarn);
+/// Share of the yarn's solids that the core is, by volume; 0 without one.
+double core_of_solids(const Design& design, const Yarn& yarn);
+
 /// Receding angle of water on a blend's fibres, by mass, whose contact angle is their own or a finish's. Degrees; at most the contact
 /// angle. Precondition as above.
 double receding_angle_of(const Design& design, const std::vector<MaterialShare>& shares, std::optional<double> finish_deg);

@@ -31,6 +31,11 @@ std::string words(const std::vector<MaterialShare>& shares, const char*)
     return text;
 }
 
+std::string words(const std::optional<YarnCore>& core, const char*)
+{
+    return core ? fmt::format("{:.3g} % {}", 100 * core->share, core->material) : "none";
+}
+
 std::string words(const Weave& weave, const char*)
 {
     if (!weave.pattern().empty()) return weave.pattern();
@@ -42,6 +47,7 @@ std::string words(const std::vector<Yarn>& yarns, const char*)
     std::string text;
     for (const Yarn& yarn : yarns) {
         text += (text.empty() ? "" : "; ") + words(yarn.material, "");
+        if (yarn.core) text += ", core of " + words(yarn.core, "");
         if (yarn.diameter_mm) text += ", " + words(yarn.diameter_mm, " mm");
         if (yarn.linear_density_tex) text += ", " + words(yarn.linear_density_tex, " tex");
         if (yarn.packing_factor) text += ", packing " + words(yarn.packing_factor, "");
@@ -98,7 +104,7 @@ template <typename OfYarn> void add_yarn(std::vector<FabricPart>& parts, const s
         yarn(to).plies = yarn(from).plies;
         yarn(to).fibres_per_yarn = yarn(from).fibres_per_yarn; // no fewer drawn fibres than plies are allowed
     };
-    parts.push_back({which + " fibre", PartActs::always, {of("material", "", "", &Yarn::material)}});
+    parts.push_back({which + " fibre", PartActs::always, {of("material", "", "", &Yarn::material), of("core", "core", "", &Yarn::core)}});
     parts.push_back({which + " count",
                      PartActs::always,
                      {of("diameter_mm", "diameter", " mm", &Yarn::diameter_mm),

@@ -190,7 +190,9 @@ double typical_irregularity(const Design& design, const Yarn& yarn)
     if (yarn.filament_count) return 0;
     const Material fibre = blended_material(design, yarn.material);
     const double fibre_tex = 1e6 * fibre.density_kg_m3 * pi * std::pow(metre_from_um(fibre.fibre_radius_um), 2);
-    const double fibres = std::max(1.0, free_yarn(yarn, fibre.density_kg_m3).linear_density_tex / fibre_tex);
+    const double covering = yarn.core ? 1 - yarn.core->share : 1;
+    const double fibres =
+        std::max(1.0, covering * free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3).linear_density_tex / fibre_tex);
     return std::min(0.4, 1.3 * 1.06 / std::sqrt(fibres));
 }
 

@@ -13,6 +13,25 @@ namespace hygroloom {
 
 namespace {
 
+void require_material(const Design& design, const std::string& name, const std::string& at, IssueList& list)
+{
+    if (find_material(design, name)) return;
+    std::vector<std::string> known;
+    for (const Material& own : design.materials) known.push_back(own.name);
+    for (const Material& shipped : material_library()) known.push_back(shipped.name);
+    list.error("unknown_material", at,
+               fmt::format("There is no material \"{}\"{} Known are: {}.", name, did_you_mean(name, known), fmt::join(known, ", ")));
+}
+
+bool validate_core(const Design& design, const Yarn& yarn, const std::string& where, IssueList& list)
+{
+    if (!yarn.core) return true;
+    const int before = list.errors();
+    require_material(design, yarn.core->material, where + ".material", list);
+    list.range(where + ".share", "share of the core in the yarn's mass", yarn.core->share, least_core_share, most_core_share);
+    return list.errors() == before;
+}
+
 bool validate_blend(const Design& design, const Yarn& yarn, const std::string& where, IssueList& list)
 {
     const int before = list.errors();
@@ -22,15 +41,7 @@ bool validate_blend(const Design& design, const Yarn& yarn, const std::string& w
     for (std::size_t i = 0; i < yarn.material.size(); ++i) {
         const MaterialShare& part = yarn.material[i];
         const std::string at = yarn.material.size() == 1 ? where : fmt::format("{}[{}]", where, i);
-        const Material* material = find_material(design, part.name);
-        if (!material) {
-            std::vector<std::string> known;
-            for (const Material& own : design.materials) known.push_back(own.name);
-            for (const Material& shipped : material_library()) known.push_back(shipped.name);
-            list.error("unknown_material", at,
-                       fmt::format("There is no material \"{}\"{} Known are: {}.", part.name, did_you_mean(part.name, known),
-                                   fmt::join(known, ", ")));
-        }
+        require_material(design, part.name, at, list);
         if (!seen.insert(part.name).second) list.error("duplicate_name", at, fmt::format("The blend names \"{}\" twice.", part.name));
         if (!(part.share > 0 && part.share <= 1))
             list.error("range", at + ".share", fmt::format("A share must be more than 0 and at most 1; given is {}.", part.share));
@@ -44,6 +55,7 @@ bool validate_blend(const Design& design, const Yarn& yarn, const std::string& w
 void validate_yarn(const Design& design, const Yarn& yarn, const std::string& where, IssueList& list)
 {
     bool sound = validate_blend(design, yarn, where + ".material", list);
+    sound = validate_core(design, yarn, where + ".core", list) && sound;
     const int before = list.errors();
     list.range_if_given(where + ".diameter_mm", "diameter of a yarn", yarn.diameter_mm, 0.01, 10, "mm");
     list.range_if_given(where + ".linear_density_tex", "linear density of a yarn", yarn.linear_density_tex, 0.05, 50000, "tex");
@@ -60,19 +72,19 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
                    fmt::format("{} drawn fibres do not fill {} plies; give at least one for each.", yarn.fibres_per_yarn, yarn.plies));
 
     sound = sound && list.errors() == before;
-    for (const MaterialShare& part : yarn.material) {
+    for (const std::string& name : materials_in(yarn)) {
         // A material's own fault is reported at the material; here it only stops the arithmetic.
-        const Material* material = find_material(design, part.name);
+        const Material* material = find_material(design, name);
         sound = sound && material && material->density_kg_m3 >= 500 && material->density_kg_m3 <= 3000;
     }
     if (!sound || !yarn.diameter_mm) {
         if (sound) { // from tex: the diameter must be one that could have been given
-            const FreeYarn free = free_yarn(yarn, blended_material(design, yarn.material).density_kg_m3);
+            const FreeYarn free = free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3);
             list.range(where + ".linear_density_tex", "diameter that follows from the linear density", free.diameter, 0.005, 10, "mm");
         }
         return;
     }
-    const double density = blended_material(design, yarn.material).density_kg_m3;
+    const double density = yarn_substance(design, yarn).density_kg_m3;
     const double solid = density * 0.25 * pi * *yarn.diameter_mm * *yarn.diameter_mm; // tex without pores
     if (!yarn.linear_density_tex) return;
     const double packing = *yarn.linear_density_tex / solid;
@@ -144,7 +156,8 @@ void validate_filaments(const Design& design, const Yarn& yarn, const std::strin
 {
     if (!yarn.filament_count) return;
     const Material fibre = blended_material(design, yarn.material);
-    const double tex = free_yarn(yarn, fibre.density_kg_m3).linear_density_tex;
+    const double tex =
+        (1 - (yarn.core ? yarn.core->share : 0)) * free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3).linear_density_tex;
     const double radius = filament_radius_um(tex, *yarn.filament_count, fibre.density_kg_m3);
     if (!list.range(where + ".filament_count", "radius of a fibre that follows from the number of filaments", radius, least_fibre_radius_um,
                     most_fibre_radius_um, "um"))
@@ -171,7 +184,7 @@ bool can_be_fitted(const Design& design, const Fabric& fabric, const std::string
     for (bool warp : {true, false})
         for (int number : yarn_order(fabric, warp).yarns) {
             const Yarn& yarn = yarn_in(fabric, warp, number);
-            thickest[warp] = std::max(thickest[warp], free_yarn(yarn, blended_material(design, yarn.material).density_kg_m3).diameter);
+            thickest[warp] = std::max(thickest[warp], free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3).diameter);
         }
     if (fabric.thickness_mm && *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm < 0.1 * (thickest[true] + thickest[false])) {
         list.error(
@@ -306,8 +319,8 @@ std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const 
     std::vector<const Yarn*> yarns{&fabric.warp, &fabric.weft};
     for (const Yarn& yarn : fabric.extra_yarns) yarns.push_back(&yarn);
     for (const Yarn* yarn : yarns)
-        for (const MaterialShare& part : yarn->material) {
-            const Material* material = find_material(design, part.name);
+        for (const std::string& name : materials_in(*yarn)) {
+            const Material* material = find_material(design, name);
             if (!material) return nullptr;
             IssueList own;
             validate_material(*material, {}, own);

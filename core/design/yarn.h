@@ -17,11 +17,19 @@ struct Color {
     bool operator==(const Color&) const = default;
 };
 
+/// A bare filament in the middle of a yarn, which the yarn's fibres are spun round; in each single yarn of a plied one.
+struct YarnCore {
+    std::string material = "elastane";
+    double share = 0.05; ///< of the yarn's mass
+    bool operator==(const YarnCore&) const = default;
+};
+
 /// A yarn has a diameter, or a linear density with a packing factor; all three must agree.
 /// With a diameter alone, or a linear density alone, the packing factor is default_packing_factor.
 /// Of a plied yarn, diameter and linear density are the whole yarn's; twist is that of its single yarns.
 struct Yarn {
-    std::vector<MaterialShare> material{{"cotton", 1.0}};
+    std::vector<MaterialShare> material{{"cotton", 1.0}}; ///< of its fibres; those round the core where there is one
+    std::optional<YarnCore> core;
     std::optional<double> diameter_mm; ///< of the free yarn
     std::optional<double> linear_density_tex;
     std::optional<double> packing_factor; ///< fibre volume / yarn volume
@@ -37,8 +45,18 @@ struct Yarn {
     bool operator==(const Yarn&) const = default;
 };
 
+/// Names, the core's last.
+inline std::vector<std::string> materials_in(const Yarn& yarn)
+{
+    std::vector<std::string> names;
+    for (const MaterialShare& part : yarn.material) names.push_back(part.name);
+    if (yarn.core) names.push_back(yarn.core->material);
+    return names;
+}
+
 constexpr int fewest_filaments = 2, most_filaments = 100000;
 constexpr int most_plies = 6;
+constexpr double least_core_share = 0.005, most_core_share = 0.4;
 constexpr double default_packing_factor = 0.5; ///< ring-spun staple yarn, ecosystem figures 0.50 to 0.65
 
 } // namespace hygroloom

@@ -55,11 +55,12 @@ std::optional<YarnQuantities> of_yarn(int yarn, const YarnOrder& order, const st
 
 } // namespace
 
-double helix_tortuosity(const Yarn& yarn, double diameter_mm)
+double helix_tortuosity(const Yarn& yarn, double diameter_mm, double core)
 {
     const auto mean = [](double mm, double turns_per_m) { return 1 + 0.5 * std::pow(pi * metre_from_mm(mm) * turns_per_m, 2); };
-    if (yarn.plies < 2) return mean(diameter_mm, yarn.twist_per_m);
-    return mean(diameter_mm, yarn.ply_twist_per_m) * mean(diameter_mm / std::sqrt(yarn.plies), yarn.twist_per_m);
+    const auto round_core = [&](double mm) { return 1 + (mean(mm, yarn.twist_per_m) - 1) * (1 + core); };
+    if (yarn.plies < 2) return round_core(diameter_mm);
+    return mean(diameter_mm, yarn.ply_twist_per_m) * round_core(diameter_mm / std::sqrt(yarn.plies));
 }
 
 WovenYarns woven_yarns(const Fabric& fabric, const FittedYarns& fitted)
@@ -102,10 +103,12 @@ YarnQuantities yarn_quantities(const WovenYarns& yarns, bool warp, std::size_t t
     yarn.cover = mean_width_of(yarns, warp, type) / yarn.pitch_mm;
     yarn.fibre_radius_um = fitted.fibre.fibre_radius_um;
     // Void area over wetted perimeter of parallel cylinders, twice.
-    yarn.pore_radius_um = fitted.fibre.fibre_radius_um * (1 - fitted.packing_factor) / fitted.packing_factor;
+    const double packing = packing_round_core(fitted.packing_factor, fitted.core);
+    yarn.pore_radius_um = fitted.fibre.fibre_radius_um * (1 - packing) / packing;
     yarn.contact_angle_deg = yarns.fabric.contact_angle_deg.value_or(fitted.fibre.contact_angle_deg);
     yarn.receding_angle_deg = fitted.receding_angle_deg;
-    yarn.helix_tortuosity = helix_tortuosity(yarn_in(yarns.fabric, warp, yarns.order(warp).yarns[type]), fitted.free.diameter);
+    yarn.helix_tortuosity = helix_tortuosity(yarn_in(yarns.fabric, warp, yarns.order(warp).yarns[type]), fitted.free.diameter,
+                                             fitted.free.packing_factor * fitted.core);
     yarn.flattened = fitted.flattened || fitted.narrowed;
     return yarn;
 }
@@ -118,7 +121,7 @@ std::vector<StripeYarn> stripe_yarns(const Design& design, const Fabric& fabric,
     std::vector<StripeYarn> stripes;
     for (int yarn = 1; yarn <= static_cast<int>(fabric.extra_yarns.size()); ++yarn) {
         const Yarn& given = yarn_in(fabric, true, yarn);
-        const Material fibre = blended_material(design, given.material);
+        const Material fibre = yarn_substance(design, given);
         stripes.push_back({free_yarn(given, fibre.density_kg_m3), fabric.contact_angle_deg.value_or(fibre.contact_angle_deg),
                            of_yarn(yarn, yarns.order(true), ends), of_yarn(yarn, yarns.order(false), picks)});
     }

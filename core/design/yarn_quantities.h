@@ -26,8 +26,9 @@ struct YarnQuantities {
 
 /// How much longer than the yarn the way along its fibres is, squared: mean of 1 / cos2 of the helix angle over the section of an ideal
 /// helix, 1 + (pi d T)2 / 2; of a plied yarn that of the plies in the yarn times that of the fibres in a ply, whose section is the yarn's
-/// share. Derived here. Diameter of the free yarn; meant for pi d T up to about 1, twist angles of 45 degrees at the skin.
-double helix_tortuosity(const Yarn& yarn, double diameter_mm);
+/// share. Round a core that takes so much of the section the mean is over the ring that is left, 1 + (pi d T)2 (1 + core) / 2. Derived
+/// here. Diameter of the free yarn; meant for pi d T up to about 1, twist angles of 45 degrees at the skin.
+double helix_tortuosity(const Yarn& yarn, double diameter_mm, double core = 0);
 
 /// A fabric's yarns in their places.
 struct WovenYarns {

@@ -32,7 +32,9 @@ void fit(FittedYarn& yarn, double height, double pitch)
 
 double stiffness(const FittedYarn& yarn)
 {
-    return yarn.free.linear_density_tex * yarn.fibre.fibre_radius_um * yarn.fibre.fibre_radius_um / yarn.fibre.density_kg_m3;
+    // A core of elastane is so soft that the fibres round it alone count.
+    return (1 - yarn.core) * yarn.free.linear_density_tex * yarn.fibre.fibre_radius_um * yarn.fibre.fibre_radius_um /
+           yarn.fibre.density_kg_m3;
 }
 
 /// The greatest rise of a yarn over the other's sections without tightening its arcs, from 0 to the sum of the half heights.
@@ -223,10 +225,12 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
         order = yarn_order(fabric, warp);
         for (int number : order.yarns) {
             FittedYarn yarn;
-            yarn.fibre = blended_material(design, yarn_in(fabric, warp, number).material);
+            yarn.fibre = yarn_substance(design, yarn_in(fabric, warp, number));
+            yarn.core = core_of_solids(design, yarn_in(fabric, warp, number));
             yarn.free = free_yarn(yarn_in(fabric, warp, number), yarn.fibre.density_kg_m3);
             if (const auto& filaments = yarn_in(fabric, warp, number).filament_count)
-                yarn.fibre.fibre_radius_um = filament_radius_um(yarn.free.linear_density_tex, *filaments, yarn.fibre.density_kg_m3);
+                yarn.fibre.fibre_radius_um =
+                    filament_radius_um((1 - yarn.core) * yarn.free.linear_density_tex, *filaments, yarn.fibre.density_kg_m3);
             (warp ? fitted.warp : fitted.weft).push_back(yarn);
         }
     }

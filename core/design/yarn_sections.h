@@ -27,6 +27,9 @@ struct FreeYarn {
 /// The missing values from the given ones: tex = packing x density x pi d2 / 4. Precondition: a diameter or a linear density is given.
 FreeYarn free_yarn(const Yarn& yarn, double fibre_density_kg_m3);
 
+/// Packing of the fibres in the room that a solid core leaves them, which is so much of a yarn's solids.
+constexpr double packing_round_core(double packing, double core) { return packing * (1 - core) / (1 - packing * core); }
+
 /// Of the filaments that share a linear density, as round ones of the same section, um.
 double filament_radius_um(double linear_density_tex, int filaments, double fibre_density_kg_m3);
 
@@ -42,7 +45,8 @@ YarnOrder yarn_order(const Fabric& fabric, bool warp);
 
 struct FittedYarn {
     FreeYarn free;
-    Material fibre;                ///< the blend's mean substance
+    Material fibre;                ///< the yarn's mean substance, see yarn_substance()
+    double core = 0;               ///< share of the solids, by volume, that is a core
     double receding_angle_deg = 0; ///< of the fibres, or of the fabric's finish over them
     Section section;               ///< mm, in the fabric
     double packing_factor = 0;     ///< in the fabric

@@ -24,11 +24,11 @@ FaceAngles angles_on_face(const Textile& textile)
             const YarnType& type = system.types[own];
             const double angle = textile.face_angle.value_or(type.contact_angle);
             const double back = std::max(0.0, angle - std::max(0.0, type.contact_angle - type.receding_angle));
-            const bool wets = gate_of_dry_fibres(type.packing, angle) > 0;
+            const bool wets = gate_of_dry_fibres(type.packing_round_core(), angle) > 0;
             takes_in = takes_in || wets;
             const double covers = type.section.width / (system.pitch * static_cast<double>(system.order.size()));
-            advancing += covers * cosine_beside(std::cos(angle), type.packing, wets);
-            receding += covers * cosine_beside(std::cos(back), type.packing, wets);
+            advancing += covers * cosine_beside(std::cos(angle), type.packing_round_core(), wets);
+            receding += covers * cosine_beside(std::cos(back), type.packing_round_core(), wets);
             covered += covers;
         }
     }

@@ -55,7 +55,7 @@ void YarnFibres::middle_line(int strand, std::vector<float>& line) const
         for (std::size_t ring = 0; ring < count + 2; ++ring) place(strand, ring, line.data() + 3 * ring);
         return;
     }
-    hair_curve(hairs_[static_cast<std::size_t>(strand - fibres_)], line.data() + 3);
+    hair_curve(hair(strand), line.data() + 3);
     for (std::size_t c = 0; c < 3; ++c) { // straight on at both ends
         line[c] = 2 * line[3 + c] - line[6 + c];
         line[3 * (count + 1) + c] = 2 * line[3 * count + c] - line[3 * (count - 1) + c];
@@ -71,7 +71,7 @@ void YarnFibres::tube(int strand, YarnMesh& mesh, std::size_t first_vertex, std:
     thread_local std::vector<float> around;
     middle_line(strand, line);
     set_around(around, sides);
-    const Hair* own = is_hair(strand) ? &hairs_[static_cast<std::size_t>(strand - fibres_)] : nullptr;
+    const Hair* own = is_hair(strand) ? &hair(strand) : nullptr;
     Vec3T<float> plane;
     if (own) {
         const Vec3d n = cross(own->direction, own->bend);

@@ -46,7 +46,14 @@ double ply_radius(int plies)
 double equivalent_radius(const YarnType& type) { return std::sqrt(type.area / pi); }
 
 /// How much denser a yarn's axis is than its mean; the surface is as much less dense.
-double core_density(const YarnType& type) { return std::clamp(densest_core / type.packing - 1, 0.0, 0.5); }
+double core_density(const YarnType& type) { return std::clamp(densest_core / type.packing_round_core() - 1, 0.0, 0.5); }
+
+/// Squared share of a single yarn's radius that its core takes.
+double core_hole(const YarnType& type)
+{
+    const double ply = ply_radius(type.plies);
+    return std::min(0.9, type.packing * type.core / (type.plies * ply * ply));
+}
 
 /// Squared share of the radius that a rank has: rho2 (1 + core) - core rho4 = rank, for a packing that falls as 1 + core (1 - 2 rho2).
 template <typename Number> Number squared_radius(Number core, Number rank)
@@ -57,11 +64,11 @@ template <typename Number> Number squared_radius(Number core, Number rank)
 }
 
 /// Mean of the fibres' length over the yarn's; slope is the tangent of the helix angle at the surface.
-double helix_lengthening(double slope, double core)
+double helix_lengthening(double slope, double core, double hole)
 {
     constexpr int steps = 64;
     double sum = 0;
-    for (int i = 0; i < steps; ++i) sum += std::sqrt(1 + slope * slope * squared_radius(core, (i + 0.5) / steps));
+    for (int i = 0; i < steps; ++i) sum += std::sqrt(1 + slope * slope * (hole + (1 - hole) * squared_radius(core, (i + 0.5) / steps)));
     return sum / steps;
 }
 
@@ -112,21 +119,27 @@ float triangle_wave(float t)
 
 } // namespace
 
-double packing_at(const YarnType& type, double squared) { return type.packing * (1 + core_density(type) * (1 - 2 * squared)); }
+double packing_at(const YarnType& type, double squared) { return type.packing_round_core() * (1 + core_density(type) * (1 - 2 * squared)); }
 
 double drawn_fibre_radius(const YarnType& type)
 {
     const double radius = equivalent_radius(type), ply = ply_radius(type.plies);
-    const double straight = std::sqrt(type.area * type.packing / (pi * type.fibres)); // were they straight
+    const double straight = std::sqrt((type.area * type.packing - type.core_area()) / (pi * type.fibres)); // were they straight
     const double round = type.plies > 1 ? 2 * pi * std::abs(type.ply_twist) * radius * (1 - ply) : 0;
     double fibre = straight;
     for (int i = 0; i < 12; ++i) { // thinner fibres reach further out and are longer
         const double reach = std::max(0.1 * radius * ply, radius * ply - fibre);
-        const double lengthening =
-            helix_lengthening(2 * pi * std::abs(type.twist) * reach, core_density(type)) * std::sqrt(1 + round * round) * type.fibre_length;
+        const double lengthening = helix_lengthening(2 * pi * std::abs(type.twist) * reach, core_density(type), core_hole(type)) *
+                                   std::sqrt(1 + round * round) * type.fibre_length;
         fibre = straight / std::sqrt(lengthening);
     }
     return fibre;
+}
+
+double drawn_core_radius(const YarnType& type)
+{
+    const double half = 0.5 * type.section.height * ply_radius(type.plies);
+    return std::min(std::sqrt(type.core_area() / (pi * type.plies)), 0.9 * half);
 }
 
 int smooth_samples(const Textile& textile)
@@ -150,15 +163,12 @@ FlyawayLength flyaway_length(const Textile& textile, const YarnType& type)
 }
 
 YarnFibres::YarnFibres(const Textile& textile, const FibreOptions& options, YarnKind kind, int yarn, int first_crossing, int crossings)
-    : textile_(textile), options_(options), kind_(kind), yarn_(yarn), type_(textile.type(kind, yarn)), fibres_(type_.fibres)
+    : textile_(textile), options_(options), kind_(kind), yarn_(yarn), type_(textile.type(kind, yarn)), fibres_(type_.fibres),
+      cores_(type_.core > 0 ? type_.plies : 0)
 {
     const bool is_warp = kind == YarnKind::warp;
     rings_ = static_cast<std::size_t>(crossings) * static_cast<std::size_t>(options.samples_per_crossing) + 1;
-    fibre_radius_ = drawn_fibre_radius(type_);
-    hair_radius_ = metre_from_um(type_.fibre.fibre_radius_um);
-    core_ = static_cast<float>(core_density(type_));
-    inner_ = static_cast<float>(std::max(0.1, 1 - fibre_radius_ / (ply_radius(type_.plies) * equivalent_radius(type_))));
-    migration_ = static_cast<float>(std::abs(type_.twist) > 1 ? turns_per_migration / std::abs(type_.twist) : untwisted_migration);
+    set_sizes();
 
     const Along axis = along_axis(textile, kind, yarn);
     const int limit = (is_warp ? textile.picks() : textile.ends()) - 1;
@@ -201,11 +211,22 @@ YarnFibres::YarnFibres(const Textile& textile, const FibreOptions& options, Yarn
         start_angle_sin_.push_back(static_cast<float>(std::sin(angle)));
         phase_.push_back(static_cast<float>(start + (in_ply + 0.5) / each));
     }
-    loops_.resize(static_cast<std::size_t>(fibres_));
+    loops_.resize(static_cast<std::size_t>(regular())); // a core has none
     if (options.flyaways) {
         find_loops(stream);
         find_hairs(stream);
     }
+}
+
+void YarnFibres::set_sizes()
+{
+    fibre_radius_ = drawn_fibre_radius(type_);
+    core_radius_ = drawn_core_radius(type_);
+    hole_ = static_cast<float>(core_hole(type_));
+    hair_radius_ = metre_from_um(type_.fibre.fibre_radius_um);
+    core_ = static_cast<float>(core_density(type_));
+    inner_ = static_cast<float>(std::max(0.1, 1 - fibre_radius_ / (ply_radius(type_.plies) * equivalent_radius(type_))));
+    migration_ = static_cast<float>(std::abs(type_.twist) > 1 ? turns_per_migration / std::abs(type_.twist) : untwisted_migration);
 }
 
 std::size_t YarnFibres::count_hairs(const Textile& textile, const FibreOptions& options, YarnKind kind, int yarn, int first_crossing,
@@ -244,7 +265,7 @@ void YarnFibres::find_loops(std::uint64_t stream)
     const auto last = static_cast<std::int64_t>(std::floor((along1_ + reach) * density)) + 1;
     for (std::int64_t k = first; k <= last; ++k) {
         const auto draw = [&](int part) { return random_uniform(options_.seed, stream, draw_index(draw_loop, part, k)); };
-        const auto fibre = std::min(static_cast<std::size_t>(draw(0) * fibres_), loops_.size() - 1);
+        const auto fibre = static_cast<std::size_t>(std::min(static_cast<int>(draw(0) * fibres_), fibres_ - 1));
         const double h = height * (lowest_loop + (1 - lowest_loop) * draw(1));
         loops_[fibre].push_back(
             {static_cast<float>((static_cast<double>(k) + draw(2)) / density), static_cast<float>(h), static_cast<float>(loop_width * h)});
@@ -304,13 +325,17 @@ void YarnFibres::place(int fibre, std::size_t index, float* out) const
 {
     const Ring& ring = ring_[index];
     const auto i = static_cast<std::size_t>(fibre);
-    const float rank = triangle_wave(phase_[i] + ring.along / migration_);
-    const float rho = inner_ * std::sqrt(0.005f + 0.995f * squared_radius(core_, rank)); // never quite through the axis
-    float sine = start_angle_sin_[i] * ring.twist_cos + start_angle_cos_[i] * ring.twist_sin;
-    float cosine = start_angle_cos_[i] * ring.twist_cos - start_angle_sin_[i] * ring.twist_sin;
+    float rho = 0, sine = 0, cosine = 1;
+    if (!is_core(fibre)) {
+        const float rank = triangle_wave(phase_[i] + ring.along / migration_), inside = std::max(0.005f, hole_);
+        rho = inner_ * std::sqrt(inside + (1 - inside) * squared_radius(core_, rank)); // never quite through the axis
+        sine = start_angle_sin_[i] * ring.twist_cos + start_angle_cos_[i] * ring.twist_sin;
+        cosine = start_angle_cos_[i] * ring.twist_cos - start_angle_sin_[i] * ring.twist_sin;
+    }
     float distance = rho;
     if (type_.plies > 1) {
-        const auto ply = static_cast<float>(fibre % type_.plies), radius = static_cast<float>(ply_radius(type_.plies));
+        const auto ply = static_cast<float>((is_core(fibre) ? fibre - fibres_ : fibre) % type_.plies),
+                   radius = static_cast<float>(ply_radius(type_.plies));
         const float at = 2 * static_cast<float>(pi) * ply / static_cast<float>(type_.plies);
         const float ply_sine = std::sin(at) * ring.ply_cos + std::cos(at) * ring.ply_sin;
         const float ply_cosine = std::cos(at) * ring.ply_cos - std::sin(at) * ring.ply_sin;
@@ -358,7 +383,7 @@ void YarnFibres::hair_curve(const Hair& hair, float* out) const
 void YarnFibres::curve(int strand, float* out) const
 {
     if (is_hair(strand)) {
-        hair_curve(hairs_[static_cast<std::size_t>(strand - fibres_)], out);
+        hair_curve(hair(strand), out);
         return;
     }
     for (std::size_t ring = 0; ring < rings_; ++ring) place(strand, ring + 1, out + 3 * ring);
@@ -366,7 +391,7 @@ void YarnFibres::curve(int strand, float* out) const
 
 double YarnFibres::loop_length(int strand) const
 {
-    if (is_hair(strand)) return 0;
+    if (strand >= fibres_) return 0;
     double length = 0;
     float before[3], here[3];
     bool outside_before = false;

@@ -16,11 +16,13 @@ struct FibreOptions {
     std::uint64_t seed = 1;
 };
 
-/// Radius that a drawn fibre has so that all of a yarn's fibres together have the yarn's fibre volume, twist included. m.
+/// Radius that a drawn fibre has so that all of a yarn's fibres together have the yarn's fibre volume less its core's, twist included. m.
 double drawn_fibre_radius(const YarnType& type);
+/// Radius of the core in each single yarn, m; 0 without one. Where a yarn is flatter than its core is thick, less.
+double drawn_core_radius(const YarnType& type);
 
 /// Local packing at a squared share of the radius: 1 + core (1 - 2 rho2) times the mean, core at most 0.5 and so that no axis is denser
-/// than 0.9. Its mean over the section is the yarn's packing.
+/// than 0.9. Its mean over the section is the yarn's packing. Round a core, of the ring that the core leaves: 0 is the core's skin.
 double packing_at(const YarnType& type, double squared_radius);
 
 /// Mean length of loops and of hairs per metre of yarn: analytic, what the drawn ones add up to. A loop counts from where it leaves the
@@ -36,19 +38,20 @@ FlyawayLength flyaway_length(const Textile& textile, const YarnType& type);
 int smooth_samples(const Textile& textile);
 
 /// The fibres of one stretch of a yarn, from half a pitch before its first crossing to half a pitch past its last.
-/// Neighbouring stretches meet in the same points and normals. Strands 0 .. regular() - 1 run through; the hairs rooted in the
-/// stretch follow.
+/// Neighbouring stretches meet in the same points and normals. Strands 0 .. regular() - 1 run through, the cores
+/// last; the hairs rooted in the stretch follow.
 class YarnFibres {
 public:
     /// Crossings are numbered as in the textile and may lie outside its region.
     YarnFibres(const Textile& textile, const FibreOptions& options, YarnKind kind, int yarn, int first_crossing, int crossings);
 
-    int regular() const { return fibres_; }
-    int strands() const { return fibres_ + static_cast<int>(hairs_.size()); }
-    bool is_hair(int strand) const { return strand >= fibres_; }
+    int regular() const { return fibres_ + cores_; }
+    int strands() const { return regular() + static_cast<int>(hairs_.size()); }
+    bool is_hair(int strand) const { return strand >= regular(); }
+    bool is_core(int strand) const { return strand >= fibres_ && !is_hair(strand); }
     /// Points along a strand.
     std::size_t points(int strand) const { return is_hair(strand) ? hair_points : rings_; }
-    double radius(int strand) const { return is_hair(strand) ? hair_radius_ : fibre_radius_; }
+    double radius(int strand) const { return is_hair(strand) ? hair_radius_ : is_core(strand) ? core_radius_ : fibre_radius_; }
     std::size_t vertices(int strand) const { return points(strand) * static_cast<std::size_t>(options_.sides); }
     std::size_t triangles(int strand) const
     {
@@ -58,10 +61,7 @@ public:
     /// Writes x y z of each point, m.
     void curve(int strand, float* out) const;
     /// The textile's segment that a point lies in, of a hair the one it is rooted in.
-    int segment(int strand, std::size_t point) const
-    {
-        return ring_[is_hair(strand) ? hairs_[static_cast<std::size_t>(strand - fibres_)].ring : point + 1].segment;
-    }
+    int segment(int strand, std::size_t point) const { return ring_[is_hair(strand) ? hair(strand).ring : point + 1].segment; }
     /// Length of the strand's parts outside the yarn that count as loops; 0 for hairs.
     double loop_length(int strand) const;
     /// Writes a tube at these places of a mesh that has room for it; u runs along the yarn in crossings, v
@@ -93,6 +93,8 @@ private:
         std::size_t ring;
     };
 
+    void set_sizes();
+    const Hair& hair(int strand) const { return hairs_[static_cast<std::size_t>(strand - regular())]; }
     void find_loops(std::uint64_t stream); ///< in order along the yarn
     /// The first of a fibre's loops that can reach a place.
     const Loop* first_loop(std::size_t fibre, float along) const;
@@ -107,10 +109,11 @@ private:
     YarnKind kind_;
     int yarn_;
     const YarnType& type_;
-    int fibres_ = 0;
+    int fibres_ = 0, cores_ = 0;
     std::size_t rings_ = 0;
-    double fibre_radius_ = 0, hair_radius_ = 0;
+    double fibre_radius_ = 0, core_radius_ = 0, hair_radius_ = 0;
     float core_ = 0;       ///< how much denser the axis is than the mean
+    float hole_ = 0;       ///< squared share of the radius that the core takes
     float inner_ = 1;      ///< share of the section's half axes that fibres' middles reach
     float migration_ = 0;  ///< m of yarn from surface to surface
     float loop_reach_ = 0; ///< m, from a loop's middle to where its fibre is back in the yarn

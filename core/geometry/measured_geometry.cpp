@@ -322,12 +322,12 @@ MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric, co
     r2 = open > 0 ? r2 / open : 0;
     const auto across = [&](YarnKind kind) {
         const YarnType& type = textile.type(kind, 0);
-        return permeability_across(metre_from_um(type.fibre.fibre_radius_um), type.packing);
+        return permeability_across(metre_from_um(type.fibre.fibre_radius_um), type.packing_round_core());
     };
     const auto along = [&](YarnKind kind, const MeasuredYarn& yarn) {
         const YarnType& type = textile.type(kind, 0);
-        const double share = type.area / (textile.system(kind).pitch * metre_from_mm(m.yarn_layer_thickness_mm));
-        return share * permeability_along(metre_from_um(type.fibre.fibre_radius_um), type.packing) /
+        const double share = (type.area - type.core_area()) / (textile.system(kind).pitch * metre_from_mm(m.yarn_layer_thickness_mm));
+        return share * permeability_along(metre_from_um(type.fibre.fibre_radius_um), type.packing_round_core()) /
                std::pow(1 + 0.01 * yarn.crimp_percent, 2);
     };
     m.permeability = {through(open / area, r2, 0.5 * (across(YarnKind::warp) + across(YarnKind::weft))), along(YarnKind::warp, m.warp),

@@ -90,11 +90,13 @@ YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fit
     type.area = section_area(type.section);
     type.packing = fitted.packing_factor * fibre_scale;
     type.fibre = fitted.fibre;
-    const double pore_radius_um = type.fibre.fibre_radius_um * (1 - type.packing) / type.packing;
+    type.core = fitted.core;
+    const double packing = type.packing_round_core(), pore_radius_um = type.fibre.fibre_radius_um * (1 - packing) / packing;
     type.pore_radius = metre_from_um(fabric.measured.capillary_radius_um.value_or(pore_radius_um));
     type.tortuosity = fabric.measured.tortuosity.value_or(default_tortuosity);
     type.contact_angle = radian_from_degree(fabric.contact_angle_deg.value_or(type.fibre.contact_angle_deg));
-    type.helix_tortuosity = fabric.measured.tortuosity.value_or(helix_tortuosity(yarn, fitted.free.diameter));
+    type.helix_tortuosity =
+        fabric.measured.tortuosity.value_or(helix_tortuosity(yarn, fitted.free.diameter, fitted.free.packing_factor * fitted.core));
     type.receding_angle = radian_from_degree(fitted.receding_angle_deg);
     type.perimeter_factor = type.fibre.cross_section.perimeter_factor;
     type.irregularity_cv = yarn.irregularity_cv;

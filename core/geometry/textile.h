@@ -24,7 +24,8 @@ struct YarnPath {
 struct YarnType {
     Section section;        ///< m, at a crossing
     double area = 0;        ///< m2, of the section with its pores
-    double packing = 0;     ///< fibre volume / yarn volume, in the fabric
+    double packing = 0;     ///< fibre volume / yarn volume, in the fabric; a core counts as fibre
+    double core = 0;        ///< share of that fibre volume that is a solid core in the middle
     double pore_radius = 0; ///< m, effective, between the fibres
     double tortuosity = 1;
     double helix_tortuosity = 1; ///< as the fabric gives it, else of twist and plies on the free diameter, see helix_tortuosity()
@@ -32,11 +33,14 @@ struct YarnType {
     double receding_angle = 0;   ///< radian, at most the contact angle
     double perimeter_factor = 1; ///< of a fibre's section: perimeter over that of a circle of the same area
     double irregularity_cv = 0;  ///< coefficient of variation of the linear density along the yarn
-    Material fibre;              ///< the blend's mean substance
+    Material fibre;              ///< the yarn's mean substance, see yarn_substance()
     int fibres = 30;             ///< drawn
     int plies = 1;
-    double twist = 0;                     ///< turns per m of yarn, more than 0 for Z
-    double ply_twist = 0;                 ///< the same of the plies
+    double twist = 0;     ///< turns per m of yarn, more than 0 for Z
+    double ply_twist = 0; ///< the same of the plies
+    double core_area() const { return area * packing * core; }
+    /// Of the fibres in the room that the core leaves them, where the pores are.
+    double packing_round_core() const { return hygroloom::packing_round_core(packing, core); }
     double fibre_length = 1;              ///< of untwisted fibres over the yarn's: they run in and out where the section is squeezed
     std::vector<double> rise;             ///< m, height of the centreline over the middle plane at a crossing, per type it crosses
     std::vector<double> length_per_pitch; ///< mean, per type it crosses: 1 + crimp

@@ -132,10 +132,10 @@ private:
     double drawn_by_suction(const YarnType& type, double contact_angle) const
     {
         const double radius = metre_from_um(type.fibre.fibre_radius_um) / type.perimeter_factor;
-        const PoreClosure pores =
-            pores_of_bundle(type.packing, radius, b_.liquid.surface_tension, contact_angle, std::min(type.receding_angle, contact_angle));
-        return gate_of_dry_fibres(type.packing, contact_angle) * permeability_along(radius, type.packing) * type.area *
-               pores.entry_suction / (b_.liquid.viscosity * type.helix_tortuosity);
+        const PoreClosure pores = pores_of_bundle(type.packing_round_core(), radius, b_.liquid.surface_tension, contact_angle,
+                                                  std::min(type.receding_angle, contact_angle));
+        return gate_of_dry_fibres(type.packing_round_core(), contact_angle) * permeability_along(radius, type.packing_round_core()) *
+               (type.area - type.core_area()) * pores.entry_suction / (b_.liquid.viscosity * type.helix_tortuosity);
     }
     /// The room between the yarns, of the first of either system.
     void look_between(const Textile& textile)
@@ -143,8 +143,8 @@ private:
         const auto yarn = [&](const YarnSystem& system, const YarnSystem& crossed) {
             const YarnType& type = system.types.front();
             const double angle = angle_on(textile, type);
-            return CrossingYarn{type.section.width, type.section.height, type.area, crossed.pitch * type.length_per_pitch.front(),
-                                crossed.pitch,      type.packing,        angle,     std::min(type.receding_angle, angle)};
+            return CrossingYarn{type.section.width, type.section.height,       type.area, crossed.pitch * type.length_per_pitch.front(),
+                                crossed.pitch,      type.packing_round_core(), angle,     std::min(type.receding_angle, angle)};
         };
         const RoomBetweenYarns room =
             room_between(yarn(textile.warp, textile.weft), yarn(textile.weft, textile.warp), textile.thickness, b_.liquid.surface_tension);

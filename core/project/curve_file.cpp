@@ -30,6 +30,7 @@ std::string radius_remark(const ExportJob& job)
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
         for (const YarnType& type : job.textile.system(kind).types) {
             meet(job.lines() ? yarn_radius(type) : drawn_fibre_radius(type));
+            if (!job.lines() && type.core > 0) meet(drawn_core_radius(type));
             if (!job.lines() && hairs) meet(metre_from_um(type.fibre.fibre_radius_um));
         }
     const std::string from = fmt::format("{:.5f}", 1e3 * least), to = fmt::format("{:.5f}", 1e3 * most);

@@ -94,7 +94,7 @@ Preset preset_of(const Design& design, const Fabric& fabric, const std::string& 
     for (const Material& material : design.materials) {
         bool used = false;
         each_yarn(preset.design.fabrics[0], [&](const Yarn& yarn) {
-            for (const MaterialShare& part : yarn.material) used = used || part.name == material.name;
+            for (const std::string& name : materials_in(yarn)) used = used || name == material.name;
         });
         if (used) preset.design.materials.push_back(material);
     }
@@ -115,6 +115,7 @@ std::size_t add_preset(Design& design, const Preset& preset)
         each_yarn(fabric, [&](Yarn& yarn) {
             for (MaterialShare& part : yarn.material)
                 if (part.name == material.name) part.name = added.name;
+            if (yarn.core && yarn.core->material == material.name) yarn.core->material = added.name;
         });
     }
     fabric.name = name_beside(design.fabrics, fabric.name);

@@ -168,6 +168,12 @@ Yarn read_yarn(const ProjectJson& value, const std::string& file, const std::str
     ObjectReader object(value, file, path);
     Yarn yarn;
     if (const ProjectJson* material = object.find("material")) yarn.material = read_blend(*material, file, object.path_of("material"));
+    if (const ProjectJson* given = object.find("core")) {
+        ObjectReader core(*given, file, object.path_of("core"));
+        core.read("material", yarn.core.emplace().material);
+        core.read("share", yarn.core->share);
+        core.finish({"material", "share"});
+    }
     object.read("diameter_mm", yarn.diameter_mm);
     object.read("linear_density_tex", yarn.linear_density_tex);
     object.read("packing_factor", yarn.packing_factor);

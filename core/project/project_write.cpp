@@ -62,6 +62,7 @@ ProjectJson write_yarn(const Yarn& yarn)
         json["material"] = ProjectJson::array();
         for (const MaterialShare& part : yarn.material) json["material"].push_back({{"name", part.name}, {"share", part.share}});
     }
+    if (yarn.core) json["core"] = {{"material", yarn.core->material}, {"share", yarn.core->share}};
     write_if_given(json, "diameter_mm", yarn.diameter_mm);
     write_if_given(json, "linear_density_tex", yarn.linear_density_tex);
     write_if_given(json, "packing_factor", yarn.packing_factor);

@@ -69,8 +69,8 @@ PoreFlow paper_flow(const YarnType& type, const ClimateParameters& climate)
 /// their inverse), and as much as the fibre's regain is of cotton's, the fibre of its table A1.
 double paper_uptake(const YarnType& type)
 {
-    return paper_pore_radius / bundle_pore_radius(metre_from_um(type.fibre.fibre_radius_um), type.packing) * type.fibre.standard_regain /
-           find_library_material("cotton")->standard_regain;
+    return paper_pore_radius / bundle_pore_radius(metre_from_um(type.fibre.fibre_radius_um), type.packing_round_core()) *
+           type.fibre.standard_regain / find_library_material("cotton")->standard_regain;
 }
 
 PoreFlow flow_in(const YarnType& type, Closure closure, const ClimateParameters& climate)
@@ -108,10 +108,10 @@ YarnParameters make_yarn(const YarnType& type, double crossing_pitch, Closure cl
     yarn.initial_regain = yarn.resting_regain = equilibrium_regain(yarn.isotherm, climate.humidity, climate.temperature);
     if (yarn.liquid_diffusivity > 0) {
         const bool paper = closure == Closure::paper;
-        const double own_radius = paper ? bundle_pore_radius(yarn.fibre_radius, type.packing) : type.pore_radius;
+        const double own_radius = paper ? bundle_pore_radius(yarn.fibre_radius, type.packing_round_core()) : type.pore_radius;
         yarn.suction_radius = (paper ? paper_pore_radius : type.pore_radius) / std::cos(type.contact_angle);
         // Darcy flow across the fibres from the skin to half-way to the yarn's middle.
-        yarn.intake_flux = climate.density * permeability_across(yarn.fibre_radius, type.packing) *
+        yarn.intake_flux = climate.density * permeability_across(yarn.fibre_radius, type.packing_round_core()) *
                            capillary_pressure(climate.surface_tension, type.contact_angle, own_radius) /
                            (climate.viscosity * 0.25 * type.section.height);
         if (paper) yarn.intake_flux *= paper_uptake(type);
@@ -128,8 +128,8 @@ CrossingParameters make_crossing(const YarnType& warp_type, const YarnType& weft
     const auto in_series = [&](double a, double b) { return a > 0 && b > 0 ? area / (half_warp / a + half_weft / b) : 0.0; };
     // The obstruction of the crossing: how much less permeable a bundle is across its fibres than along them (Gebart).
     const auto across = [](const YarnType& type, const YarnParameters& yarn) {
-        const double obstruction =
-            permeability_across(yarn.fibre_radius, type.packing) / permeability_along(yarn.fibre_radius, type.packing);
+        const double obstruction = permeability_across(yarn.fibre_radius, type.packing_round_core()) /
+                                   permeability_along(yarn.fibre_radius, type.packing_round_core());
         return yarn.liquid_diffusivity * obstruction * (1.0 - type.packing);
     };
     CrossingParameters crossing;

@@ -4,6 +4,7 @@ target_sources(hygroloom_core PRIVATE
   scene/coarse_scene.cpp
   scene/liquid_points.cpp
   scene/scene.cpp
+  scene/shown_quantity.cpp
   scene/skin.cpp
   scene/suction.cpp
   scene/unevenness.cpp

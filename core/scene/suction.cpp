@@ -17,7 +17,7 @@ double fibre_radius(const YarnType& type) { return metre_from_um(type.fibre.fibr
 
 double across_per_viscosity(const YarnType& type, const LiquidInPores& liquid)
 {
-    return permeability_across(fibre_radius(type), type.packing) / liquid.viscosity;
+    return permeability_across(fibre_radius(type), type.packing_round_core()) / liquid.viscosity;
 }
 
 /// Contact angles on one face, advancing and receding; a finish keeps the fibre's difference of both.
@@ -38,8 +38,9 @@ Angles for_curves(const Angles& angles)
 WettedPores wetted_pores(const YarnType& type, const Angles& angles, const LiquidInPores& liquid, double between_hairs)
 {
     const Angles held = for_curves(angles);
-    return {retention_of(pores_of_bundle(type.packing, fibre_radius(type), liquid.surface_tension, held.advancing, held.receding)),
-            gate_of_dry_fibres(type.packing, angles.advancing), between_hairs};
+    return {
+        retention_of(pores_of_bundle(type.packing_round_core(), fibre_radius(type), liquid.surface_tension, held.advancing, held.receding)),
+        gate_of_dry_fibres(type.packing_round_core(), angles.advancing), between_hairs};
 }
 
 /// Its angles are the mean of both faces.
@@ -51,7 +52,7 @@ CrossingYarn crossing_yarn(const YarnType& type, const Textile& textile, double 
             type.area,
             pitch * type.length_per_pitch[crossed],
             pitch,
-            type.packing,
+            type.packing_round_core(),
             0.5 * (back.advancing + face.advancing),
             0.5 * (back.receding + face.receding)};
 }
@@ -66,11 +67,11 @@ double attraction(const YarnType& type, const CrossingYarn& yarn, const std::opt
 
 YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, double pitch, const LiquidInPores& liquid)
 {
-    const double across = across_per_viscosity(type, liquid), along = permeability_along(fibre_radius(type), type.packing);
+    const double across = across_per_viscosity(type, liquid), along = permeability_along(fibre_radius(type), type.packing_round_core());
     const double between_hairs = share_between_hairs(textile.quantities.hair_surface);
     return {wetted_pores(type, angles_on(type, textile.back_angle), liquid, between_hairs),
             wetted_pores(type, angles_on(type, textile.face_angle), liquid, between_hairs),
-            along * type.area / (liquid.viscosity * type.helix_tortuosity),
+            along * (type.area - type.core_area()) / (liquid.viscosity * type.helix_tortuosity),
             type.section.width * pitch * across / (0.25 * type.section.height)};
 }
 

@@ -4870,7 +4870,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
 </context>
 <context>
-    <name>hygroloom::LessonFilm</name>
+    <name>hygroloom::Film</name>
     <message>
         <source>MP4 needs the program ffmpeg, which is not installed. Save pictures instead, or install it: apt install ffmpeg.</source>
         <translation>MP4 braucht das Programm ffmpeg, das nicht installiert ist. Sichern Sie stattdessen Bilder, oder installieren Sie es: apt install ffmpeg.</translation>

@@ -69,6 +69,7 @@ inline Design rich()
     Fabric fabric = design.fabrics[0];
     fabric.name = "satin";
     fabric.warp.material = {{own.name, 0.1 + 0.2}, {"free", 0.7}};
+    fabric.warp.core = YarnCore{own.name, 0.1 + 0.02};
     fabric.warp.linear_density_tex = 24.3;
     fabric.warp.packing_factor = 0.1 + 0.7;
     fabric.weft.twist_direction = TwistDirection::s;

@@ -116,19 +116,42 @@ private Q_SLOTS:
         QTest::newRow("hard") << 2000.0 << 1;
         QTest::newRow("two plies") << 800.0 << 2;
         QTest::newRow("five plies") << 800.0 << 5;
+        QTest::newRow("round a core") << 800.0 << 1;
+        QTest::newRow("two plies, each round a core") << 800.0 << 2;
     }
     void fibresTogetherHaveTheYarnsFibreVolume()
     {
         QFETCH(double, twist);
         QFETCH(int, plies);
-        const Textile textile = part(straight_weft(twist, plies), {0, 0, 60, 4});
+        Design design = straight_weft(twist, plies);
+        const bool core = QString(QTest::currentDataTag()).contains("core");
+        if (core) design.fabrics[0].weft.core = YarnCore{"elastane", 0.1};
+        const Textile textile = part(design, {0, 0, 60, 4});
         const YarnType& type = textile.weft.types[0];
         const YarnFibres fibres(textile, fine, YarnKind::weft, 1, 0, 60);
+        QCOMPARE(fibres.regular(), type.fibres + (core ? plies : 0));
         double volume = 0;
         for (int strand = 0; strand < fibres.regular(); ++strand)
             volume += length_of(curve_of(fibres, strand)) * pi * fibres.radius(strand) * fibres.radius(strand);
         const double expected = type.area * type.packing * 60 * textile.warp.pitch;
         QVERIFY2(std::abs(volume / expected - 1) < 0.02, qPrintable(QString::number(volume / expected)));
+    }
+    void theCoreLiesInTheMiddleAndTheFibresRoundIt()
+    {
+        Design design = straight_weft(800);
+        design.fabrics[0].weft.core = YarnCore{"elastane", 0.1};
+        const Textile textile = part(design, {0, 0, 60, 4});
+        const YarnType& type = textile.weft.types[0];
+        const YarnFibres fibres(textile, fine, YarnKind::weft, 1, 0, 60);
+        const int core = fibres.regular() - 1;
+        QVERIFY(fibres.is_core(core) && !fibres.is_core(core - 1) && !fibres.is_hair(core));
+        QVERIFY(std::abs(pi * fibres.radius(core) * fibres.radius(core) - type.core_area()) < 1e-6 * type.core_area());
+        const auto from_axis = [&](const Vec3d& p) {
+            return std::hypot(p.y - textile.y_of_pick(1), p.z - textile.height_at_crossing(YarnKind::weft, 1, 1));
+        };
+        for (const Vec3d& p : curve_of(fibres, core)) QVERIFY(from_axis(p) < 1e-9);
+        for (int strand = 0; strand < core; ++strand)
+            for (const Vec3d& p : curve_of(fibres, strand)) QVERIFY(from_axis(p) > 0.85 * fibres.radius(core));
     }
     void packingFallsFromTheMiddleOutwards()
     {

@@ -63,6 +63,7 @@ struct Change {
 #define RUN "/experiments/0/"
 #define DRAFT FABRIC "weave/draft/"
 const char* const gab = R"({ "monolayer_regain": 0.05, "c": 10, "k": 0.75 })";
+const char* const spun_round = R"({ "material": "elastane", "share": 0.1 })";
 const char* const halves = R"([{ "name": "fibre", "share": 0.5 }, { "name": "other", "share": 0.5 }])";
 const char* const treadled = R"({ "pattern": null, "draft":
     { "shafts": 3, "treadles": 3, "threading": [1, 2, 3], "tie_up": [[1], [2], [3]], "treadling": [1, 2, 3] } })";
@@ -91,6 +92,9 @@ const Change changes[] = {
     {"yarn.material", WARP "material", R"("other")"},
     {"blend.name", WARP "material/1/name", R"("polyester")", WARP "material", halves},
     {"blend.share", WARP "material", R"([{ "name": "fibre", "share": 0.7 }, { "name": "other", "share": 0.3 }])", WARP "material", halves},
+    {"yarn.core", WARP "core", spun_round},
+    {"yarn.core.material", WARP "core/material", R"("polypropylene")", WARP "core", spun_round},
+    {"yarn.core.share", WARP "core/share", "0.2", WARP "core", spun_round},
     {"yarn.diameter_mm", WARP "diameter_mm", "0.6"},
     {"yarn.linear_density_tex", WARP "linear_density_tex", "160", WARP "packing_factor", "null"},
     {"yarn.packing_factor", WARP "packing_factor", "0.6"},

@@ -245,7 +245,7 @@ private Q_SLOTS:
         const auto answer = [this](const char* button, QString* asked) {
             QTimer::singleShot(0, this, [button, asked] {
                 if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-                    *asked = box->text();
+                    *asked = box->text() + " " + box->informativeText();
                     for (QAbstractButton* one : box->buttons()) {
                         if (one->text().remove('&') == button) {
                             one->click();

@@ -160,7 +160,7 @@ private Q_SLOTS:
         dialog_->setFile(old.fileName());
         QSignalSpy ended(dialog_.get(), &ExportDialog::ended);
         QTimer::singleShot(0, this, [] {
-            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) { box->button(QMessageBox::Yes)->click(); }
+            if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) { box->button(QMessageBox::Ok)->click(); }
         });
         button("Export")->click();
         QVERIFY(dialog_->writing());
@@ -206,7 +206,7 @@ private Q_SLOTS:
             dialog_->setFile(folder_->filePath(name));
             for (const bool estimated : {false, true}) {
                 if (estimated) { waitForText("Size of the export", "about"); }
-                const QString asked = startAnswering(QMessageBox::No);
+                const QString asked = startAnswering(QMessageBox::Cancel);
                 QVERIFY2(asked.startsWith(QString(beside) + " already exists."), qPrintable(asked));
                 QVERIFY(!dialog_->writing());
                 QCOMPARE(contents(beside), QByteArray("of another program"));
@@ -218,7 +218,7 @@ private Q_SLOTS:
     {
         dialog_->setFile(folder_->filePath("cloth.obj"));
         write();
-        const QString asked = startAnswering(QMessageBox::No);
+        const QString asked = startAnswering(QMessageBox::Cancel);
         QVERIFY2(asked.startsWith("cloth.obj and cloth.mtl already exist."), qPrintable(asked));
         QVERIFY(!dialog_->writing());
     }
@@ -232,7 +232,7 @@ private Q_SLOTS:
         write();
         QVERIFY(QFile::exists(folder_->filePath("a/cloth.ply")));
         QCOMPARE(text("File"), QDir::toNativeSeparators(folder_->filePath("a/cloth.ply")));
-        QVERIFY(startAnswering(QMessageBox::Yes).startsWith("cloth.ply already exists."));
+        QVERIFY(startAnswering(QMessageBox::Ok).startsWith("cloth.ply already exists."));
         QTRY_VERIFY_WITH_TIMEOUT(!dialog_->writing(), 10000);
         QVERIFY(!QFile::exists(folder_->filePath("a/a/cloth.ply")));
     }
@@ -260,7 +260,7 @@ private Q_SLOTS:
             QVERIFY2(label->textFormat() == Qt::PlainText || !Qt::mightBeRichText(label->text()), qPrintable(label->text()));
         }
         Qt::TextFormat format = Qt::AutoText;
-        QVERIFY(startAnswering(QMessageBox::No, &format).contains("a<i>b.gltf"));
+        QVERIFY(startAnswering(QMessageBox::Cancel, &format).contains("a<i>b.gltf"));
         QCOMPARE(format, Qt::PlainText);
     }
 
@@ -273,8 +273,8 @@ private Q_SLOTS:
         bool byDefault = false;
         QTimer::singleShot(0, this, [&byDefault] {
             if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
-                byDefault = box->defaultButton() == box->button(QMessageBox::No);
-                box->button(QMessageBox::No)->click();
+                byDefault = box->defaultButton() == box->button(QMessageBox::Cancel);
+                box->button(QMessageBox::Cancel)->click();
             }
         });
         dialog_->start();

@@ -2,10 +2,10 @@
 // The lesson on screen: a click is seen at once and becomes water on its cloth, words add up, steps go on, and films are written.
 #include "core/base/units.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/film.h"
 #include "ui/document/document.h"
 #include "ui/lesson/cloth_choice.h"
 #include "ui/lesson/lesson_controls.h"
-#include "ui/lesson/lesson_film.h"
 #include "ui/lesson/lesson_scene.h"
 #include "ui/lesson/lesson_steps.h"
 #include "ui/lesson/lesson_window.h"
@@ -212,8 +212,8 @@ private Q_SLOTS:
     void picturesAndFilmsAreWritten()
     {
         QTemporaryDir folder;
-        LessonFilm film;
-        QSignalSpy finished(&film, &LessonFilm::finished), failed(&film, &LessonFilm::failed);
+        Film film("lesson");
+        QSignalSpy finished(&film, &Film::finished), failed(&film, &Film::failed);
         QImage picture(41, 30, QImage::Format_RGB32);
         picture.fill(Qt::darkCyan);
         film.startPictures(folder.path());

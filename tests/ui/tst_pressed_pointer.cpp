@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Nothing moves under a pressed pointer: what is drawn on or dragged keeps its place and size while the rest follows. Needs a display:
 // xvfb-run.
+#include "ui/panels/candidates_panel.h"
 #include "ui/picture/view_bar.h"
 #include "ui/results/timeline.h"
 #include "ui/weave/draft_editor.h"
@@ -12,6 +13,7 @@
 #include "window_test.h"
 
 #include <QDockWidget>
+#include <QListWidget>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSlider>
@@ -105,6 +107,36 @@ private Q_SLOTS:
             QTest::qWait(20);
             QCOMPARE(placeOf(slider), place);
         }
+    }
+
+    void candidatesStayWhileOneIsChosen_data()
+    {
+        QTest::addColumn<int>("workspace");
+        QTest::newRow("design") << static_cast<int>(Workspace::design);
+        QTest::newRow("simulate") << static_cast<int>(Workspace::simulate);
+        QTest::newRow("compare") << static_cast<int>(Workspace::compare);
+    }
+    void candidatesStayWhileOneIsChosen()
+    {
+        QFETCH(int, workspace);
+        QVERIFY(window_->openFile(example("three-candidates")));
+        window_->setWorkspace(static_cast<Workspace>(workspace));
+        QDockWidget* dock = window_->design().docks().candidates;
+        dock->show();
+        QTest::qWait(300);
+        auto* list = window_->design().candidates().findChild<QListWidget*>();
+        QVERIFY(list->isVisible() && list->count() == 3);
+        const QRect place = placeOf(list->viewport());
+        for (const int row : {1, 2, 0}) {
+            const QPoint at = list->visualItemRect(list->item(row)).center();
+            QVERIFY(list->viewport()->rect().contains(at));
+            QTest::mousePress(list->viewport(), Qt::LeftButton, {}, at);
+            QCOMPARE(window_->document().fabricIndex(), row);
+            QTest::qWait(300); // the picture and the fields follow
+            QCOMPARE(placeOf(list->viewport()), place);
+            QTest::mouseRelease(list->viewport(), Qt::LeftButton, {}, at);
+        }
+        window_->setWorkspace(Workspace::design);
     }
 
     void runPauseAndStopKeepTheirPlaces()

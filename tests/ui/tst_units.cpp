@@ -60,6 +60,21 @@ private Q_SLOTS:
         QVERIFY(std::abs(*diameter.parse(diameter.text(0.2123)) - 0.2123) < 1e-4);
     }
 
+    void calculatedNumbersTakeThePreferredUnit()
+    {
+        QCOMPARE(userUnit("°C").of(20), 20.0);
+        prefer(&Preferences::degrees, 1);
+        QCOMPARE(userUnit("°C").of(20), 68.0);
+        QCOMPARE(userUnit("°C").unit, QString("°F"));
+        prefer(&Preferences::yarn, 1);
+        QVERIFY(std::abs(userUnit("tex").of(29.525) - 20) < 0.01);
+        prefer(&Preferences::yarn, 3);
+        QCOMPARE(userUnit("tex").of(10), 90.0);
+        prefer(&Preferences::sett, 1);
+        QCOMPARE(userUnit("/cm").of(10), 25.4);
+        QCOMPARE(userUnit("g/m²").of(10), 10.0);
+    }
+
     void yarnsAreShownByThePreferredCount_data()
     {
         QTest::addColumn<int>("choice");

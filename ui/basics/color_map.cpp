@@ -19,6 +19,7 @@ using Stops = std::array<std::array<double, 3>, 7>;
 
 // Lightness falls evenly from one end to the other in both.
 constexpr Stops blue_stops{{{229, 241, 250}, {186, 217, 239}, {132, 188, 224}, {80, 153, 204}, {39, 113, 178}, {15, 74, 141}, {5, 38, 92}}};
+constexpr Stops warmth_stops{{{255, 243, 205}, {254, 216, 145}, {252, 175, 98}, {238, 122, 67}, {208, 70, 51}, {158, 30, 46}, {98, 8, 38}}};
 constexpr Stops difference_stops{
     {{122, 66, 5}, {184, 115, 28}, {226, 183, 118}, {247, 243, 236}, {138, 187, 222}, {45, 118, 181}, {8, 54, 118}}};
 constexpr Stops cividis_stops{
@@ -78,7 +79,11 @@ int decimalsOf(double maximum) { return maximum >= 20 ? 0 : maximum >= 2 ? 1 : m
 
 } // namespace
 
-QColor waterColor(double share, WaterColors colors) { return colorAt(share, colors == WaterColors::cividis ? cividis_stops : blue_stops); }
+QColor waterColor(double share, WaterColors colors)
+{
+    if (colors == WaterColors::warmth) { return colorAt(share, warmth_stops); }
+    return colorAt(share, colors == WaterColors::cividis ? cividis_stops : blue_stops);
+}
 
 QColor differenceColor(double share) { return colorAt(0.5 + 0.5 * share, difference_stops); }
 
@@ -103,10 +108,17 @@ double roundedUp(double value)
 
 void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit, WaterColors colors)
 {
+    drawLegend(painter, area, title, 0, maximum, unit, colors);
+}
+
+void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double minimum, double maximum, const QString& unit,
+                WaterColors colors)
+{
     const QRectF bar = drawBar(painter, area, title, [colors](double share) { return waterColor(share, colors); });
-    const int decimals = decimalsOf(maximum);
+    const int decimals = decimalsOf(maximum - minimum);
     drawTicks(painter, bar,
-              {shownNumber(0, 0), shownNumber(0.5 * maximum, decimals), shownNumber(maximum, decimals) + QChar(0x00a0) + unit});
+              {shownNumber(minimum, decimals), shownNumber(0.5 * (minimum + maximum), decimals),
+               shownNumber(maximum, decimals) + QChar(0x00a0) + unit});
 }
 
 void drawDifferenceLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit)

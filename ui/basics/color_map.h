@@ -12,8 +12,8 @@ class QPalette;
 
 namespace hygroloom {
 
-/// natural: wet cloth is darker, in three dimensions; maps stay blue.
-enum class WaterColors { blue, cividis, natural };
+/// natural: wet cloth is darker, in three dimensions; maps stay blue. warmth is for temperatures: pale is cool, dark red is warm.
+enum class WaterColors { blue, cividis, natural, warmth };
 
 /// 0..1, clamped; light is little, dark is much.
 QColor waterColor(double share, WaterColors colors = WaterColors::blue);
@@ -30,6 +30,9 @@ double roundedUp(double value);
 
 /// A bar from zero to maximum with its unit; right of the bar the numbers.
 void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit, WaterColors colors);
+/// The same from another number than zero.
+void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double minimum, double maximum, const QString& unit,
+                WaterColors colors);
 /// A bar from -maximum to maximum, with 0 in the middle and its unit.
 void drawDifferenceLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit);
 /// How many pixels drawScaleBar() takes.

@@ -257,6 +257,7 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "initial"),
     QT_TRANSLATE_NOOP("core", "finish face"),
     QT_TRANSLATE_NOOP("core", "finish back"),
+    QT_TRANSLATE_NOOP("core", "core"),
     // Knobs and fidelities: core/plan/fidelity.cpp.
     QT_TRANSLATE_NOOP("core", "particles per droplet"),
     QT_TRANSLATE_NOOP("core", "fibre shells"),

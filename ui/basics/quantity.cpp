@@ -60,7 +60,13 @@ QString inFull(double value) { return ungrouped().toString(value, 'g', 10); }
 
 UserUnit userUnit(const QString& unit)
 {
-    const int length = preferences().length;
+    const Preferences chosen = preferences();
+    if (unit == "°C" && chosen.degrees == 1) { return {"°F", 1.8, 32}; }
+    if (unit == "/cm" && chosen.sett == 1) { return {"/in", 2.54}; }
+    if (unit == "tex" && chosen.yarn == 1) { return {"Ne", ne_from_tex(1), 0, true}; }
+    if (unit == "tex" && chosen.yarn == 2) { return {"Nm", 1000, 0, true}; }
+    if (unit == "tex" && chosen.yarn == 3) { return {"den", 9}; }
+    const int length = chosen.length;
     if (length == 0 || (unit != "mm" && unit != "mm/s")) { return {unit, 1}; }
     const bool inches = static_cast<LengthUnit>(length) == LengthUnit::inch;
     return {QString(unit).replace("mm", inches ? "in" : "cm"), inches ? 1 / 25.4 : 0.1};
@@ -69,7 +75,7 @@ UserUnit userUnit(const QString& unit)
 QString valueText(double value, const QString& unit, bool full)
 {
     const UserUnit user = userUnit(unit);
-    const QString number = full ? inFull(value * user.per_one) : significant(value * user.per_one);
+    const QString number = full ? inFull(user.of(value)) : significant(user.of(value));
     return user.unit.isEmpty() || user.unit == "°" ? number + user.unit : number + QChar(0x00a0) + user.unit;
 }
 

@@ -78,12 +78,17 @@ QString significant(double value);
 /// The number as it was computed, to be said where the short one is pointed at.
 QString inFull(double value);
 
-/// A value with its unit, in the user's unit where it is a length ("mm") or a speed ("mm/s"): three significant digits, or all.
+/// A value with its unit, in the user's unit where it is a length ("mm"), a speed ("mm/s") or a temperature ("°C"): three significant
+/// digits, or all.
 QString valueText(double value, const QString& unit, bool full = false);
-/// The user's unit of a value in that one, and how many of it one is.
+/// The user's unit of a value in that one ("mm", "mm/s", "°C", "tex", "/cm"), how many of it one is, and what zero is in it; of a count
+/// the number over the value.
 struct UserUnit {
     QString unit;
     double per_one = 1;
+    double at_zero = 0;
+    bool inverse = false;
+    double of(double value) const { return inverse ? per_one / value : value * per_one + at_zero; }
 };
 UserUnit userUnit(const QString& unit);
 

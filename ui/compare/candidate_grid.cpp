@@ -5,6 +5,7 @@
 #include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
 #include "ui/basics/words.h"
+#include "ui/results/report_file.h"
 
 #include <QLocale>
 
@@ -16,10 +17,17 @@ namespace hygroloom {
 
 namespace {
 
-ShownValue inUserUnit(ShownValue value)
+ShownValue inUserUnit(const ShownValue& value)
 {
-    const UserUnit user = userUnit(QString::fromStdString(value.unit));
-    return {value.value * user.per_one, user.unit.toStdString()};
+    const ReaderUnit user = unitsOfReader()(value.unit);
+    return {user.of(value.value), user.unit};
+}
+
+/// Of a difference of two values.
+ShownValue differenceInUserUnit(const ShownValue& value)
+{
+    const ReaderUnit user = unitsOfReader()(value.unit);
+    return {user.per_one * value.value, user.unit};
 }
 
 GridColumn columnOf(const OutcomeInfo& info)
@@ -56,7 +64,7 @@ void addVerdict(GridCell& cell, const Comparison& comparison, const Candidate& c
     if (!found) { return; }
     cell.verdict = verdictText(found->verdict);
     const QString base = QString::fromStdString(comparison.baseline);
-    const ShownValue low = inUserUnit(shown(info, found->low)), high = inUserUnit(shown(info, found->high));
+    const ShownValue low = differenceInUserUnit(shown(info, found->low)), high = differenceInUserUnit(shown(info, found->high));
     const int decimals = decimals_for(std::max(std::abs(low.value), std::abs(high.value)), 2);
     cell.tip += "\n" + tr("Difference to %1: %2 to %3 %4, from %5.")
                            .arg(base, shownNumber(low.value, decimals), shownNumber(high.value, decimals), QString::fromStdString(low.unit),
@@ -75,15 +83,6 @@ QString measuredText(const Comparison& comparison, const std::string& fabric, co
         text += QStringLiteral(" ± ") + shownNumber(spread, decimals_for(std::abs(value.value), 3));
     }
     return value.unit.empty() ? text : text + QChar(0x00a0) + QString::fromStdString(value.unit);
-}
-
-ShownInterval inUserUnit(ShownInterval seen)
-{
-    const UserUnit user = userUnit(QString::fromStdString(seen.unit));
-    for (double* number : {&seen.value, &seen.low, &seen.high, &seen.half}) { *number *= user.per_one; }
-    seen.decimals += static_cast<int>(std::lround(-std::log10(user.per_one)));
-    seen.unit = user.unit.toStdString();
-    return seen;
 }
 
 GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const OutcomeInfo& info)
@@ -107,7 +106,7 @@ GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const Outc
         return cell;
     }
     const Interval& interval = found->second;
-    const ShownInterval seen = inUserUnit(shown(info, interval));
+    const ShownInterval seen = in_unit(shown(info, interval), unitsOfReader()(shown(info, 0.0).unit));
     cell.state = GridCell::State::number;
     cell.value = seen.value;
     cell.low = seen.low;

@@ -5,6 +5,7 @@
 
 #include "ui/basics/core_words.h"
 #include "ui/basics/words.h"
+#include "ui/results/report_file.h"
 
 #include <QCoreApplication>
 
@@ -67,7 +68,8 @@ QString numberText(const Candidate& candidate, const OutcomeInfo& criterion)
 {
     const auto found = candidate.intervals.find(criterion.key);
     if (found == candidate.intervals.end()) { return {}; }
-    const std::string text = with_interval(criterion, found->second) + " " + shown(criterion, found->second).unit;
+    const ReaderUnits units = unitsOfReader();
+    const std::string text = with_interval(criterion, found->second, units) + " " + units(shown(criterion, found->second).unit).unit;
     return QString::fromStdString(text).trimmed();
 }
 
@@ -117,7 +119,8 @@ std::vector<CurveChoice> curvesOf(ExperimentType type, const std::vector<std::sh
             };
             if (std::none_of(runs.begin(), runs.end(), is_seen)) { continue; }
             const QString name = plot->curves.size() == 1 ? coreWord(plot->title) : coreTitle(plot->title, curve.name);
-            choices.push_back({plot, curve, QString("%1 (%2)").arg(name, coreWord(plot->unit))});
+            const UserUnit unit = userUnit(plot->unit);
+            choices.push_back({plot, curve, QString("%1 (%2)").arg(name, coreWord(unit.unit)), unit});
         }
     }
     return choices;
@@ -126,7 +129,8 @@ std::vector<CurveChoice> curvesOf(ExperimentType type, const std::vector<std::sh
 CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveChoice& choice, const Candidate* candidate)
 {
     CurvePoints points;
-    const auto seen = [&choice](double value) { return choice.plot->from_zero ? std::max(0.0, value) : value; };
+    const auto cut = [&choice](double value) { return choice.plot->from_zero ? std::max(0.0, value) : value; };
+    const auto seen = [&](double value) { return choice.unit.of(cut(value)); };
     if (const auto range = candidate ? curve_range(*candidate, *choice.plot, choice.curve) : std::nullopt) {
         points.replicates = range->runs;
         for (std::size_t i = 0; i < range->time.size(); ++i) {
@@ -140,12 +144,12 @@ CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveCh
     const CurveError* error = errorOf(choice.curve);
     const bool known = error && numerical_error(run, error->metric, 1).has_value();
     for (std::size_t i = 0; i < std::min(values.size(), metrics.series.time.size()); ++i) {
-        const double value = seen(values[i]);
-        points.values.emplace_back(metrics.series.time[i], value);
+        const double value = cut(values[i]);
+        points.values.emplace_back(metrics.series.time[i], choice.unit.of(value));
         if (!known) { continue; }
         const double half = *numerical_error(run, error->metric, value);
-        points.low.push_back(value - half);
-        points.high.push_back(value + half);
+        points.low.push_back(choice.unit.of(value - half));
+        points.high.push_back(choice.unit.of(value + half));
     }
     return points;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/replicate_range.h"
+#include "ui/basics/quantity.h"
 
 #include <QPointF>
 #include <QString>
@@ -20,6 +21,7 @@ struct CurveChoice {
     const Plot* plot = nullptr;
     Curve curve{};
     QString title; ///< "Wetted radius, top (mm)"
+    UserUnit unit{};
 };
 /// Those of which there is something to see in any of the runs; the experiment's own first.
 std::vector<CurveChoice> curvesOf(ExperimentType type, const std::vector<std::shared_ptr<const Metrics>>& runs);

@@ -161,7 +161,7 @@ std::optional<int> CurvesView::addRun(std::size_t run, const CurveChoice& choice
         series->attachAxis(axis_);
     }
     view_->tell(line, PointedChartView::Told::curve,
-                [title = titles_[static_cast<qsizetype>(run)], unit = coreWord(choice.plot->unit), points](const QPointF& at) {
+                [title = titles_[static_cast<qsizetype>(run)], unit = coreWord(choice.unit.unit), points](const QPointF& at) {
                     return wordsAt(title, unit, points, at);
                 });
     return banded ? std::optional(points.replicates) : std::nullopt;

@@ -6,6 +6,7 @@
 #include "ui/basics/quantity.h"
 #include "ui/compare/chart_style.h"
 #include "ui/results/pointed_chart_view.h"
+#include "ui/results/report_file.h"
 
 #include <QChart>
 #include <QComboBox>
@@ -28,7 +29,7 @@ QString titleOf(const OutcomeInfo& info)
 {
     QString title = coreTitle(info.title, info.face);
     title = title.left(1).toUpper() + title.mid(1);
-    const QString unit = QString::fromStdString(shown(info, 0.0).unit);
+    const QString unit = userUnit(QString::fromStdString(shown(info, 0.0).unit)).unit;
     return unit.isEmpty() ? title : QString("%1 (%2)").arg(title, unit);
 }
 
@@ -41,19 +42,22 @@ QString directionOf(const OutcomeInfo& info)
 QString numberOf(const OutcomeInfo& info, const Interval& interval)
 {
     const QString title = coreTitle(info.title, info.face);
-    const std::string number = with_interval(info, interval) + " " + shown(info, interval).unit;
+    const ReaderUnits units = unitsOfReader();
+    const std::string number = with_interval(info, interval, units) + " " + units(shown(info, interval).unit).unit;
     return QString("%1: %2").arg(title.left(1).toUpper() + title.mid(1), QString::fromStdString(number).trimmed());
 }
 
 std::vector<ScatterPoint> pointsOf(const Comparison& comparison, std::size_t x, std::size_t y)
 {
     const OutcomeInfo &one = comparison.criteria[x], &other = comparison.criteria[y];
+    const ReaderUnits units = unitsOfReader();
     std::vector<ScatterPoint> points;
     for (const Candidate& each : comparison.candidates) {
         const auto a = each.intervals.find(one.key), b = each.intervals.find(other.key);
         if (a == each.intervals.end() || b == each.intervals.end()) { continue; }
         const auto at = [&](double Interval::*part) {
-            return QPointF(shown(one, a->second.*part).value, shown(other, b->second.*part).value);
+            const ShownValue across = shown(one, a->second.*part), up = shown(other, b->second.*part);
+            return QPointF(units(across.unit).of(across.value), units(up.unit).of(up.value));
         };
         const QString name = QString::fromStdString(each.fabric);
         points.push_back({at(&Interval::low), at(&Interval::centre), at(&Interval::high), name,

@@ -6,6 +6,7 @@
 #include "core/analysis/map_picture.h"
 #include "core/project/atomic_file.h"
 #include "core/run/recording.h"
+#include "ui/results/report_file.h"
 
 #include <QCoreApplication>
 #include <QSettings>
@@ -36,7 +37,7 @@ QString studyReport(const Comparison& comparison, const std::map<std::string, QS
                               map_picture(recording.run(), last, start, side, crossings_per_cell));
         }
     }
-    return QString::fromStdString(comparison_report_html(comparison, pictures_on_one_scale(std::move(maps))));
+    return QString::fromStdString(comparison_report_html(comparison, pictures_on_one_scale(std::move(maps)), unitsOfReader()));
 }
 
 LaboratoryTable readMeasured(const std::vector<OutcomeInfo>& criteria, const std::vector<std::string>& fabrics, const QString& file)

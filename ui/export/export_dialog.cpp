@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/ask.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
 #include "ui/results/playback.h"
@@ -16,7 +17,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
@@ -383,10 +383,7 @@ bool ExportDialog::mayReplace(const QString& path, const ExportChoice& choice)
     }
     if (there.isEmpty()) { return true; }
     const QString question = there.size() == 1 ? tr("%1 already exists. Replace it?") : tr("%1 already exist. Replace them?");
-    QMessageBox box(QMessageBox::Question, windowTitle(), question.arg(there.join(tr(" and "))), QMessageBox::Yes | QMessageBox::No, this);
-    box.setTextFormat(Qt::PlainText);
-    box.setDefaultButton(QMessageBox::No);
-    return box.exec() == QMessageBox::Yes;
+    return confirm(this, windowTitle(), question.arg(there.join(tr(" and "))), tr("What is in it now is lost."), tr("&Replace"));
 }
 
 } // namespace hygroloom

@@ -149,15 +149,15 @@ void LessonWindow::connectParts()
     connect(controls_, &LessonControls::tiltChanged, this, [this] { table_->tilt(controls_->tilt()); });
     connect(&looks_, &QTimer::timeout, this, &LessonWindow::look);
     connect(&pictures_, &QTimer::timeout, this, [this] { film_.add(scene_->grab().toImage()); });
-    connect(&film_, &LessonFilm::finished, this, &LessonWindow::say);
-    connect(&film_, &LessonFilm::failed, this, [this](const QString& sentence) {
+    connect(&film_, &Film::finished, this, &LessonWindow::say);
+    connect(&film_, &Film::failed, this, [this](const QString& sentence) {
         pictures_.stop();
         say(sentence);
     });
     connect(steps_, &LessonSteps::stepChanged, note_, &QLabel::clear);
     looks_.start(look_ms);
     pictures_.setTimerType(Qt::PreciseTimer);
-    pictures_.setInterval(1000 / LessonFilm::pictures_per_second);
+    pictures_.setInterval(1000 / Film::pictures_per_second);
 }
 
 void LessonWindow::chooseLesson(int index)
@@ -309,7 +309,7 @@ void LessonWindow::saveRecording(int cloth)
 void LessonWindow::saveFilm(bool movie)
 {
     if (movie) {
-        if (QStandardPaths::findExecutable("ffmpeg").isEmpty()) { // said before a name is asked for
+        if (!Film::whyNoMovie().isEmpty()) { // said before a name is asked for
             film_.startMovie({});
             return;
         }

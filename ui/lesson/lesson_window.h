@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/lesson/lesson_table.h"
-#include "ui/lesson/lesson_film.h"
+#include "ui/basics/film.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -76,7 +76,7 @@ private:
     QToolButton *pause_, *slow_, *reset_, *explain_, *screen_, *save_, *help_, *leave_;
     QMenu* save_menu_;
     QTimer looks_, pictures_;
-    LessonFilm film_;
+    Film film_{"lesson"};
     std::unique_ptr<LessonTable> table_;
 };
 

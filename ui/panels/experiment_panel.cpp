@@ -5,13 +5,13 @@
 
 #include "ui/basics/core_words.h"
 #include "ui/basics/icon_button.h"
+#include "ui/basics/name_dialog.h"
 #include "ui/panels/climate_course.h"
 #include "ui/panels/droplet_section.h"
 #include "ui/panels/liquid_panel.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
-#include <QInputDialog>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -339,9 +339,14 @@ void ExperimentPanel::addExperiment()
 void ExperimentPanel::renameExperiment()
 {
     if (!document_.experiment()) { return; }
-    bool accepted = false;
     const QString old = QString::fromStdString(document_.experiment()->name);
-    const QString name = QInputDialog::getText(this, tr("Rename experiment"), tr("Name:"), QLineEdit::Normal, old, &accepted).trimmed();
+    const auto whyNot = [this, old](const QString& name) {
+        const bool taken = name.trimmed() != old && find_experiment(*document_.design(), name.trimmed().toStdString());
+        return taken ? tr("An experiment “%1” already exists. Choose another name.").arg(name.trimmed()) : QString();
+    };
+    NameDialog dialog(tr("Rename experiment"), old, whyNot, this);
+    const bool accepted = dialog.exec() == QDialog::Accepted;
+    const QString name = dialog.name();
     if (accepted && !name.isEmpty() && name != old) {
         edit(tr("rename experiment"), [&](Experiment& e) { e.name = name.toStdString(); });
     }

@@ -3,13 +3,13 @@
 
 #include "core/base/words.h"
 
+#include "ui/basics/ask.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/icon_button.h"
+#include "ui/basics/name_dialog.h"
 
 #include <QHBoxLayout>
-#include <QInputDialog>
 #include <QLabel>
-#include <QMessageBox>
 #include <QToolButton>
 
 #include <algorithm>
@@ -201,20 +201,21 @@ void LiquidPanel::duplicateLiquid()
     choose(static_cast<int>(document.design()->liquids.size()) - 1);
 }
 
-bool LiquidPanel::rename(const QString& name, QString* why)
+QString LiquidPanel::whyNotNamed(const QString& name) const
 {
     const std::string wanted = name.trimmed().toStdString();
-    if (!own() || wanted.empty()) {
-        *why = tr("A liquid needs a name.");
-        return false;
-    }
-    const std::string old = own()->name;
+    if (!own() || wanted.empty()) { return tr("A liquid needs a name."); }
+    const bool taken = wanted != own()->name && find_liquid(*form_.document().design(), wanted);
+    return taken ? tr("A liquid “%1” already exists. Choose another name.").arg(name.trimmed()) : QString();
+}
+
+bool LiquidPanel::rename(const QString& name, QString* why)
+{
+    *why = whyNotNamed(name);
+    if (!why->isEmpty()) { return false; }
+    const std::string wanted = name.trimmed().toStdString(), old = own()->name;
     if (wanted == old) { return true; }
     Document& document = form_.document();
-    if (find_liquid(*document.design(), wanted)) {
-        *why = tr("A liquid “%1” already exists. Choose another name.").arg(name.trimmed());
-        return false;
-    }
     const auto index = static_cast<std::size_t>(own() - document.design()->liquids.data());
     document.endStroke();
     document.edit(tr("rename liquid"), {}, [&](Design& design) {
@@ -241,30 +242,23 @@ void LiquidPanel::removeLiquid()
 
 void LiquidPanel::askName()
 {
-    QString name = own() ? QString::fromStdString(own()->name) : QString(), why;
-    QString question = tr("Name:");
-    for (;;) {
-        bool accepted = false;
-        name = QInputDialog::getText(window_, tr("Rename liquid"), question, QLineEdit::Normal, name, &accepted);
-        if (!accepted || rename(name, &why)) { return; }
-        question = why;
-    }
+    if (!own()) { return; }
+    NameDialog dialog(
+        tr("Rename liquid"), QString::fromStdString(own()->name), [this](const QString& name) { return whyNotNamed(name); }, window_);
+    QString why;
+    if (dialog.exec() == QDialog::Accepted) { rename(dialog.name(), &why); }
 }
 
 void LiquidPanel::askRemoval()
 {
     const QStringList users = own() ? usersOf(own()->name) : QStringList();
     if (!users.isEmpty()) {
-        QMessageBox box(QMessageBox::Question, tr("Delete liquid"),
-                        tr("“%1” is used by %2. They will use %3 instead.")
-                            .arg(QString::fromStdString(own()->name), users.join(", "),
-                                 inLibrary(own()->name) ? tr("the library's liquid of the same name") : tr("water")),
-                        QMessageBox::Cancel, window_);
-        box.setTextFormat(Qt::PlainText);
-        QPushButton* remove = box.addButton(tr("Delete"), QMessageBox::AcceptRole);
-        box.setDefaultButton(remove);
-        box.exec();
-        if (box.clickedButton() != remove) { return; }
+        const QString name = QString::fromStdString(own()->name);
+        const QString instead = inLibrary(own()->name) ? tr("the library's liquid of the same name") : tr("water");
+        if (!confirm(window_, tr("Delete liquid"), tr("Delete “%1”?").arg(name),
+                     tr("“%1” is used by %2. They will use %3 instead.").arg(name, users.join(", "), instead), tr("Delete"))) {
+            return;
+        }
     }
     removeLiquid();
 }

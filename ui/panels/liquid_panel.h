@@ -21,6 +21,8 @@ public:
     /// A copy of the experiment's liquid, which the experiment takes.
     void addLiquid();
     void duplicateLiquid();
+    /// Why it cannot have that name, in a sentence; empty: it can.
+    QString whyNotNamed(const QString& name) const;
     /// Also in the experiments that use it. False, with the reason, where the name cannot be had.
     bool rename(const QString& name, QString* why);
     /// Experiments that use it take water, or the library's liquid of that name.

@@ -2,12 +2,12 @@
 #include "ui/panels/yarn_panel.h"
 
 #include "core/design/yarn_sections.h"
+#include "ui/basics/ask.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/number_label.h"
 #include "ui/weave/cloth_picture.h"
 
 #include <QCheckBox>
-#include <QColorDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
@@ -46,6 +46,7 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
         addChoice();
     }
     addMaterials();
+    addCore();
     addSizes();
     addTwist();
     addPlies();
@@ -76,8 +77,8 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
                "“pores” only.")));
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
-    fields_ = {fibre_, blend_,     share_,         diameter_, density_,  packing_, twist_,  twist_direction_,
-               plies_, ply_twist_, ply_direction_, color_,    filaments, fibres,   evenness};
+    fields_ = {fibre_,           blend_, share_,     core_,          core_share_, diameter_, density_, packing_, twist_,
+               twist_direction_, plies_, ply_twist_, ply_direction_, color_,      filaments, fibres,   evenness};
     form.onRefresh([this] { refresh(); });
 }
 
@@ -214,12 +215,10 @@ void YarnPanel::addColor()
     color_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     auto* menu = new QMenu(color_);
     connect(menu->addAction(tr("Choose…")), &QAction::triggered, this, [this] {
-        const QColor color = QColorDialog::getColor(yarnColor(*yarn(), isWarp()), color_, tr("Yarn Colour"),
-                                                    QColorDialog::DontUseNativeDialog); // in the look of the program
-        if (color.isValid()) {
+        if (const auto color = askColor(color_, tr("Yarn Colour"), yarnColor(*yarn(), isWarp()))) {
             editYarn(tr("%1 colour").arg(kind_), path("color"), [&](Yarn& y) {
-                y.color = Color{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
-                                static_cast<std::uint8_t>(color.blue())};
+                y.color = Color{static_cast<std::uint8_t>(color->red()), static_cast<std::uint8_t>(color->green()),
+                                static_cast<std::uint8_t>(color->blue())};
             });
         }
     });
@@ -259,6 +258,33 @@ void YarnPanel::addMaterials()
              }
          }),
          tr("Fraction of the first fibre, by dry mass.")});
+}
+
+void YarnPanel::addCore()
+{
+    core_ = new QComboBox;
+    core_->setToolTip(
+        "<p>" +
+        tr("Of a core-spun yarn: the bare filament in its middle, which the fibres are spun round. It takes room from the pores "
+           "and no liquid water.") +
+        "</p>");
+    form_.addRow(tr("Core"), core_, [this] { return path("core"); });
+    connect(core_, &QComboBox::activated, this, [this](int index) {
+        const std::string name = core_->itemData(index).toString().toStdString();
+        editYarn(tr("%1 core").arg(kind_), path("core"), [&](Yarn& y) {
+            const YarnCore before = y.core.value_or(YarnCore{});
+            y.core.reset();
+            if (index > 0) { y.core = YarnCore{name, before.share}; }
+        });
+    });
+    core_share_ = form_.addQuantity(Quantity::percent(least_core_share, most_core_share),
+                                    field(
+                                        tr("Core share"), tr("core share"), "core.share",
+                                        [](const Yarn& y) { return y.core ? std::optional(y.core->share) : std::nullopt; },
+                                        [](Yarn& y, std::optional<double> v) {
+                                            if (y.core && v) { y.core->share = *v; }
+                                        },
+                                        tr("Fraction of the core, by the yarn's dry mass.")));
 }
 
 const Yarn* YarnPanel::yarn() const
@@ -325,6 +351,7 @@ void YarnPanel::refresh()
     color_->setIcon(swatch(yarnColor(*y, isWarp()), form_.palette()));
     color_->setText(y->color ? yarnColor(*y, isWarp()).name() : tr("undyed"));
     share_->setEnabled(y->material.size() == 2);
+    core_share_->setEnabled(y->core.has_value());
     ply_twist_->setEnabled(y->plies > 1);
     ply_direction_->setEnabled(y->plies > 1);
     if (same_) { refreshSame(); }
@@ -402,6 +429,7 @@ void YarnPanel::refreshMaterials()
     const QString none = tr("none");
     fill(fibre_, names, material.empty() ? QString() : QString::fromStdString(material.front().name));
     fill(blend_, QStringList{none} + names, material.size() > 1 ? QString::fromStdString(material[1].name) : none);
+    fill(core_, QStringList{none} + names, yarn()->core ? QString::fromStdString(yarn()->core->material) : none);
 }
 
 } // namespace hygroloom

@@ -36,6 +36,7 @@ private:
     void editYarn(const QString& undo, const std::string& field, const std::function<void(Yarn&)>& change);
     std::string path(const char* field) const;
     void addMaterials();
+    void addCore();
     void addColor();
     void addSizes();
     void addTwist();
@@ -56,6 +57,7 @@ private:
     QCheckBox* same_ = nullptr;
     QComboBox* fibre_ = nullptr;
     QComboBox* blend_ = nullptr;
+    QComboBox* core_ = nullptr;
     QComboBox* twist_direction_ = nullptr;
     QComboBox* ply_direction_ = nullptr;
     QToolButton* color_ = nullptr;
@@ -63,6 +65,7 @@ private:
     QuantityEdit* plies_ = nullptr;
     QuantityEdit* ply_twist_ = nullptr;
     QuantityEdit* share_ = nullptr;
+    QuantityEdit* core_share_ = nullptr;
     QuantityEdit* diameter_ = nullptr;
     QuantityEdit* density_ = nullptr;
     QuantityEdit* packing_ = nullptr;

@@ -21,6 +21,8 @@ struct PictureCaption {
     QString unit;
     double legend_maximum = 1;
     double legend_scale = 1; ///< number shown per value stored
+    double legend_zero = 0;  ///< number shown of the value 0
+    QString pointed;         ///< of a crossing's end, %1, and pick, %2: "End %1, pick %2 of the pores filled"
     bool operator==(const PictureCaption&) const = default;
 };
 

@@ -55,7 +55,8 @@ void TextileCanvas::drawOverlay(QPainter& painter)
         const QRectF area(this->width() - width - margin, margin, width, std::min(170.0, height() * 0.45));
         drawPlate(painter, area.adjusted(-8, -6, 6, 8), palette());
         painter.setPen(ink);
-        drawLegend(painter, area, caption_.legend, caption_.legend_maximum * caption_.legend_scale, caption_.unit, water_colors_);
+        const double low = caption_.legend_zero, high = low + caption_.legend_maximum * caption_.legend_scale;
+        drawLegend(painter, area, caption_.legend, low, high, caption_.unit, water_colors_);
     }
     drawDrops(painter);
     drawMeasurement(painter, ink);
@@ -173,8 +174,10 @@ void TextileCanvas::drawHover(QPainter& painter, const QColor& ink)
     const auto warp = static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick));
     const auto weft = static_cast<std::size_t>(textile.segment(YarnKind::weft, end, pick));
     if (weft < water_.size()) {
-        const auto shown = [this](float value) { return shownNumber(value * caption_.legend_scale, 1) + QChar(0x00a0) + caption_.unit; };
-        lines << tr("End %1, pick %2 of the pores filled").arg(shown(water_[warp]), shown(water_[weft]));
+        const auto shown = [this](float value) {
+            return shownNumber(caption_.legend_zero + value * caption_.legend_scale, 1) + QChar(0x00a0) + caption_.unit;
+        };
+        lines << caption_.pointed.arg(shown(water_[warp]), shown(water_[weft]));
     }
     const QFontMetricsF metrics(painter.font());
     double width = 0;

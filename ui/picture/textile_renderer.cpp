@@ -312,7 +312,8 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     program.setUniformValue("film", film);
     const double full = natural && water_maximum_ > 0 ? 1 : water_maximum_; // how wet yarns look depends on no range of colours
     program.setUniformValue("water_scale", full > 0 ? static_cast<float>(1 / full) : 0.0F);
-    program.setUniformValue("bare", 0.02F);
+    // Water leaves dry yarns their colour; warmth is shown of every yarn.
+    program.setUniformValue("bare", colors.water == WaterColors::warmth ? 1e-6F : 0.02F);
     program.setUniformValue("background", rgb(colors.background));
     program.setUniformValue("marked_color", rgb(colors.marked));
     gl_->glUniform2i(program.uniformLocation("marked"), marked_.kind == YarnKind::warp ? 0 : 1, marked_.yarn);

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/picture/view_bar.h"
 
@@ -50,6 +51,7 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent)
     bar_ = new ViewBar(canvas_, this);
     swatch_ = bar_->swatch();
     connect(bar_, &ViewBar::swatchChosen, this, &Viewport::setSwatch);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &Viewport::refreshCaption); // its unit
     layout->insertWidget(0, bar_);
     if (canvas_) { layout->addWidget(canvas_, 1); }
     setMinimumSize(240, 180);
@@ -174,6 +176,27 @@ void Viewport::showWater()
         refreshCaption();
         return;
     }
+    showValues();
+    surfacer_.run([this, frame = frame_](const NewestJob::Turn& turn) {
+        turn.deliver([this, frame, surface = liquid_surface(*frame)] {
+            if (frame_) { canvas_->setLiquid(surface); }
+        });
+    });
+    refreshCaption();
+}
+
+void Viewport::showValues()
+{
+    if (quantity_ != ShownQuantity::water) {
+        std::vector<float> shares = segment_values(*frame_, quantity_);
+        const double wide = std::max(1e-9, values_.high - values_.low);
+        for (float& share : shares) {
+            share = static_cast<float>(std::clamp((static_cast<double>(share) - values_.low) / wide, 1e-3, 1.0));
+        }
+        caption_.legend_maximum = 1;
+        canvas_->setWater(std::move(shares), 1);
+        return;
+    }
     double maximum = 1;
     if (range_ == WaterRange::run) {
         maximum = roundedUp(run_maximum_);
@@ -182,12 +205,6 @@ void Viewport::showWater()
     }
     caption_.legend_maximum = std::min(1.0, maximum);
     canvas_->setWater(frame_->saturation, caption_.legend_maximum);
-    surfacer_.run([this, frame = frame_](const NewestJob::Turn& turn) {
-        turn.deliver([this, frame, surface = liquid_surface(*frame)] {
-            if (frame_) { canvas_->setLiquid(surface); }
-        });
-    });
-    refreshCaption();
 }
 
 void Viewport::showNothing(const QString& sentence)
@@ -212,7 +229,24 @@ void Viewport::setNotice(const QString& sentence)
 
 void Viewport::setWaterColors(WaterColors colors)
 {
-    if (canvas_) { canvas_->setWaterColors(colors); }
+    colors_ = colors;
+    applyColors();
+}
+
+void Viewport::applyColors()
+{
+    if (!canvas_) { return; }
+    const bool damp = quantity_ == ShownQuantity::humidity && colors_ == WaterColors::natural; // no cloth looks humid
+    canvas_->setWaterColors(quantity_ == ShownQuantity::temperature ? WaterColors::warmth : damp ? WaterColors::blue : colors_);
+}
+
+void Viewport::setQuantity(ShownQuantity quantity, const ValueRange& range)
+{
+    if (quantity == quantity_ && range == values_) { return; }
+    quantity_ = quantity;
+    values_ = range;
+    applyColors();
+    showWater();
 }
 
 void Viewport::setWaterRange(WaterRange range)
@@ -228,9 +262,29 @@ void Viewport::setHighlight(int end, int pick)
 
 void Viewport::refreshCaption()
 {
-    caption_.legend = frame_ && subject_ == Subject::run ? tr("Pores filled") : QString();
     caption_.unit = QStringLiteral("%");
     caption_.legend_scale = 100;
+    caption_.legend_zero = 0;
+    switch (quantity_) {
+    case ShownQuantity::water:
+        caption_.legend = tr("Pores filled");
+        caption_.pointed = tr("End %1, pick %2 of the pores filled");
+        break;
+    case ShownQuantity::humidity:
+        caption_.legend = tr("Humidity");
+        caption_.pointed = tr("Relative humidity in the yarns: end %1, pick %2");
+        break;
+    case ShownQuantity::temperature: {
+        const UserUnit user = userUnit(QStringLiteral("°C"));
+        caption_.legend = tr("Temperature");
+        caption_.pointed = tr("End %1, pick %2");
+        caption_.unit = user.unit;
+        caption_.legend_zero = user.of(celsius_from_kelvin(values_.low));
+        caption_.legend_scale = user.per_one * (values_.high - values_.low);
+        break;
+    }
+    }
+    if (!frame_ || subject_ != Subject::run) { caption_.legend.clear(); }
     if (canvas_) { canvas_->setCaption(caption_); }
 }
 
@@ -247,6 +301,14 @@ void Viewport::lookFrom(double turn, double lift)
 
 bool Viewport::pressKey(int key) { return bar_->pressKey(key); }
 
-QImage Viewport::picture() { return canvas_ ? canvas_->picture() : QImage(); }
+QImage Viewport::picture()
+{
+    if (!canvas_) { return {}; }
+    if (frame_ && subject_ == Subject::run && surfacer_.busy()) { // the free liquid of this frame, not of the one before
+        surfacer_.drop();
+        canvas_->setLiquid(liquid_surface(*frame_));
+    }
+    return canvas_->picture();
+}
 
 } // namespace hygroloom

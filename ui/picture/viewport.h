@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/run/runner.h"
+#include "core/scene/shown_quantity.h"
 #include "ui/basics/newest_job.h"
 #include "ui/picture/textile_canvas.h"
 
@@ -38,6 +39,8 @@ public:
     void setNotice(const QString& sentence);
     void setWaterColors(WaterColors colors);
     void setWaterRange(WaterRange range);
+    /// What the colours of a run show; the range is of temperatures, K.
+    void setQuantity(ShownQuantity quantity, const ValueRange& range);
     void setHighlight(int end, int pick);
     /// Which side of the swatch: one of those that the bar offers.
     void setSwatch(int choice);
@@ -45,7 +48,7 @@ public:
     void lookFrom(double turn, double lift);
     /// What a single key does here; false when it does nothing.
     bool pressKey(int key);
-    /// Null where there is no OpenGL.
+    /// Of the frame that is shown, whole. Null where there is no OpenGL.
     QImage picture();
     /// Null until there is one.
     const std::shared_ptr<const PreviewFabric>& shown() const { return fabric_; }
@@ -67,6 +70,8 @@ private:
     void take(const std::shared_ptr<const PreparedView>& view, Subject subject);
     void fillIn();
     void showWater();
+    void showValues();
+    void applyColors();
     void refreshCaption();
 
     TextileCanvas* canvas_ = nullptr;
@@ -81,6 +86,9 @@ private:
     std::shared_ptr<const Frame> frame_;
     double run_maximum_ = 0;
     WaterRange range_ = WaterRange::full;
+    ShownQuantity quantity_ = ShownQuantity::water;
+    ValueRange values_;
+    WaterColors colors_ = WaterColors::blue;
     Subject subject_ = Subject::nothing;
     Subject fitted_subject_ = Subject::nothing;
     PictureCaption caption_;

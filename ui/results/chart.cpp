@@ -6,6 +6,7 @@
 #include "ui/basics/appearance.h"
 #include "ui/basics/color_map.h"
 #include "ui/basics/core_words.h"
+#include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/curve_legend.h"
 #include "ui/results/time_chart_view.h"
@@ -62,6 +63,7 @@ Chart::Chart(Playback& playback, QWidget* parent) : QWidget(parent), playback_(p
     applyPalette();
     connect(&playback_, &Playback::metricsChanged, this, &Chart::refresh);
     connect(&playback_, &Playback::runChanged, this, &Chart::refresh);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &Chart::refresh);
     connect(&playback_, &Playback::frameShown, this, [this] {
         const double time = playback_.current() >= 0 ? playback_.timeOf(playback_.current()) : -1;
         water_.view->setCursorTime(time);
@@ -115,7 +117,8 @@ void Chart::fill(PlotView& view, const Plot& plot)
 {
     static const Metrics nothing;
     const Metrics& metrics = playback_.metrics() ? *playback_.metrics() : nothing;
-    const QString title = coreTitle(plot.title, plot.unit);
+    const UserUnit user = userUnit(plot.unit);
+    const QString title = coreTitle(plot.title, user.unit.toStdString());
     view.chart->setTitle(title);
     view.view->setAccessibleName(title);
     const std::vector<Curve> curves = curvesOf(plot);
@@ -131,7 +134,7 @@ void Chart::fill(PlotView& view, const Plot& plot)
             const std::size_t count = std::min(metrics.series.time.size(), values.size());
             points.reserve(static_cast<qsizetype>(count));
             for (std::size_t k = 0; k < count; ++k) {
-                const double value = plot.from_zero ? std::max(0.0, values[k]) : values[k];
+                const double value = user.of(plot.from_zero ? std::max(0.0, values[k]) : values[k]);
                 points << QPointF(metrics.series.time[k], value);
                 lowest = std::min(lowest, value);
                 highest = std::max(highest, value);
@@ -141,15 +144,15 @@ void Chart::fill(PlotView& view, const Plot& plot)
         if (points.isEmpty()) { continue; }
         const auto text = [](double number) { return shownNumber(number, decimals_for(number, 3)); };
         const QString name = curves.size() > 1 ? QString("%1, %2").arg(coreWord(plot.title), line->name()) : coreWord(plot.title);
-        view.view->tell(line, PointedChartView::Told::curve, [text, name, unit = coreWord(plot.unit)](const QPointF& at) {
+        view.view->tell(line, PointedChartView::Told::curve, [text, name, unit = coreWord(user.unit)](const QPointF& at) {
             return tr("%1: %2 %3 at %4 s").arg(name, text(at.y()), unit, text(at.x()));
         });
     }
-    setRanges(view, plot.from_zero, lowest, highest);
+    setRanges(view, plot.from_zero, lowest, highest, user);
     refreshLegend(view);
 }
 
-void Chart::setRanges(PlotView& view, bool fromZero, double lowest, double highest) const
+void Chart::setRanges(PlotView& view, bool fromZero, double lowest, double highest, const UserUnit& user) const
 {
     view.time->setRange(0, playback_.duration() > 0 ? playback_.duration() : 10);
     if (fromZero) {
@@ -158,7 +161,7 @@ void Chart::setRanges(PlotView& view, bool fromZero, double lowest, double highe
         const double margin = std::max(0.5, 0.05 * (highest - lowest));
         view.value->setRange(lowest - margin, highest + margin);
     } else {
-        view.value->setRange(15, 30);
+        view.value->setRange(user.of(15), user.of(30));
     }
     view.value->applyNiceNumbers(); // round ends and three even steps
 }

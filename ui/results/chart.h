@@ -14,6 +14,7 @@ namespace hygroloom {
 
 class CurveLegend;
 class TimeChartView;
+struct UserUnit;
 struct Plot;
 
 /// Where the water is on the left, what the type of experiment measures on the right. A click shows that time.
@@ -45,7 +46,7 @@ private:
     PlotView addPlot();
     void refresh();
     void fill(PlotView& view, const Plot& plot);
-    void setRanges(PlotView& view, bool fromZero, double lowest, double highest) const;
+    void setRanges(PlotView& view, bool fromZero, double lowest, double highest, const UserUnit& user) const;
     static void refreshLegend(PlotView& plot);
     void applyPalette();
 

@@ -59,11 +59,12 @@ void FitChart::show(const Calibration& calibration)
 {
     QList<QPointF> measured, before, fitted;
     double latest = 0, lowest = 0, highest = 0;
+    const UserUnit user = userUnit(QString::fromStdString(calibration.data.unit));
     const auto& numbers = calibration.data.numbers;
     for (std::size_t i = 0; calibration.data.is_curve() && i < numbers.size(); ++i) {
-        measured << QPointF(numbers[i].time, numbers[i].value);
-        if (i < calibration.before.size()) { before << QPointF(numbers[i].time, calibration.before[i]); }
-        if (i < calibration.fitted.size()) { fitted << QPointF(numbers[i].time, calibration.fitted[i]); }
+        measured << QPointF(numbers[i].time, user.of(numbers[i].value));
+        if (i < calibration.before.size()) { before << QPointF(numbers[i].time, user.of(calibration.before[i])); }
+        if (i < calibration.fitted.size()) { fitted << QPointF(numbers[i].time, user.of(calibration.fitted[i])); }
     }
     for (const auto& points : {measured, before, fitted}) {
         for (const QPointF& point : points) {
@@ -85,7 +86,7 @@ void FitChart::show(const Calibration& calibration)
     chart()->setTitle(QString::fromStdString(calibration.data.quantity));
     forget();
     for (QXYSeries* series : std::initializer_list<QXYSeries*>{measured_, before_, fitted_}) {
-        const auto words = [series, unit = QString::fromStdString(calibration.data.unit)](const QPointF& at) {
+        const auto words = [series, unit = user.unit](const QPointF& at) {
             const auto text = [](double number) { return shownNumber(number, decimals_for(number, 3)); };
             return tr("%1: %2 %3 at %4 s").arg(series->name(), text(at.y()), unit, text(at.x()));
         };

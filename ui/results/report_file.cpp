@@ -174,6 +174,14 @@ void drawPages(QTextDocument& document, QPdfWriter& writer)
 
 } // namespace
 
+ReaderUnits unitsOfReader()
+{
+    return [](const std::string& unit) {
+        const UserUnit user = userUnit(QString::fromStdString(unit));
+        return ReaderUnit{user.unit.toStdString(), user.per_one, user.at_zero, user.inverse};
+    };
+}
+
 std::string pdfOf(const QString& html)
 {
     QByteArray bytes;
@@ -218,3 +226,4 @@ QString askForReportFile(QWidget* parent, const QString& folder, const QString& 
 } // namespace hygroloom
 
 #include "report_file.moc"
+#include "ui/basics/quantity.h"

@@ -2,6 +2,8 @@
 // Reports as PDF: the pages that core/analysis writes as HTML, set by Qt.
 #pragma once
 
+#include "core/analysis/reader_units.h"
+
 #include <QString>
 
 #include <string>
@@ -9,6 +11,9 @@
 class QWidget;
 
 namespace hygroloom {
+
+/// The units that the preferences choose.
+ReaderUnits unitsOfReader();
 
 /// A page of report_html(), comparison_report_html() or the like as PDF on A4, with its curves as vectors and numbered pages.
 /// Precondition: there is a QGuiApplication, and this is its thread.

@@ -11,6 +11,7 @@
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/plan_dialog.h"
+#include "ui/results/report_file.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -247,7 +248,7 @@ QString ResultsPanel::report() const
     if (!run || !frame || !first || !metrics) { return {}; }
     constexpr int crossings_per_cell = 2;
     const auto pictures = pictures_of_faces(*run, *frame, start_of_maps(*run, *first), crossings_per_cell);
-    return QString::fromStdString(report_html(*run, *metrics, pictures, playback_.whole() && run->wall > 0));
+    return QString::fromStdString(report_html(*run, *metrics, pictures, playback_.whole() && run->wall > 0, unitsOfReader()));
 }
 
 void ResultsPanel::showPlan()

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/run_actions.h"
 
+#include "ui/basics/ask.h"
 #include "ui/basics/quantity.h"
 #include "ui/document/run_folder.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 
 #include <algorithm>
@@ -86,14 +86,11 @@ bool RunActions::mayDelete(const std::vector<KeptRun>& runs)
     }
     const QString question =
         runs.size() == 1 ? tr("Forget this run?") : tr("Forget these %1 runs, %2?").arg(runs.size()).arg(bytesText(bytes));
-    QMessageBox box(QMessageBox::Question, tr("Forget runs"), question, QMessageBox::Cancel, this);
-    box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(names.join('\n') + "\n\n" +
-                           (runs.size() == 1 ? tr("Its recording is deleted.") : tr("Their recordings are deleted.")));
-    QPushButton* agreed = box.addButton(tr("&Forget"), QMessageBox::DestructiveRole);
-    box.setDefaultButton(QMessageBox::Cancel);
-    box.exec();
-    return box.clickedButton() == agreed;
+    const QString lost = runs.size() == 1 ? tr("Its recording is deleted.") : tr("Their recordings are deleted.");
+    return ask(this, {tr("Forget runs"),
+                      question,
+                      names.join('\n') + "\n\n" + lost,
+                      {{Reply::lose, tr("&Forget")}, {Reply::cancel, tr("Cancel")}}}) == Reply::lose;
 }
 
 void RunActions::forget()

@@ -21,16 +21,25 @@ namespace {
 constexpr char dry_color[] = "#f5f1e8";
 constexpr char ink_on_map[] = "#1d2327";
 
+/// A temperature or a humidity with its unit.
+QString airText(ShownQuantity quantity, double value)
+{
+    const bool warm = quantity == ShownQuantity::temperature;
+    const UserUnit user = userUnit(warm ? QStringLiteral("°C") : QStringLiteral("%"));
+    return shownNumber(user.of(warm ? celsius_from_kelvin(value) : 100 * value), 1) + QChar(0x00a0) + user.unit;
+}
+
 } // namespace
 
-FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, MapSide side, int crossings_per_cell)
+FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, MapSide side, int crossings_per_cell, ShownQuantity quantity)
 {
     FaceMap made;
-    made.cells = cell_map(run.textile, frame, start_of_maps(run, first), side, crossings_per_cell);
+    made.cells = quantity == ShownQuantity::water ? cell_map(run.textile, frame, start_of_maps(run, first), side, crossings_per_cell)
+                                                  : quantity_map(run.textile, frame, quantity, side, crossings_per_cell);
     made.size = QSizeF(run.textile.ends() * run.textile.warp.pitch, run.textile.picks() * run.textile.weft.pitch);
     // Only a drop or a feed in the middle makes a stain.
     const Experiment* experiment = find_experiment(run.design, run.experiment);
-    if (!experiment || wets_a_spot(experiment->type)) {
+    if (quantity == ShownQuantity::water && (!experiment || wets_a_spot(experiment->type))) {
         made.stain = wetted_circle(run.textile, frame, side == MapSide::top ? Face::top : Face::bottom);
     }
     return made;
@@ -52,6 +61,14 @@ void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, c
     stain_ = circle.has_value();
     circle_ = circle.value_or(Circle{0, 0, -1});
     render();
+    if (map.quantity != ShownQuantity::water) {
+        const auto [low, high] = std::minmax_element(map.water.begin(), map.water.end());
+        setAccessibleDescription(map.quantity == ShownQuantity::temperature
+                                     ? tr("Temperatures from %1 to %2.").arg(airText(map.quantity, *low), airText(map.quantity, *high))
+                                     : tr("Humidities from %1 to %2.").arg(airText(map.quantity, *low), airText(map.quantity, *high)));
+        update();
+        return;
+    }
     const QString most = tr("Most water %1 grams per square metre").arg(shownNumber(1000 * map.maximum(), 0));
     setAccessibleDescription(
         !stain_ ? most + "."
@@ -87,9 +104,10 @@ void WaterMap::clear()
     update();
 }
 
-void WaterMap::setRange(double maximum, WaterColors colors)
+void WaterMap::setRange(double maximum, WaterColors colors, double minimum)
 {
-    if (maximum != maximum_ || colors != colors_) {
+    if (maximum != maximum_ || minimum != minimum_ || colors != colors_) {
+        minimum_ = minimum;
         maximum_ = maximum;
         colors_ = colors;
         render();
@@ -108,7 +126,8 @@ void WaterMap::render()
 
 QColor WaterMap::colorOf(int column, int row) const
 {
-    const double share = map_.at(column, row) / maximum_;
+    const double share = (map_.at(column, row) - minimum_) / (maximum_ - minimum_);
+    if (map_.quantity != ShownQuantity::water) { return waterColor(share, colors_); }
     if (!difference_) { return share > 0.004 ? waterColor(share, colors_) : QColor(dry_color); }
     return real_[static_cast<std::size_t>(row) * map_.columns + column] ? differenceColor(share) : noDifferenceColor();
 }
@@ -122,6 +141,7 @@ QString replicateRange(int runs)
 
 QString WaterMap::valueText(int column, int row) const
 {
+    if (map_.quantity != ShownQuantity::water) { return airText(map_.quantity, map_.at(column, row)); }
     const double value = 1000 * map_.at(column, row);
     if (!difference_) {
         const QString text = tr("%1 g/m²").arg(shownNumber(value, 1));
@@ -226,9 +246,12 @@ QString WaterMap::wordsAt(const QPointF& at) const
     if (cell.x() < 0) { return {}; }
     const double x = (cell.x() + 0.5) * map_.cell_width - 0.5 * size_.width();
     const double y = (cell.y() + 0.5) * map_.cell_height - 0.5 * size_.height();
-    return tr("%1: %2 at %3, %4 mm")
-        .arg(title_, valueText(cell.x(), cell.y()), QLocale().toString(mm_from_metre(x), 'f', 1),
-             QLocale().toString(mm_from_metre(y), 'f', 1));
+    const UserUnit user = userUnit(QStringLiteral("mm"));
+    const auto place = [decimals = user.per_one == 1     ? 1
+                                   : user.per_one < 0.05 ? 3
+                                                         : 2,
+                        &user](double metre) { return QLocale().toString(user.of(mm_from_metre(metre)), 'f', decimals); };
+    return tr("%1: %2 at %3, %4 %5").arg(title_, valueText(cell.x(), cell.y()), place(x), place(y), user.unit);
 }
 
 void WaterMap::mouseMoveEvent(QMouseEvent* event)

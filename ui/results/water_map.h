@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// One face of the fabric from above: water per area in cells of n x n crossings.
+// One face of the fabric from above, in cells of n x n crossings: water per area, temperature or humidity.
 #pragma once
 
 #include "core/analysis/cell_map.h"
@@ -26,7 +26,8 @@ struct FaceMap {
 QString replicateRange(int runs);
 
 /// first: the run's first frame.
-FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, MapSide side, int crossings_per_cell);
+FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, MapSide side, int crossings_per_cell,
+                ShownQuantity quantity = ShownQuantity::water);
 
 class WaterMap : public QWidget {
     Q_OBJECT
@@ -42,7 +43,8 @@ public:
     /// Instead of the map, its difference to a baseline.
     void setDifference(const MapDifference& difference, const QSizeF& size);
     void clear();
-    void setRange(double maximum, WaterColors colors);
+    /// What the ends of the colours stand for, in the map's unit.
+    void setRange(double maximum, WaterColors colors, double minimum = 0);
     const CellMap& map() const { return map_; }
     const Circle& circle() const { return circle_; }
     QSize sizeHint() const override { return {220, 220}; }
@@ -76,7 +78,7 @@ private:
     std::vector<bool> real_; ///< cells of a difference, see MapDifference
     QSizeF size_;
     QImage image_;
-    double maximum_ = 1;
+    double minimum_ = 0, maximum_ = 1;
     WaterColors colors_ = WaterColors::blue;
     QPoint cell_{-1, -1};
 };

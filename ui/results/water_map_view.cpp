@@ -2,14 +2,19 @@
 #include "ui/results/water_map_view.h"
 
 #include "core/base/error.h"
+#include "core/base/units.h"
 #include "core/run/recording.h"
 #include "ui/basics/design_undo.h"
+#include "ui/basics/preferences.h"
+#include "ui/basics/quantity.h"
 
 #include <QBoxLayout>
+#include <QComboBox>
 #include <QLabel>
 #include <QPainter>
 #include <QResizeEvent>
 #include <QSpinBox>
+#include <QStandardItemModel>
 
 #include <algorithm>
 
@@ -23,9 +28,11 @@ constexpr int legend_width = 92;
 
 WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
     : QWidget(parent), playback_(playback), top_(new WaterMap(tr("Top"))), bottom_(new WaterMap(tr("Bottom"))), value_(new QLabel),
-      empty_(new QLabel(tr("Run the experiment to see how the water spreads on both faces."))), cells_(new QSpinBox), legend_(new QWidget),
-      maps_(new QBoxLayout(QBoxLayout::TopToBottom))
+      empty_(new QLabel(tr("Run the experiment to see how the water spreads on both faces."))), quantity_(new QComboBox),
+      cells_(new QSpinBox), legend_(new QWidget), maps_(new QBoxLayout(QBoxLayout::TopToBottom))
 {
+    quantity_->addItems({tr("Water"), tr("Temperature"), tr("Humidity")});
+    quantity_->setAccessibleName(tr("What the maps and the picture show"));
     cells_->setRange(1, 50);
     cells_->setValue(2);
     new DesignUndo(cells_);
@@ -38,6 +45,15 @@ WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
     legend_->setFixedWidth(legend_width);
     legend_->setMinimumHeight(120);
 
+    layOut();
+    setMinimumWidth(280);
+    connectParts();
+    offerQuantities();
+    refresh();
+}
+
+void WaterMapView::layOut()
+{
     maps_->setSpacing(4);
     maps_->addWidget(top_, 1);
     maps_->addWidget(bottom_, 1);
@@ -47,7 +63,7 @@ WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
     middle->addWidget(legend_);
     auto* foot = new QHBoxLayout;
     foot->setContentsMargins(8, 0, 8, 4);
-    foot->addWidget(value_, 1);
+    foot->addStretch(1);
     auto* name = new QLabel(tr("Map resolution (crossings per cell)"));
     name->setBuddy(cells_);
     foot->addWidget(name);
@@ -58,22 +74,64 @@ WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
     layout->addLayout(middle, 1);
     layout->addWidget(empty_);
     layout->addLayout(foot);
-    setMinimumWidth(280);
+    auto* shown = new QHBoxLayout; // with room for the value, which moves nothing
+    shown->setContentsMargins(8, 0, 8, 4);
+    shown->addWidget(quantity_);
+    shown->addWidget(value_, 1);
+    layout->addLayout(shown);
+}
 
-    const auto startOver = [this] {
-        maximum_ = 0;
-        refresh();
-        scan();
-    };
-    connect(cells_, &QSpinBox::valueChanged, this, startOver);
+void WaterMapView::connectParts()
+{
+    connect(cells_, &QSpinBox::valueChanged, this, &WaterMapView::startOver);
     for (WaterMap* map : {top_, bottom_}) { connect(map, &WaterMap::pointed, value_, &QLabel::setText); }
-    connect(&playback_, &Playback::runChanged, this, startOver);
-    connect(&playback_, &Playback::ended, this, &WaterMapView::scan);
+    connect(quantity_, &QComboBox::currentIndexChanged, this, [this] {
+        value_->clear();
+        startOver();
+        Q_EMIT quantityChanged();
+    });
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &WaterMapView::refresh);
+    connect(&playback_, &Playback::runChanged, this, [this] {
+        offerQuantities();
+        startOver();
+    });
+    connect(&playback_, &Playback::ended, this, [this] {
+        offerQuantities();
+        scan();
+    });
     connect(&playback_, &Playback::frameShown, this, &WaterMapView::refresh);
+}
+
+void WaterMapView::startOver()
+{
+    maximum_ = 0;
+    known_.reset();
+    if (playback_.frame()) { widen(0, range_of_values(*playback_.frame(), quantity())); }
     refresh();
+    scan();
 }
 
 void WaterMapView::setCrossingsPerCell(int crossings) { cells_->setValue(crossings); }
+
+ShownQuantity WaterMapView::quantity() const { return static_cast<ShownQuantity>(quantity_->currentIndex()); }
+
+void WaterMapView::offerQuantities()
+{
+    auto* model = qobject_cast<QStandardItemModel*>(quantity_->model());
+    for (const ShownQuantity each : {ShownQuantity::temperature, ShownQuantity::humidity}) {
+        const int row = static_cast<int>(each);
+        const QString why = playback_.run() ? QString::fromStdString(why_not_shown(playback_.run()->plan, each)) : QString();
+        const bool warm = each == ShownQuantity::temperature;
+        QStandardItem* item = model->item(row);
+        item->setEnabled(why.isEmpty());
+        item->setText(why.isEmpty() ? (warm ? tr("Temperature") : tr("Humidity"))
+                                    : (warm ? tr("Temperature (not modelled)") : tr("Humidity (not modelled)")));
+        item->setToolTip(!why.isEmpty() ? "<p>" + why.toHtmlEscaped() + "</p>"
+                         : warm         ? QString()
+                                        : "<p>" + tr("Relative humidity of the air in the yarns' pores.") + "</p>");
+        if (!why.isEmpty() && quantity_->currentIndex() == row) { quantity_->setCurrentIndex(0); }
+    }
+}
 
 void WaterMapView::setWaterColors(WaterColors colors)
 {
@@ -92,21 +150,21 @@ void WaterMapView::refresh()
         return;
     }
     mapper_.run([this, of = playback_.generation(), run = playback_.run(), frame = playback_.frame(), first = playback_.firstFrame(),
-                 cells = cells_->value()](const NewestJob::Turn& turn) {
+                 cells = cells_->value(), shown = quantity()](const NewestJob::Turn& turn) {
         const Frame start = start_of_maps(*run, *first);
-        const FaceMap top = faceMap(*run, *frame, *first, MapSide::top, cells);
-        const FaceMap bottom = faceMap(*run, *frame, *first, MapSide::bottom, cells);
+        const FaceMap top = faceMap(*run, *frame, *first, MapSide::top, cells, shown);
+        const FaceMap bottom = faceMap(*run, *frame, *first, MapSide::bottom, cells, shown);
         const Experiment* experiment = find_experiment(run->design, run->experiment);
         // Cloth that is wet at the start sets the scale, whatever time is shown first.
         double atStart = 0;
-        if (experiment && starts_wet(experiment->type)) {
+        if (shown == ShownQuantity::water && experiment && starts_wet(experiment->type)) {
             for (MapSide side : {MapSide::top, MapSide::bottom}) {
                 atStart = std::max(atStart, cell_map(run->textile, *first, start, side, cells).maximum());
             }
         }
-        turn.deliver([this, of, cells, atStart, top, bottom] {
-            if (of != playback_.generation() || cells != cells_->value()) { return; }
-            widen(std::max({atStart, top.cells.maximum(), bottom.cells.maximum()}));
+        turn.deliver([this, of, cells, shown, atStart, top, bottom, values = range_of_values(*frame, shown)] {
+            if (of != playback_.generation() || cells != cells_->value() || shown != quantity()) { return; }
+            widen(std::max({atStart, top.cells.maximum(), bottom.cells.maximum()}), values);
             top_->setMap(top.cells, top.stain, top.size);
             bottom_->setMap(bottom.cells, bottom.stain, bottom.size);
             update();
@@ -120,19 +178,23 @@ void WaterMapView::scan()
     scanner_.drop();
     if (playback_.live() || !playback_.run() || !playback_.firstFrame()) { return; }
     scanner_.run([this, of = playback_.generation(), run = playback_.run(), first = playback_.firstFrame(),
-                  path = playback_.path().toStdString(), cells = cells_->value()](const NewestJob::Turn& turn) {
+                  path = playback_.path().toStdString(), cells = cells_->value(), shown = quantity()](const NewestJob::Turn& turn) {
         try {
             Recording recording(path);
             const Frame start = start_of_maps(*run, *first);
             double most = 0;
+            std::optional<ValueRange> values;
             recording.read_frames([&](const Frame& frame) {
+                const ValueRange range = range_of_values(frame, shown);
+                values = values ? united(*values, range) : range;
+                if (shown != ShownQuantity::water) { return !turn.outdated(); }
                 for (MapSide side : {MapSide::top, MapSide::bottom}) {
                     most = std::max(most, cell_map(run->textile, frame, start, side, cells).maximum());
                 }
                 return !turn.outdated();
             });
-            turn.deliver([this, of, cells, most] {
-                if (of == playback_.generation() && cells == cells_->value()) { widen(most); }
+            turn.deliver([this, of, cells, shown, most, values] {
+                if (of == playback_.generation() && cells == cells_->value() && shown == quantity()) { widen(most, values); }
             });
         } catch (const Error&) {
             // The reader of the frames reports what is wrong with the recording.
@@ -142,11 +204,21 @@ void WaterMapView::scan()
 
 double WaterMapView::range() const { return roundedUp(maximum_); }
 
-void WaterMapView::widen(double maximum)
+void WaterMapView::widen(double maximum, const std::optional<ValueRange>& values)
 {
     maximum_ = std::max(maximum_, maximum);
-    top_->setRange(range(), colors_);
-    bottom_->setRange(range(), colors_);
+    if (values) { known_ = known_ ? united(*known_, *values) : *values; }
+    if (known_ && *known_ != values_) {
+        values_ = *known_;
+        Q_EMIT quantityChanged();
+    }
+    for (WaterMap* map : {top_, bottom_}) {
+        if (quantity() == ShownQuantity::water) {
+            map->setRange(range(), colors_);
+        } else {
+            map->setRange(values_.high, quantity() == ShownQuantity::temperature ? WaterColors::warmth : colors_, values_.low);
+        }
+    }
     update();
 }
 
@@ -165,8 +237,16 @@ void WaterMapView::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF room = legend_->geometry();
-    drawLegend(painter, QRectF(room.left() + 4, room.top(), room.width() - 8, std::min(240.0, room.height())), tr("Water"), 1000 * range(),
-               tr("g/m²"), colors_);
+    const QRectF area(room.left() + 4, room.top(), room.width() - 8, std::min(240.0, room.height()));
+    switch (quantity()) {
+    case ShownQuantity::water: return drawLegend(painter, area, tr("Water"), 1000 * range(), tr("g/m²"), colors_);
+    case ShownQuantity::humidity: return drawLegend(painter, area, tr("Humidity"), 100 * values_.low, 100 * values_.high, "%", colors_);
+    case ShownQuantity::temperature: {
+        const UserUnit user = userUnit(QStringLiteral("°C"));
+        drawLegend(painter, area, tr("Temperature"), user.of(celsius_from_kelvin(values_.low)), user.of(celsius_from_kelvin(values_.high)),
+                   user.unit, WaterColors::warmth);
+    }
+    }
 }
 
 } // namespace hygroloom

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Both faces side by side with one range of colours.
+// Both faces side by side with one range of colours: their water, or how warm or damp they are.
 #pragma once
 
 #include "ui/results/playback.h"
 #include "ui/results/water_map.h"
 
 class QBoxLayout;
+class QComboBox;
 class QLabel;
 class QSpinBox;
 
@@ -21,30 +22,44 @@ public:
     /// The end of the colour scale, kg/m2: of the shown frames while the run is live, of all frames afterwards.
     double range() const;
     void setCrossingsPerCell(int crossings);
+    ShownQuantity quantity() const;
+    /// Of temperatures and humidities, K and shares: of the frames that are known.
+    const ValueRange& values() const { return values_; }
+    QComboBox& quantityChoice() { return *quantity_; }
     void setWaterColors(WaterColors colors);
 
 Q_SIGNALS:
     void mapChanged();
+    /// What is shown, or the ends of its colours.
+    void quantityChanged();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void layOut();
+    void connectParts();
+    void startOver();
     void refresh();
     /// Widens the range to all frames of a recording.
     void scan();
-    void widen(double maximum);
+    void widen(double maximum, const std::optional<ValueRange>& values = {});
+    /// What the run does not model cannot be chosen.
+    void offerQuantities();
 
     Playback& playback_;
     WaterMap* top_;
     WaterMap* bottom_;
     QLabel* value_;
     QLabel* empty_;
+    QComboBox* quantity_;
     QSpinBox* cells_;
     QWidget* legend_;
     QBoxLayout* maps_;
     double maximum_ = 0; ///< kg/m2, of all maps of this run that are known
+    std::optional<ValueRange> known_;
+    ValueRange values_;
     WaterColors colors_ = WaterColors::blue;
     NewestJob mapper_;
     NewestJob scanner_;

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/study/study_folder.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/ask.h"
 #include "ui/document/document.h"
 #include "ui/study/cluster_dialog.h"
 #include "ui/study/effects_view.h"
@@ -20,7 +21,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
-#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
@@ -199,23 +199,19 @@ bool StudyPage::save(bool as)
 bool StudyPage::mayDiscardStudy()
 {
     if (!modified()) { return true; }
-    QMessageBox box(QMessageBox::Question, tr("The study is not saved"), tr("Save the changes to the study?"),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-    box.setInformativeText(tr("Otherwise they are lost."));
-    box.setDefaultButton(QMessageBox::Save);
-    const int answer = box.exec();
-    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save(false));
+    const Reply answer = ask(this, {tr("The study is not saved"),
+                                    tr("Save the changes to the study?"),
+                                    tr("Otherwise they are lost."),
+                                    {{Reply::save, tr("&Save")}, {Reply::lose, tr("&Discard the Changes")}, {Reply::cancel, tr("Cancel")}},
+                                    Reply::save});
+    return answer == Reply::lose || (answer == Reply::save && save(false));
 }
 
 bool StudyPage::agreesToLeave()
 {
-    if (job_.running()) {
-        QMessageBox box(QMessageBox::Question, tr("A study is in progress"), tr("Stop the study?"), QMessageBox::Cancel, this);
-        box.setInformativeText(tr("%1. Those are kept in its folder.").arg(job_.progressText()));
-        const QPushButton* agreed = box.addButton(tr("Stop the Study"), QMessageBox::AcceptRole);
-        box.setDefaultButton(QMessageBox::Cancel);
-        box.exec();
-        if (box.clickedButton() != agreed) { return false; }
+    if (job_.running() && !confirm(this, tr("A study is in progress"), tr("Stop the study?"),
+                                   tr("%1. Those are kept in its folder.").arg(job_.progressText()), tr("Stop the Study"))) {
+        return false;
     }
     return mayDiscardStudy();
 }

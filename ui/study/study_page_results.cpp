@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The page of studies while one runs, and its results.
 #include "core/base/error.h"
+#include "ui/basics/ask.h"
 #include "ui/document/document.h"
 #include "ui/study/effects_view.h"
 #include "ui/study/indices_view.h"
@@ -14,9 +15,7 @@
 #include <QDir>
 #include <QHeaderView>
 #include <QLabel>
-#include <QMessageBox>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QTableView>
 
@@ -220,12 +219,8 @@ void StudyPage::showFailures()
         lines << tr("Point %1: %2").arg(static_cast<qulonglong>(point->numbers[row])).arg(QString::fromStdString(reason->word(row)));
     }
     if (data_->failed > most_named) { lines << tr("%1 more failed.").arg(data_->failed - most_named); }
-    QMessageBox box(QMessageBox::Information, tr("Runs that failed"),
-                    data_->failed == 1 ? tr("1 run failed.") : tr("%1 runs failed.").arg(data_->failed), QMessageBox::Close, this);
-    box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(lines.mid(0, 3).join('\n'));
-    if (lines.size() > 3) { box.setDetailedText(lines.join('\n')); }
-    box.exec();
+    tellInFull(this, tr("Runs that failed"), data_->failed == 1 ? tr("1 run failed.") : tr("%1 runs failed.").arg(data_->failed),
+               lines.mid(0, 3).join('\n'), lines.size() > 3 ? lines.join('\n') : QString());
 }
 
 } // namespace hygroloom

@@ -2,13 +2,13 @@
 #include "ui/weave/order_editor.h"
 
 #include "ui/basics/appearance.h"
+#include "ui/basics/ask.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/design_undo.h"
 #include "ui/weave/cloth_picture.h"
 #include "ui/weave/weave_edits.h"
 
 #include <QAction>
-#include <QColorDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -240,8 +240,9 @@ void OrderEditor::setColor(const QColor& color)
 void OrderEditor::pickColor()
 {
     if (const Fabric* fabric = document_.fabric()) {
-        const QColor color = QColorDialog::getColor(yarnColor(yarn_in(*fabric, true, chosenYarn()), true), this, tr("Yarn Colour"));
-        if (color.isValid()) { setColor(color); }
+        if (const auto color = askColor(this, tr("Yarn Colour"), yarnColor(yarn_in(*fabric, true, chosenYarn()), true))) {
+            setColor(*color);
+        }
     }
 }
 

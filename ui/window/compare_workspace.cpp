@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/window/compare_workspace.h"
 
+#include "ui/basics/ask.h"
 #include "ui/compare/compare_view.h"
-#include "ui/window/confirm.h"
 
 #include <QEventLoop>
 

@@ -2,6 +2,7 @@
 // Runs from their start to their recording, and the files that are written of them.
 #include "core/base/error.h"
 #include "core/base/words.h"
+#include "ui/basics/ask.h"
 #include "ui/compare/run_list.h"
 #include "ui/document/run_folder.h"
 #include "ui/document/sources.h"
@@ -10,7 +11,6 @@
 #include "ui/results/project_runs.h"
 #include "ui/results/report_file.h"
 #include "ui/results/run_history.h"
-#include "ui/window/confirm.h"
 #include "ui/window/file_names.h"
 #include "ui/window/folder_dialog.h"
 #include "ui/window/garment_workspace.h"

@@ -2,6 +2,7 @@
 #include "ui/window/main_window.h"
 
 #include "ui/basics/appearance.h"
+#include "ui/basics/ask.h"
 #include "ui/basics/wheel_guard.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/study_runs.h"
@@ -19,7 +20,6 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QKeyEvent>
-#include <QMessageBox>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QSessionManager>
@@ -377,16 +377,7 @@ void MainWindow::showIssue(const QString& where)
     }
 }
 
-void MainWindow::showProblem(const QString& sentence)
-{
-    for (const QMessageBox* open : findChildren<QMessageBox*>()) {
-        if (open->text() == sentence) { return; } // what fails at each edit is said once
-    }
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Hygroloom"), sentence, QMessageBox::Ok, this);
-    box->setTextFormat(Qt::PlainText); // names of files and fabrics
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
-}
+void MainWindow::showProblem(const QString& sentence) { tell(this, sentence); }
 
 void MainWindow::showMessage(const QString& sentence, int ms) { statusBar()->showMessage(sentence, ms); }
 

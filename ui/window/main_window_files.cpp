@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Opening, saving, recent files, dropped files, closing.
 #include "core/base/error.h"
+#include "ui/basics/ask.h"
 #include "ui/basics/language.h"
 #include "ui/basics/typed_value.h"
 #include "ui/compare/compare_view.h"
@@ -10,7 +11,6 @@
 #include "ui/panels/candidates_panel.h"
 #include "ui/study/study_page.h"
 #include "ui/weave/import_dialog.h"
-#include "ui/window/confirm.h"
 #include "ui/window/design_workspace.h"
 #include "ui/window/examples.h"
 #include "ui/window/file_names.h"
@@ -88,24 +88,20 @@ bool MainWindow::offerLeftOver()
 bool MainWindow::offer(const LeftOver& left)
 {
     const QString name = left.title.isEmpty() ? tr("Untitled") : left.title;
-    QMessageBox box(QMessageBox::Question, tr("Unsaved work found"),
-                    tr("Hygroloom ended before “%1” was saved. Open the recovered copy?").arg(name), QMessageBox::NoButton, this);
-    box.setTextFormat(Qt::PlainText);
     const QString when = tr("Last changed on %1.").arg(shortMoment(left.when));
     const QString later =
         tr("The file %1 was saved later. The recovered copy opens separately and asks for a name when you save it.").arg(left.path);
     const auto runs = recordingsIn(left.runs).size();
     const QString with = runs == 0 ? QString() : runs == 1 ? tr("1 run belongs to it.") : tr("%1 runs belong to it.").arg(runs);
-    box.setInformativeText(QStringList{when, left.outdated ? later : QString(), with}.join(' ').simplified());
-    QPushButton* open = box.addButton(tr("&Open"), QMessageBox::AcceptRole);
-    QPushButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
-    box.addButton(tr("&Ask Again Later"), QMessageBox::RejectRole);
-    box.setDefaultButton(open);
-    box.exec();
-    const bool opened = box.clickedButton() == open && mayLeave() && recovery_.open(left);
+    const Reply answer = ask(this, {tr("Unsaved work found"),
+                                    tr("Hygroloom ended before “%1” was saved. Open the recovered copy?").arg(name),
+                                    QStringList{when, left.outdated ? later : QString(), with}.join(' ').simplified(),
+                                    {{Reply::act, tr("&Open")}, {Reply::lose, tr("&Discard")}, {Reply::cancel, tr("&Ask Again Later")}},
+                                    Reply::act});
+    const bool opened = answer == Reply::act && mayLeave() && recovery_.open(left);
     if (opened) {
         compare_->project().takeFrom(left.runs);
-    } else if (box.clickedButton() == discard) {
+    } else if (answer == Reply::lose) {
         Recovery::discard(left);
     }
     compare_->project().stay();
@@ -282,17 +278,17 @@ bool MainWindow::mayDropRuns()
         names << (run ? runInWords(*run) : QFileInfo(path).fileName());
     }
     if (runs.size() > most) { names << tr("and %1 more").arg(runs.size() - most); }
-    QMessageBox box(QMessageBox::Question, tr("Runs are not saved"), tr("Save the project, so that its runs are kept beside it?"),
-                    QMessageBox::Save | QMessageBox::Cancel, this);
-    box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(tr("Otherwise these runs are deleted:") + "\n" + names.join('\n'));
-    QPushButton* drop = box.addButton(runs.size() == 1 ? tr("&Delete the Run") : tr("&Delete the Runs"), QMessageBox::DestructiveRole);
-    box.setDefaultButton(QMessageBox::Save);
-    const int answer = box.exec();
-    if (answer == QMessageBox::Save) {
+    const Reply answer = ask(this, {tr("Runs are not saved"),
+                                    tr("Save the project, so that its runs are kept beside it?"),
+                                    tr("Otherwise these runs are deleted:") + "\n" + names.join('\n'),
+                                    {{Reply::save, tr("&Save the Project")},
+                                     {Reply::lose, runs.size() == 1 ? tr("&Delete the Run") : tr("&Delete the Runs")},
+                                     {Reply::cancel, tr("Cancel")}},
+                                    Reply::save});
+    if (answer == Reply::save) {
         return (document_.path().isEmpty() ? save() : saveAs()) && copiesAreDone() && compare_->project().unfiled().isEmpty();
     }
-    if (box.clickedButton() != drop) { return false; }
+    if (answer != Reply::lose) { return false; }
     compare_->project().agreeToLeave();
     return true;
 }
@@ -315,13 +311,12 @@ bool MainWindow::mayDiscard()
 {
     commitTypedValue(*this);
     if (!document_.modified()) { return true; }
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(document_.title()),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
-    box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(tr("Otherwise they are lost."));
-    box.setDefaultButton(QMessageBox::Save);
-    const int answer = box.exec();
-    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
+    const Reply answer = ask(this, {tr("Unsaved changes"),
+                                    tr("Save the changes to “%1”?").arg(document_.title()),
+                                    tr("Otherwise they are lost."),
+                                    {{Reply::save, tr("&Save")}, {Reply::lose, tr("&Discard the Changes")}, {Reply::cancel, tr("Cancel")}},
+                                    Reply::save});
+    return answer == Reply::lose || (answer == Reply::save && save());
 }
 
 bool MainWindow::agreesToStopExport()

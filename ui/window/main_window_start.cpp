@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The start page, the preferences, and the room that runs take.
+#include "ui/basics/ask.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/panels/start_page.h"
 #include "ui/results/run_history.h"
-#include "ui/window/confirm.h"
 #include "ui/window/examples.h"
 #include "ui/window/main_window.h"
 #include "ui/window/preferences_dialog.h"

@@ -2,6 +2,7 @@
 // Panels, commands and the picture. Runs and recordings: simulate_workspace_runs.cpp.
 #include "ui/window/simulate_workspace.h"
 
+#include "ui/basics/film.h"
 #include "ui/basics/typed_value.h"
 #include "ui/document/document.h"
 #include "ui/panels/droplet_section.h"
@@ -72,6 +73,7 @@ void SimulateWorkspace::connectPanels()
         connect(canvas, &TextileCanvas::dropAdded, &droplets, &DropletSection::addDropletAt);
         connect(canvas, &TextileCanvas::dropRemoved, &droplets, &DropletSection::deleteDroplet);
     }
+    connect(maps_, &WaterMapView::quantityChanged, this, [this] { viewport_.setQuantity(maps_->quantity(), maps_->values()); });
     connect(simulation_, &SimulationPanel::runRequested, this, &SimulateWorkspace::startRun);
     connect(simulation_, &SimulationPanel::canRunChanged, this, &SimulateWorkspace::refreshActions);
 }
@@ -84,6 +86,11 @@ void SimulateWorkspace::fillFileMenu(QMenu* menu)
         addCommand(menu, {}, tr("Save Repor&t…"), {},
                    tr("Save the results of the run that is shown, with maps at the time shown and charts, as PDF or web page."));
     connect(actions_.save_report, &QAction::triggered, this, &SimulateWorkspace::saveReport);
+    actions_.save_pictures = addCommand(menu, {}, tr("Save Picture Se&quence…"), {},
+                                        tr("Save the picture at each time of the run that is shown, as numbered PNG files."));
+    connect(actions_.save_pictures, &QAction::triggered, this, &SimulateWorkspace::savePictures);
+    actions_.save_film = addCommand(menu, {}, tr("Save Fil&m (MP4)…"), {}, tr("Save the pictures of the run that is shown as a film."));
+    connect(actions_.save_film, &QAction::triggered, this, &SimulateWorkspace::saveFilm);
 }
 
 void SimulateWorkspace::fillExperimentMenu(QMenu* menu)
@@ -131,6 +138,11 @@ void SimulateWorkspace::refreshActions()
     a.stop->setEnabled(running);
     a.save_recording->setEnabled(any && !playback_.live() && !playback_.path().isEmpty());
     a.save_report->setEnabled(any);
+    const bool filmable = any && !playback_.live() && viewport_.canvas();
+    a.save_pictures->setEnabled(filmable);
+    const bool encoder = Film::whyNoMovie().isEmpty();
+    a.save_film->setEnabled(filmable && encoder);
+    a.save_film->setText(encoder ? tr("Save Fil&m (MP4)…") : tr("Save Fil&m (MP4): ffmpeg Is Not Installed"));
     a.take_design->setEnabled(any);
     a.play->setEnabled(any);
     a.shown_plan->setEnabled(any);

@@ -18,6 +18,7 @@ class Chart;
 class Document;
 class ExperimentPanel;
 class ResultsPanel;
+class RunFilm;
 class ProjectRuns;
 class RunHistory;
 class SimulationPanel;
@@ -44,6 +45,8 @@ public:
         QAction* take_design = nullptr;
         QAction* save_recording = nullptr;
         QAction* save_report = nullptr;
+        QAction* save_pictures = nullptr;
+        QAction* save_film = nullptr;
     };
 
     SimulateWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, Viewport& viewport, QMainWindow& window);
@@ -118,6 +121,10 @@ private:
     bool mayTakeDesign() const;
     void saveRecordingAs();
     void saveReport();
+    void savePictures();
+    void saveFilm();
+    /// In the picture's window, frame by frame.
+    RunFilm* makeFilm();
     void copyRecording(const QString& from, const QString& to);
 
     Document& document_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs from their start to their recording.
 #include "core/base/error.h"
+#include "ui/basics/ask.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/typed_value.h"
 #include "ui/document/document.h"
@@ -14,6 +15,8 @@
 #include "ui/results/run_history.h"
 #include "ui/results/simulation_panel.h"
 #include "ui/window/file_names.h"
+#include "ui/window/folder_dialog.h"
+#include "ui/window/run_film.h"
 #include "ui/window/simulate_workspace.h"
 
 #include <QDir>
@@ -21,13 +24,17 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QScopedValueRollback>
 
 #include <algorithm>
 
 namespace hygroloom {
+
+namespace {
+
+constexpr char film_stem[] = "run"; // of the pictures' names
+
+} // namespace
 
 void SimulateWorkspace::connectRun()
 {
@@ -93,10 +100,12 @@ void SimulateWorkspace::showRunEnd(SimulationRun::Outcome outcome, const QString
     playback_.end();
     refreshActions();
     if (!stopping_ && outcome == SimulationRun::Outcome::device_failed && simulation_->backend() != "cpu") {
-        QMessageBox box(QMessageBox::Question, tr("The device failed"), tr("%1\n\nRun on the CPU instead?").arg(sentence),
-                        QMessageBox::Yes | QMessageBox::No, &window_);
-        box.setTextFormat(Qt::PlainText);
-        if (box.exec() == QMessageBox::Yes) {
+        const Question question{tr("The device failed"),
+                                tr("%1\n\nRun on the CPU instead?").arg(sentence),
+                                {},
+                                {{Reply::act, tr("&Run on the CPU")}, {Reply::cancel, tr("&Do Not Run")}},
+                                Reply::act};
+        if (ask(&window_, question) == Reply::act) {
             simulation_->setBackend("cpu");
             startRun();
         }
@@ -117,16 +126,11 @@ bool SimulateWorkspace::agreesToStopRun()
     if (!run_.running()) { return true; }
     const QString what =
         playback_.live() ? QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment) : tr("the experiment");
-    QMessageBox box(QMessageBox::Question, tr("A run is in progress"), tr("Stop the run of “%1”?").arg(what), QMessageBox::NoButton,
-                    &window_);
-    box.setTextFormat(Qt::PlainText);
-    box.setInformativeText(tr("What is recorded up to now is kept with the project's runs."));
-    QPushButton* stop = box.addButton(tr("&Stop and Keep What Is Recorded"), QMessageBox::AcceptRole);
-    QPushButton* go_on = box.addButton(tr("&Let It Run"), QMessageBox::RejectRole);
-    box.setDefaultButton(go_on);
-    box.setEscapeButton(go_on);
-    box.exec();
-    return box.clickedButton() == stop;
+    const Question question{tr("A run is in progress"),
+                            tr("Stop the run of “%1”?").arg(what),
+                            tr("What is recorded up to now is kept with the project's runs."),
+                            {{Reply::act, tr("&Stop and Keep What Is Recorded")}, {Reply::cancel, tr("&Let It Run")}}};
+    return ask(&window_, question) == Reply::act;
 }
 
 /// Until the run has ended, 0.2 s or so, the window is drawn, but takes no input.
@@ -218,6 +222,39 @@ void SimulateWorkspace::saveReport()
     } catch (const std::exception& error) {
         Q_EMIT problemFound(QString::fromStdString(error.what()));
     }
+}
+
+RunFilm* SimulateWorkspace::makeFilm()
+{
+    Q_EMIT wanted(); // what is filmed is on screen
+    auto* film = new RunFilm(
+        playback_, [this] { return viewport_.picture(); }, film_stem, &window_);
+    connect(film, &RunFilm::saved, this, [this](const QString& sentence) { Q_EMIT messageShown(sentence, 8000); });
+    connect(film, &RunFilm::failed, this, &SimulateWorkspace::problemFound);
+    return film;
+}
+
+void SimulateWorkspace::savePictures()
+{
+    if (!playback_.run() || playback_.live()) { return; }
+    const QString folder = askForFolder(&window_, tr("Folder for the Pictures"), folderOf(document_));
+    if (folder.isEmpty()) { return; }
+    const auto older = QDir(folder).entryList({QString("%1-??????.png").arg(film_stem)}, QDir::Files).size();
+    if (older > 0 &&
+        !confirm(&window_, tr("The folder has pictures of a run"), tr("Write the pictures of this run over those in %1?").arg(folder),
+                 tr("%1 pictures with such names are there.").arg(older), tr("&Replace"))) {
+        return;
+    }
+    makeFilm()->savePictures(folder);
+}
+
+void SimulateWorkspace::saveFilm()
+{
+    if (!playback_.run() || playback_.live()) { return; }
+    const QString name = QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment) + ".mp4";
+    const QString chosen =
+        QFileDialog::getSaveFileName(&window_, tr("Save Film"), QDir(folderOf(document_)).filePath(name), tr("Films (*.mp4)"));
+    if (!chosen.isEmpty()) { makeFilm()->saveMovie(withEnding(chosen, ".mp4")); }
 }
 
 /// In the background: recordings may be large.

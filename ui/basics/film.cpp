@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/lesson/lesson_film.h"
+#include "ui/basics/film.h"
 
 #include <QDir>
 #include <QFile>
@@ -17,9 +17,16 @@ constexpr qint64 most_waiting_bytes = qint64{1} << 28; // for ffmpeg
 
 } // namespace
 
-LessonFilm::LessonFilm(QObject* parent) : QObject(parent) { writers_.setMaxThreadCount(1); }
+QString Film::whyNoMovie()
+{
+    return QStandardPaths::findExecutable("ffmpeg").isEmpty()
+               ? tr("MP4 needs the program ffmpeg, which is not installed. Save pictures instead, or install it: apt install ffmpeg.")
+               : QString();
+}
 
-LessonFilm::~LessonFilm()
+Film::Film(const QString& stem, QObject* parent) : QObject(parent), stem_(stem) { writers_.setMaxThreadCount(1); }
+
+Film::~Film()
 {
     writers_.waitForDone();
     if (!ffmpeg_) { return; }
@@ -29,7 +36,7 @@ LessonFilm::~LessonFilm()
     QFile::remove(target_ + ".part"); // a film that nobody ended
 }
 
-void LessonFilm::startPictures(const QString& folder)
+void Film::startPictures(const QString& folder)
 {
     runs_ = true;
     movie_ = false;
@@ -38,12 +45,10 @@ void LessonFilm::startPictures(const QString& folder)
     broken_ = false;
 }
 
-bool LessonFilm::startMovie(const QString& path)
+bool Film::startMovie(const QString& path)
 {
-    const QString program = QStandardPaths::findExecutable("ffmpeg");
-    if (program.isEmpty()) {
-        Q_EMIT failed(
-            tr("MP4 needs the program ffmpeg, which is not installed. Save pictures instead, or install it: apt install ffmpeg."));
+    if (const QString why = whyNoMovie(); !why.isEmpty()) {
+        Q_EMIT failed(why);
         return false;
     }
     runs_ = movie_ = true;
@@ -51,12 +56,12 @@ bool LessonFilm::startMovie(const QString& path)
     taken_ = left_out_ = 0;
     size_ = {};
     ffmpeg_ = std::make_unique<QProcess>();
-    ffmpeg_->setProgram(program);
-    connect(ffmpeg_.get(), &QProcess::finished, this, &LessonFilm::endMovie);
+    ffmpeg_->setProgram(QStandardPaths::findExecutable("ffmpeg"));
+    connect(ffmpeg_.get(), &QProcess::finished, this, &Film::endMovie);
     return true;
 }
 
-void LessonFilm::add(const QImage& picture)
+void Film::add(const QImage& picture)
 {
     if (!runs_ || picture.isNull()) { return; }
     if (movie_) {
@@ -66,14 +71,16 @@ void LessonFilm::add(const QImage& picture)
     }
 }
 
-void LessonFilm::writePicture(const QImage& picture)
+bool Film::full() const { return movie_ ? ffmpeg_ && ffmpeg_->bytesToWrite() > most_waiting_bytes : waiting_ >= most_waiting; }
+
+void Film::writePicture(const QImage& picture)
 {
     if (waiting_ >= most_waiting) {
         ++left_out_;
         return;
     }
     ++waiting_;
-    const QString path = QDir(target_).filePath(QString("lesson-%1.png").arg(++taken_, 6, 10, QChar('0')));
+    const QString path = QDir(target_).filePath(QString("%1-%2.png").arg(stem_).arg(++taken_, 6, 10, QChar('0')));
     writers_.start([this, picture, path] {
         QSaveFile file(path);
         if (!(file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG", 80) && file.commit())) { broken_ = true; }
@@ -81,7 +88,7 @@ void LessonFilm::writePicture(const QImage& picture)
     });
 }
 
-void LessonFilm::feed(const QImage& picture)
+void Film::feed(const QImage& picture)
 {
     if (size_.isEmpty()) {
         size_ = QSize(picture.width() / 2 * 2, picture.height() / 2 * 2); // players want even sides
@@ -124,7 +131,7 @@ void LessonFilm::feed(const QImage& picture)
     ++taken_;
 }
 
-void LessonFilm::finish()
+void Film::finish()
 {
     if (!runs_) { return; }
     runs_ = false;
@@ -148,7 +155,19 @@ void LessonFilm::finish()
     }
 }
 
-void LessonFilm::endMovie(int code, QProcess::ExitStatus status)
+void Film::cancel()
+{
+    runs_ = false;
+    writers_.waitForDone();
+    if (!ffmpeg_) { return; }
+    ffmpeg_->disconnect(this);
+    ffmpeg_->kill();
+    ffmpeg_->waitForFinished(5000);
+    ffmpeg_.reset();
+    QFile::remove(target_ + ".part");
+}
+
+void Film::endMovie(int code, QProcess::ExitStatus status)
 {
     runs_ = false;
     const QString said = QString::fromLocal8Bit(ffmpeg_->readAllStandardError()).trimmed().left(300);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A lesson as a film: its pictures as PNG files, or as MP4 by ffmpeg where that is installed.
+// A film of pictures: as PNG files, or as MP4 by ffmpeg where that is installed.
 #pragma once
 
 #include <QImage>
@@ -8,26 +8,35 @@
 #include <QThreadPool>
 
 #include <atomic>
+#include <memory>
 
 namespace hygroloom {
 
-class LessonFilm : public QObject {
+class Film : public QObject {
     Q_OBJECT
 public:
     static constexpr int pictures_per_second = 25;
 
-    explicit LessonFilm(QObject* parent = nullptr);
-    /// Waits until what was taken is written.
-    ~LessonFilm() override;
+    /// Why there can be no MP4, in a sentence; empty: there can.
+    static QString whyNoMovie();
 
-    /// Pictures lesson-000001.png and so on, in a folder that is there.
+    /// stem: of the pictures' names.
+    explicit Film(const QString& stem, QObject* parent = nullptr);
+    /// Waits until what was taken is written.
+    ~Film() override;
+
+    /// Pictures STEM-000001.png and so on, in a folder that is there.
     void startPictures(const QString& folder);
     /// False after failed(), where there is no ffmpeg.
     bool startMovie(const QString& path);
     bool runs() const { return runs_; }
     void add(const QImage& picture);
+    /// More pictures than can wait would be left out.
+    bool full() const;
     /// Ends with finished() or failed().
     void finish();
+    /// Ends without either. Of a film nothing stays, of pictures those that are written.
+    void cancel();
     int pictures() const { return taken_; }
 
 Q_SIGNALS:
@@ -41,6 +50,7 @@ private:
     void endMovie(int code, QProcess::ExitStatus status);
 
     bool runs_ = false, movie_ = false;
+    QString stem_;
     QString target_; ///< folder or file
     QSize size_;
     int taken_ = 0, left_out_ = 0;

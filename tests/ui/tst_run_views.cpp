@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a run shows besides water: temperature and humidity on maps and in 3D, charts and reports in the user's units, its pictures as
+// files. Needs a display: xvfb-run.
+#include "ui/basics/preferences.h"
+#include "ui/picture/viewport.h"
+#include "ui/results/chart.h"
+#include "ui/results/results_panel.h"
+#include "ui/results/water_map_view.h"
+#include "ui/window/run_film.h"
+#include "window_test.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QStandardItemModel>
+
+using namespace hygroloom;
+
+class TestRunViews : public WindowTest {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        useOwnSettings();
+        openWindow({1280, 800});
+    }
+    void cleanupTestCase() { window_.reset(); }
+    void cleanup() { setPreferences({}); }
+
+    void whatARunDoesNotModelCannotBeChosen()
+    {
+        QVERIFY(run("one-drop-on-cotton", 0.2));
+        QComboBox& choice = waterMaps().quantityChoice();
+        const auto* model = qobject_cast<QStandardItemModel*>(choice.model());
+        for (const ShownQuantity each : {ShownQuantity::temperature, ShownQuantity::humidity}) {
+            const QStandardItem* item = model->item(static_cast<int>(each));
+            const std::string why = why_not_shown(playback().run()->plan, each);
+            QCOMPARE(item->isEnabled(), why.empty());
+            QCOMPARE(item->text().endsWith("(not modelled)"), !why.empty());
+            QVERIFY(item->toolTip().contains(QString::fromStdString(why).toHtmlEscaped()));
+        }
+    }
+
+    void dryingClothIsShownByItsTemperature()
+    {
+        QVERIFY(run("laboratory", 60, ExperimentType::drying));
+        QVERIFY(playback().run()->plan.on("heat"));
+        QSignalSpy maps(&waterMaps(), &WaterMapView::mapChanged);
+        waterMaps().quantityChoice().setCurrentIndex(static_cast<int>(ShownQuantity::temperature));
+        QTRY_VERIFY_WITH_TIMEOUT(maps.count() > 0, 10000);
+        const CellMap& map = waterMaps().top().map();
+        QCOMPARE(map.quantity, ShownQuantity::temperature);
+        const auto [low, high] = std::minmax_element(map.water.begin(), map.water.end());
+        QVERIFY(*low > 273 && *high < 313);
+        QTRY_VERIFY(waterMaps().values().low <= *low && waterMaps().values().high >= *high);
+        QTRY_VERIFY_WITH_TIMEOUT(waterMaps().top().accessibleDescription().startsWith("Temperatures from"), 5000);
+        QVERIFY2(waterMaps().top().accessibleDescription().contains("°C"), qPrintable(waterMaps().top().accessibleDescription()));
+        waterMaps().quantityChoice().setCurrentIndex(0);
+        QTRY_COMPARE_WITH_TIMEOUT(waterMaps().top().map().quantity, ShownQuantity::water, 5000);
+    }
+
+    void chartsAndReportsHaveTheUsersUnits()
+    {
+        QVERIFY(run("one-drop-on-cotton", 0.2));
+        QVERIFY2(chart().title().contains("mm"), qPrintable(chart().title()));
+        const QString before = results().report();
+        QVERIFY(before.contains("<th>thickness</th><td class=\"number\">") && before.contains("<td>mm</td>"));
+        Preferences chosen = preferences();
+        chosen.length = static_cast<int>(LengthUnit::inch);
+        chosen.yarn = static_cast<int>(YarnUnit::ne);
+        setPreferences(chosen);
+        QTRY_VERIFY2(chart().title().endsWith("in"), qPrintable(chart().title()));
+        const QString after = results().report();
+        QVERIFY(after.contains("<td>in</td>") && after.contains("<td>Ne</td>"));
+        QVERIFY(!after.contains("<td>mm</td>") && !after.contains("<td>tex</td>"));
+        // The inputs stand as the project has them.
+        QVERIFY(after.contains("diameter_mm"));
+    }
+
+    void picturesOfARunAreNumberedFiles()
+    {
+        QVERIFY(run("one-drop-on-cotton", 0.2));
+        QTemporaryDir folder;
+        const int frames = playback().frames(), shown = playback().current();
+        QVERIFY(frames > 2);
+        auto* film = new RunFilm(
+            playback(), [this] { return window_->viewport().picture(); }, "run", window_.get());
+        QSignalSpy saved(film, &RunFilm::saved);
+        film->savePictures(folder.path());
+        QTRY_VERIFY_WITH_TIMEOUT(saved.count() == 1, 60000);
+        const QStringList names = QDir(folder.path()).entryList(QDir::Files, QDir::Name);
+        QCOMPARE(names.size(), frames);
+        QCOMPARE(names.first(), QString("run-000001.png"));
+        const QImage first(folder.filePath(names.first())), last(folder.filePath(names.last()));
+        QCOMPARE(first.size(), window_->viewport().picture().size());
+        QVERIFY(first != last); // the drop falls
+        QTRY_COMPARE(playback().current(), shown);
+    }
+
+    void aCancelledSequenceLeavesWholePicturesOnly()
+    {
+        QTemporaryDir folder;
+        auto* film = new RunFilm(
+            playback(), [this] { return window_->viewport().picture(); }, "run", window_.get());
+        QSignalSpy saved(film, &RunFilm::saved);
+        film->savePictures(folder.path());
+        auto* progress = window_->findChild<QProgressDialog*>();
+        QVERIFY(progress);
+        QTRY_VERIFY_WITH_TIMEOUT(progress->value() >= 1, 10000);
+        progress->cancel();
+        QTRY_COMPARE(saved.count(), 1);
+        QVERIFY(saved.first().first().toString().startsWith("Cancelled after "));
+        for (const QString& name : QDir(folder.path()).entryList(QDir::Files)) {
+            QVERIFY(name.endsWith(".png") && !QImage(folder.filePath(name)).isNull());
+        }
+    }
+
+private:
+    /// A short run of an example's experiment of a type, to its end.
+    bool run(const QString& project, double duration_s, ExperimentType type = ExperimentType::droplet)
+    {
+        if (!window_->openFile(example(project))) { return false; }
+        const auto& all = window_->document().design()->experiments;
+        const auto found = std::find_if(all.begin(), all.end(), [type](const Experiment& e) { return e.type == type; });
+        if (found == all.end()) { return false; }
+        const auto index = found - all.begin();
+        window_->document().setExperimentIndex(static_cast<int>(index));
+        window_->document().edit("short", {}, [&](Design& d) {
+            Experiment& e = d.experiments[static_cast<std::size_t>(index)];
+            e.duration_s = duration_s;
+            e.sample_mm = {6, 6};
+            if (type == ExperimentType::droplet) { e.droplets = {Droplet{1, 0, {0, 0}, 0.05, 0}}; }
+        });
+        simulationPanel().setFidelity(Fidelity::draft);
+        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        window_->simulate().startRun();
+        return QTest::qWaitFor([&] { return ended.count() == 1 && playback().metrics() && playback().frame(); }, 120000);
+    }
+};
+
+QTEST_MAIN(TestRunViews)
+#include "tst_run_views.moc"
