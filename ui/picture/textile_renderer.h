@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/picture/liquid_painter.h"
+#include "ui/picture/repeat_light.h"
 
 #include <QOpenGLBuffer>
 #include <QOpenGLFramebufferObject>
@@ -82,7 +83,7 @@ private:
     QOpenGLBuffer flat_vertices_{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer instances_{QOpenGLBuffer::VertexBuffer};
     RepeatPicture picture_; ///< without its texels
-    unsigned repeat_ = 0;
+    RepeatLight repeat_light_;
     unsigned water_ = 0;
     unsigned end_colors_ = 0; ///< of each end; alpha holds its turns per crossing
     unsigned pick_colors_ = 0;
