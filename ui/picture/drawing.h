@@ -21,6 +21,7 @@ struct PictureColors {
     QColor weft;
     QColor marked;
     WaterColors water = WaterColors::blue;
+    bool shadow = false; ///< the cloth throws one on a ground below it
 };
 
 /// For a widget with this palette.

@@ -36,6 +36,7 @@ bool TextileRenderer::initialize()
     makeTextures();
     makeSquare();
     problem_ = repeat_light_.initialize(gl_);
+    if (problem_.isEmpty()) { problem_ = ground_.initialize(gl_); }
     if (problem_.isEmpty()) { problem_ = liquid_.initialize(gl_, flat_vertices_); }
     return problem_.isEmpty();
 }
@@ -87,6 +88,7 @@ void TextileRenderer::release()
     fabric_.reset();
     liquid_.release();
     repeat_light_.release();
+    ground_.release();
     flat_array_.destroy();
     for (QOpenGLBuffer* buffer : {&flat_vertices_, &instances_}) { buffer->destroy(); }
     ramp_.reset();
@@ -234,7 +236,7 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
     } else {
         drawFabric(view, batches, colors, {});
     }
-    liquid_.draw(view, colors);
+    liquid_.draw(view, colors, pixels, fabric_ ? 0.5F * fabric_->pitch().z() : 0.0F);
     gl_->glDisable(GL_DEPTH_TEST);
 }
 
@@ -248,6 +250,7 @@ void TextileRenderer::drawFabric(const SceneView& view, const std::vector<CellBa
     if (!fabric_) { return; }
     setColors(colors);
     repeat_light_.lightFrom(view.camera.direction());
+    if (colors.shadow) { ground_.draw(view, *fabric_, colors.background); }
     for (const CellRole role : {CellRole::whole, CellRole::fading, CellRole::over}) {
         drawCells(view, batches, colors, role, belt.has_value());
     }
@@ -293,7 +296,7 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     const QVector3D pitch = fabric_->pitch();
     const float side = view.camera.eye().z() >= 0 ? 1.0F : -1.0F;
     program.bind();
-    program.setUniformValue("view_projection", view.camera.projection(view.size) * view.camera.view());
+    program.setUniformValue("view_projection", view.clip());
     program.setUniformValue("eye", view.camera.eye());
     program.setUniformValue("side", side);
     program.setUniformValue("water", water_unit);
@@ -309,7 +312,7 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     const double full = natural && water_maximum_ > 0 ? 1 : water_maximum_; // how wet yarns look depends on no range of colours
     program.setUniformValue("water_scale", full > 0 ? static_cast<float>(1 / full) : 0.0F);
     program.setUniformValue("bare", 0.02F);
-    program.setUniformValue("background", rgb(colors.background));
+    program.setUniformValue("background", (colors.shadow && side > 0 ? 1 - ground_dark : 1) * rgb(colors.background)); // seen through gaps
     program.setUniformValue("marked_color", rgb(colors.marked));
     gl_->glUniform2i(program.uniformLocation("marked"), marked_.kind == YarnKind::warp ? 0 : 1, marked_.yarn);
     program.setUniformValue("half_thickness", 0.5F * pitch.z());

@@ -2,6 +2,7 @@
 // Draws yarns, their water, and free liquid with OpenGL 3.3. Knows no widget: any current context will do.
 #pragma once
 
+#include "ui/picture/ground_painter.h"
 #include "ui/picture/liquid_painter.h"
 #include "ui/picture/repeat_light.h"
 
@@ -92,6 +93,7 @@ private:
     YarnNumber marked_;
     std::unique_ptr<QOpenGLTexture> ramp_;
     WaterColors ramp_colors_ = WaterColors::blue;
+    GroundPainter ground_;
     LiquidPainter liquid_;
 };
 
