@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Cloth from afar shows no bands that it does not have: its picture, blurred, is that of all its yarns drawn far finer. Needs a display:
-// xvfb-run.
+// xvfb-run. At rest it is drawn until its edges are smooth, and then no more.
 #include "core/project/library.h"
 #include "ui/picture/framing.h"
 #include "ui/picture/swatch_painter.h"
+#include "ui/picture/textile_canvas.h"
 
 #include <QOpenGLFramebufferObject>
+#include <QSignalSpy>
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 using namespace hygroloom;
 
@@ -82,6 +85,7 @@ private Q_SLOTS:
 
     void cleanupTestCase()
     {
+        context_.makeCurrent(surface_.get());
         renderer_.release();
         context_.doneCurrent();
     }
@@ -107,7 +111,65 @@ private Q_SLOTS:
         QVERIFY2(std::abs(misses.brighter) < 0.08, qPrintable(QString::number(misses.brighter)));
     }
 
+    void atRestThePictureIsDrawnAFewTimesMoreAndThenNoMore()
+    {
+        TextileCanvas canvas;
+        canvas.resize(picture);
+        canvas.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&canvas));
+        connect(&canvas, &TextileCanvas::meshesWanted, &canvas, [&] {
+            make_wanted(
+                canvas.fabric(), canvas.scene().wanted(), [] { return false; },
+                [&](const std::shared_ptr<const PreparedView>& ready) {
+                    QMetaObject::invokeMethod(
+                        &canvas, [&canvas, ready] { canvas.addMeshes(*ready); }, Qt::QueuedConnection);
+                });
+        });
+        canvas.setView(prepare_view(cloth(20), canvas.sceneView(), Framing::whole, [] { return false; }));
+        canvas.fit(Framing::whole);
+        QTRY_VERIFY_WITH_TIMEOUT(canvas.rests(), 60000);
+        const QImage smooth = canvas.grabFramebuffer();
+        QSignalSpy drawn(&canvas, &QOpenGLWidget::frameSwapped);
+        QTest::qWait(800);
+        QCOMPARE(drawn.count(), 0);
+        QVERIFY(canvas.rests());
+        canvas.zoomBy(1.01);
+        QVERIFY(!canvas.rests());
+        QTRY_VERIFY_WITH_TIMEOUT(canvas.rests(), 60000);
+        canvas.zoomBy(1 / 1.01);
+        const QImage saved = canvas.picture(); // with all samples, without waiting for them
+        QVERIFY(canvas.rests());
+        QVERIFY(levelsAlongTheEdge(saved) > 12);
+        QVERIFY(levelsAlongTheEdge(smooth) > 12);
+    }
+
 private:
+    /// Shades of grey that the first pixels of the cloth have, row by row, from the left: few where its edge is jagged.
+    static int levelsAlongTheEdge(const QImage& image)
+    {
+        std::set<int> levels;
+        const int background = qGray(image.pixel(image.width() / 2, 2));
+        for (int y = image.height() / 3; y < 2 * image.height() / 3; ++y) {
+            for (int x = 0; x < image.width() / 2; ++x) {
+                if (const int here = qGray(image.pixel(x, y)); std::abs(here - background) > 2) {
+                    levels.insert(here);
+                    break;
+                }
+            }
+        }
+        return static_cast<int>(levels.size());
+    }
+
+    static PreviewRequest cloth(double side_mm)
+    {
+        auto design = std::make_shared<Design>(shipped_presets().front().design);
+        design->fabrics[0].weave = weave_from_pattern("plain");
+        PreviewRequest request;
+        request.design = design;
+        request.whole = swatch_region(design->fabrics[0], side_mm);
+        return request;
+    }
+
     QImage drawn(const std::shared_ptr<const PreviewFabric>& fabric, SceneView view, int times)
     {
         FabricScene scene;
@@ -128,12 +190,8 @@ private:
 
     Misses missesOf(double side_mm, int farther, double turn, double lift)
     {
-        auto design = std::make_shared<Design>(shipped_presets().front().design);
-        design->fabrics[0].weave = weave_from_pattern("plain");
-        PreviewRequest request;
-        request.design = design;
-        request.whole = swatch_region(design->fabrics[0], side_mm);
-        const auto fabric = prepare_fabric(request);
+        const auto fabric = prepare_fabric(cloth(side_mm));
+        context_.makeCurrent(surface_.get()); // a canvas has one of its own
         renderer_.setFabric(fabric);
         SceneView view;
         view.size = picture;
