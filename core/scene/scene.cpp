@@ -5,6 +5,7 @@
 #include "core/geometry/face_angles.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/wicking.h"
+#include "core/scene/pool_base.h"
 #include "core/scene/unevenness.h"
 
 #include <algorithm>
@@ -305,8 +306,7 @@ void start_in(Scene& scene, const Climate& initial)
 ScenePool pool_of(double volume, double feed, int drops)
 {
     const double drop = drops > 0 ? volume / drops : 0.0;
-    const double hangs = cubic_metre_from_ul(hanging_drop_ul);
-    return {0, feed, volume / feed, true, drop, std::min(volume, drops > 0 ? drop : hangs)};
+    return {0, feed, volume / feed, true, drop, least_pool(volume, drops, cubic_metre_from_ul(hanging_drop_ul))};
 }
 
 void set_up(Scene& scene, const Textile& textile, const Experiment& experiment, const ModelPlan& plan)

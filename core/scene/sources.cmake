@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   scene/check_scene.cpp
   scene/coarse_scene.cpp
+  scene/liquid_bodies.cpp
   scene/liquid_points.cpp
   scene/scene.cpp
   scene/shown_quantity.cpp

@@ -2,7 +2,8 @@ in vec3 at;
 in vec2 crossing;
 flat in float fade;
 
-uniform sampler2DArray repeat_picture; // see RepeatPicture
+uniform sampler2D repeat_light; // see repeat.frag
+uniform sampler2DArray looks;   // see RepeatPicture: what the whole looks like from each direction
 uniform vec2 period;          // crossings
 uniform vec2 crossings;       // of the whole
 uniform sampler2D end_colors;
@@ -13,16 +14,32 @@ uniform sampler2D ramp;
 uniform float bare;
 uniform ivec2 marked;
 uniform vec3 background;
-uniform float gap_depth;      // half the thickness of the fabric in widths of a gap
 uniform vec3 belt;            // pixels of a pitch at depth 1, begin and end of the belt where tubes take over
 uniform float over_tubes;     // 1: laid over tubes, the thinner the nearer
 
 out vec4 color;
 
-vec4 layer(float which)
+// Mean light of ends and of picks, how much is covered, and the shine of dry yarns, looked at from there.
+vec4 look_from(vec3 to_eye)
 {
-    vec4 texel = texture(repeat_picture, vec3(crossing / period, which), -0.4);
-    return vec4((texel.xyz * 255.0 - 128.0) / 127.0, texel.w);
+    vec2 nodes = vec2(textureSize(looks, 0).xy);
+    return texture(looks, vec3((0.5 * to_eye.xy + 0.5) * (nodes - 1.0) / nodes + 0.5 / nodes, side > 0.0 ? 0.0 : 1.0));
+}
+
+// The light of ends and of picks, and the share of the background. The repeat's picture is one from straight above, and gives the
+// pattern; its means are made those of what is seen from here, where less of the gaps shows and more of the yarns' sides.
+vec3 light_here(vec4 mean, vec3 to_eye)
+{
+    float finest = max(length(dFdx(crossing)), length(dFdy(crossing))); // crossings in a pixel
+    vec3 scale = vec3(1.0 / 0.75, 1.0 / 0.75, 1.0);
+    vec3 here = texture(repeat_light, crossing / period, 1.5 * smoothstep(0.3, 0.7, finest)).rgb * scale;
+    vec3 above = textureLod(repeat_light, vec2(0.5), 20.0).rgb * scale;
+    here = mix(above, here, 0.5 + 0.5 * abs(to_eye.z)); // flatter from the side
+    float seen_through = min((1.0 - mean.b) / max(1.0 - above.b, 0.001), 1.0);
+    float in_gaps = 0.7 * (1.0 - seen_through); // of the mean light, where one sees yarns below instead of the background
+    vec2 wanted = mean.rg * (1.0 - in_gaps * (1.0 - above.b));
+    vec2 times = min(wanted / max(above.rg, 0.001), 1.6);
+    return vec3(here.rg * times + (wanted - above.rg * times) + in_gaps * (1.0 - here.b) * mean.rg, (1.0 - here.b) * seen_through);
 }
 
 void main()
@@ -32,10 +49,8 @@ void main()
         discard;
 #endif
     vec3 to_eye = normalize(eye - at);
-    vec3 lamp = lamp_direction(to_eye);
-    float first = side > 0.0 ? 0.0 : 2.0;
-    vec4 warp = layer(first), weft = layer(first + 1.0);
-    float covered = texture(repeat_picture, vec3(crossing / period, 4.0), -0.4).r;
+    vec4 mean = look_from(to_eye);
+    vec3 light = light_here(mean, to_eye);
     vec2 share = crossing / crossings;
     vec3 end_dry = texture(end_colors, vec2(share.x, 0.5)).rgb, pick_dry = texture(pick_colors, vec2(share.y, 0.5)).rgb;
     vec2 which = floor(crossing);
@@ -45,11 +60,7 @@ void main()
         pick_dry = mix(pick_dry, marked_color, 0.7);
     vec2 amount = water_scale > 0.0 ? texture(water, share).rg * water_scale : vec2(0.0);
     vec3 end_base = wetted(ramp, end_dry, amount.r, bare), pick_base = wetted(ramp, pick_dry, amount.g, bare);
-    vec3 light = light_on(end_base, warp.xyz, warp.w, lamp) + light_on(pick_base, weft.xyz, weft.w, lamp);
-    // One sees through the gaps the less the more from the side, and instead dark skins in the depth.
-    float slant = length(to_eye.xy) / max(abs(to_eye.z), 0.01);
-    float through = (1.0 - covered) * clamp(1.0 - gap_depth * slant, 0.0, 1.0);
-    light += (1.0 - covered) * 0.12 * mix(end_base, pick_base, 0.5);
     float thin = clamp((belt.x * gl_FragCoord.w - belt.y) / (belt.z - belt.y), 0.0, 1.0);
-    color = vec4(light * (1.0 - through) + background * through, 1.0 - over_tubes * thin);
+    float shine = mean.a * mix(1.0, 3.8, dot(clamp(amount, 0.0, 1.0), mean.rg) / max(mean.r + mean.g, 0.001)); // about what wet yarns have
+    color = vec4(end_base * light.r + pick_base * light.g + background * light.b + shine, 1.0 - over_tubes * thin);
 }

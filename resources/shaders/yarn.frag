@@ -58,7 +58,7 @@ void main()
     fine *= on_skin;
     vec3 around = normalize(cross(along, n) + vec3(1e-6));
     vec3 bent = normalize(n + (0.22 * blur * cos(wave) + 0.22 * fine * cos(fine_wave)) * around);
-    float groove = 1.0 - 0.10 * blur * (0.5 - 0.5 * sin(wave)) - 0.10 * fine * (0.5 - 0.5 * sin(fine_wave));
+    float groove = 1.0 + 0.05 * blur * sin(wave) + 0.05 * fine * sin(fine_wave); // as bright as without, on the whole
 
     float cover = natural > 0.5 ? clamp(wet, 0.0, 1.0) : smoothstep(0.25 * bare, 1.5 * bare, wet);
     vec3 lamp = lamp_direction(to_eye);

@@ -8599,6 +8599,14 @@ Stattdessen auf der CPU rechnen?</translation>
         <source>Measure between</source>
         <translation>Messen zwischen</translation>
     </message>
+    <message>
+        <source>S&amp;hadow</source>
+        <translation>S&amp;chatten</translation>
+    </message>
+    <message>
+        <source>Show the shadow of the fabric on the ground.</source>
+        <translation>Zeigt den Schatten des Gewebes auf dem Boden.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::Viewport</name>

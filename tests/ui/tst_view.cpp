@@ -286,7 +286,7 @@ private Q_SLOTS:
     void freeLiquidIsSeenAsASkinOrAsParticles()
     {
         const QImage dry = window_->viewport().picture();
-        canvas_->setLiquid(liquid_surface(standingDrop()));
+        canvas_->setLiquid(liquid_surface(standingDrop(), {}));
         const QImage skin = window_->viewport().picture();
         QTest::keyClick(canvas_, Qt::Key_P);
         QVERIFY(QSettings().value("view/particles").toBool());
@@ -307,7 +307,7 @@ private Q_SLOTS:
 
     void aSectionCutsTheLiquidToo()
     {
-        canvas_->setLiquid(liquid_surface(standingDrop()));
+        canvas_->setLiquid(liquid_surface(standingDrop(), {}));
         SectionPlane section;
         section.across = SectionPlane::Across::warp;
         section.position = 0;

@@ -13,21 +13,6 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int most_texels = 1024; // each way
-constexpr int texels_per_crossing = 20;
-
-/// Light that reaches a height of the fabric past its surface; the deeper the less.
-double light_at_height(double height, double half_thickness)
-{
-    const double t = std::clamp((height / half_thickness + 1.0) / 1.75, 0.0, 1.0);
-    return 0.70 + 0.30 * t * t * (3 - 2 * t);
-}
-
-double contrast(double openness)
-{
-    return 0.45 + 0.55 * std::sqrt(openness); // light that comes from skin to skin softens the shade
-}
-
 std::int16_t shortened(double share) { return static_cast<std::int16_t>(std::lround(32767 * std::clamp(share, -1.0, 1.0))); }
 
 /// A neighbour of the same key inside the fabric, so that a shared mesh has neighbours on all sides.
@@ -47,7 +32,8 @@ class CellSweep {
 public:
     CellSweep(const PreviewFabric& fabric, const TextileRegion& part, const YarnField& field, const TubeLevel& level, double sunk,
               CellMesh& mesh)
-        : textile_(fabric.textile), part_(part), field_(field), sunk_(sunk), level_(level), mesh_(mesh)
+        : textile_(fabric.textile), part_(part), field_(field), sunk_(sunk), level_(level),
+          fuller_(std::sqrt(2 * pi / level.sides / std::sin(2 * pi / level.sides))), mesh_(mesh)
     {
         const QVector3D low = fabric.low(part_);
         corner_ = {low.x(), low.y(), 0};
@@ -97,7 +83,7 @@ private:
         const double under = sunk_ * point_.half_height;
         const SectionPoint p =
             section_point(point_.half_width - under, point_.half_height - under, 2 * pi * (k % level_.sides) / level_.sides);
-        const Vec3d position = point_.centre + p.across * across + p.up * up;
+        const Vec3d position = point_.centre + fuller_ * (p.across * across + p.up * up);
         Vec3d normal = p.normal_across * across + p.normal_up * up;
         double open = 1;
         if (cap != 0) {
@@ -105,7 +91,7 @@ private:
         } else if (k == level_.sides) {
             open = seam_;
         } else {
-            open = contrast(field_.openness(position, normal)) * (sunk_ > 0 ? 0.55 : 1);
+            open = shade_of(field_.openness(position, normal)) * (sunk_ > 0 ? 0.55 : 1);
             seam_ = k == 0 ? open : seam_;
         }
         CellVertex vertex{};
@@ -130,48 +116,12 @@ private:
     const YarnField& field_;
     double sunk_; ///< share of the half height that lies over this body
     const TubeLevel& level_;
+    double fuller_; ///< a section of few sides is as large as the round one
     CellMesh& mesh_;
     Vec3d corner_; // mm
     YarnPoint point_{};
     double seam_ = 1;
 };
-
-struct Seen {
-    YarnKind kind = YarnKind::warp;
-    Vec3d point;
-    Vec3d normal;
-};
-
-/// What is seen of the fabric straight from above (side 1) or below (-1).
-std::optional<Seen> seen_at(const YarnField& field, double x, double y, int side)
-{
-    const Textile& textile = field.textile();
-    std::optional<Seen> seen;
-    for (const YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
-        const bool is_warp = kind == YarnKind::warp;
-        const double first = is_warp ? textile.x_of_end(0) : textile.y_of_pick(0);
-        const double pitch = (is_warp ? textile.x_of_end(1) : textile.y_of_pick(1)) - first;
-        const double first_along = is_warp ? textile.y_of_pick(0) : textile.x_of_end(0);
-        const double step = (is_warp ? textile.y_of_pick(1) : textile.x_of_end(1)) - first_along;
-        const double across = is_warp ? x : y;
-        const double along = ((is_warp ? y : x) - first_along) / step;
-        const int middle = static_cast<int>(std::lround((across - first) / pitch));
-        for (int yarn = std::max(0, middle - 1); yarn <= std::min((is_warp ? textile.ends() : textile.picks()) - 1, middle + 1); ++yarn) {
-            const YarnSlice slice = field.slice(kind, yarn, along);
-            const double off = across - slice.across;
-            const double flat = std::max(0.0F, slice.half_width - slice.half_height);
-            const double round = std::max(0.0, std::abs(off) - flat) / slice.half_height;
-            if (round >= 1) { continue; }
-            const double rise = std::sqrt(1 - round * round);
-            const double height = slice.height + side * rise * slice.half_height * std::sqrt(1.0 + slice.slope * slice.slope);
-            if (seen && side * height <= side * seen->point.z) { continue; }
-            const double norm = 1 / std::sqrt(1.0 + slice.slope * slice.slope);
-            const double sideways = off < 0 ? -round : round, along_yarn = -side * rise * slice.slope * norm, up = side * rise * norm;
-            seen = Seen{kind, {x, y, height}, is_warp ? Vec3d{sideways, along_yarn, up} : Vec3d{along_yarn, sideways, up}};
-        }
-    }
-    return seen;
-}
 
 } // namespace
 
@@ -187,52 +137,6 @@ CellMesh mesh_cell(const PreviewFabric& fabric, Cell cell, int level)
     for (int pick = 0; pick < part.picks; ++pick) { sweep.add(YarnKind::weft, part.first_pick + pick); }
     if (fibres) { add_fibres(fabric, part, field, mesh); }
     return mesh;
-}
-
-RepeatPicture picture_of_repeat(const PreviewFabric& fabric)
-{
-    const Textile& textile = fabric.textile;
-    RepeatPicture picture;
-    picture.ends = std::min(fabric.period_ends, textile.ends());
-    picture.picks = std::min(fabric.period_picks, textile.picks());
-    picture.width = std::min(most_texels, texels_per_crossing * picture.ends);
-    picture.height = std::min(most_texels, texels_per_crossing * picture.picks);
-    // Away from the edge where there is room: the picture stands for the middle.
-    const TextileRegion part{2 * picture.ends < textile.ends() ? picture.ends : 0, 2 * picture.picks < textile.picks() ? picture.picks : 0,
-                             picture.ends, picture.picks};
-    const YarnField field(textile, part);
-    const double x0 = metre_from_mm(fabric.low(part).x()), y0 = metre_from_mm(fabric.low(part).y());
-    const double dx = (textile.x_of_end(1) - textile.x_of_end(0)) * picture.ends / picture.width;
-    const double dy = (textile.y_of_pick(1) - textile.y_of_pick(0)) * picture.picks / picture.height;
-    const auto texels = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
-    picture.texels.assign(4 * texels * RepeatPicture::layers, 0);
-    for (std::size_t i = 0; i < 4 * texels * 4; i += 4) { picture.texels[i] = picture.texels[i + 1] = picture.texels[i + 2] = 128; }
-    double level = 0, covered = 0;
-    for (int row = 0; row < picture.height; ++row) {
-        for (int column = 0; column < picture.width; ++column) {
-            const std::size_t texel =
-                static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(column);
-            for (const int side : {1, -1}) {
-                const auto seen = seen_at(field, x0 + (column + 0.5) * dx, y0 + (row + 0.5) * dy, side);
-                if (!seen) { continue; }
-                const double open =
-                    contrast(field.openness(seen->point, seen->normal)) * light_at_height(side * seen->point.z, textile.half_thickness());
-                const std::size_t layer = (side > 0 ? 0U : 2U) + (seen->kind == YarnKind::warp ? 0U : 1U);
-                std::uint8_t* at = &picture.texels[4 * (layer * texels + texel)];
-                const auto byte = [](double value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0))); };
-                at[0] = byte(128 + 127 * open * seen->normal.x);
-                at[1] = byte(128 + 127 * open * seen->normal.y);
-                at[2] = byte(128 + 127 * open * seen->normal.z);
-                at[3] = byte(255 * open);
-                level += side * seen->point.z;
-                covered += 1;
-                picture.texels[4 * (4 * texels + texel)] = 255;
-            }
-        }
-    }
-    picture.level = covered > 0 ? static_cast<float>(mm_from_metre(level / covered)) : 0.0F;
-    picture.covered = static_cast<float>(0.5 * covered / static_cast<double>(texels)); // counted from both sides
-    return picture;
 }
 
 } // namespace hygroloom

@@ -56,9 +56,10 @@ QVector4D cutOf(const SceneView& view)
 QString loadShaders(QOpenGLShaderProgram& program, const QString& name, bool fading)
 {
     const QByteArray version = "#version 330 core\n";
-    const bool lit = name == "yarn" || name == "flat";
+    const bool lit = name == "yarn" || name == "flat" || name == "repeat";
+    const QByteArray own = textOf(name + ".vert");
     const QByteArray shared = lit ? (fading ? "#define FADING\n" : "") + textOf("light.glsl") : QByteArray();
-    if (program.addShaderFromSourceCode(QOpenGLShader::Vertex, version + textOf(name + ".vert")) &&
+    if (program.addShaderFromSourceCode(QOpenGLShader::Vertex, version + (own.isEmpty() ? textOf("whole.vert") : own)) &&
         program.addShaderFromSourceCode(QOpenGLShader::Fragment, version + shared + textOf(name + ".frag")) && program.link()) {
         return {};
     }

@@ -21,6 +21,7 @@ struct PictureColors {
     QColor weft;
     QColor marked;
     WaterColors water = WaterColors::blue;
+    bool shadow = false; ///< the cloth throws one on a ground below it
 };
 
 /// For a widget with this palette.
@@ -32,7 +33,8 @@ QVector3D rgb(const QColor& color);
 /// The plane of the view's cut, for shaders: a point is kept where its product with the first three is at most the fourth, in mm.
 QVector4D cutOf(const SceneView& view);
 
-/// Compiles resources/shaders/NAME.vert and NAME.frag. fading: with cells that fade over. The driver's complaint, or nothing.
+/// Compiles resources/shaders/NAME.frag and NAME.vert, or whole.vert where there is none of the name. fading: with cells that fade over.
+/// The driver's complaint, or nothing.
 QString loadShaders(QOpenGLShaderProgram& program, const QString& name, bool fading = false);
 
 /// A place in a vertex, as OpenGL takes it.

@@ -36,6 +36,13 @@ bool outside(const QVector4D& plane, const QVector3D& low, const QVector3D& high
 
 } // namespace
 
+QMatrix4x4 SceneView::clip() const
+{
+    QMatrix4x4 shifted;
+    shifted.translate(static_cast<float>(2 * shift.x() / size.width()), static_cast<float>(2 * shift.y() / size.height()));
+    return shifted * camera.projection(size) * camera.view();
+}
+
 double pitch_scale(const PreviewFabric& fabric, const SceneView& view)
 {
     const QVector3D pitch = fabric.pitch();

@@ -49,6 +49,10 @@ struct SceneView {
     QSizeF size;                 ///< of the picture
     double detail = 1;           ///< how much finer than usual; device pixels per pixel among it
     std::optional<CutPlane> cut; ///< metres
+    QPointF shift;               ///< pixels, by which the picture is drawn beside its place
+
+    /// From the scene to the card's clip space.
+    QMatrix4x4 clip() const;
 };
 
 class FabricScene {

@@ -43,6 +43,7 @@ void LiquidPainter::release()
     surface_array_.destroy();
     particle_array_.destroy();
     for (QOpenGLBuffer* buffer : {&vertices_, &indices_, &centres_}) { buffer->destroy(); }
+    below_.reset();
     surface_.removeAllShaders();
     particles_.removeAllShaders();
 }
@@ -67,28 +68,45 @@ void LiquidPainter::setLiquid(const LiquidSurface& surface)
     }
 }
 
-void LiquidPainter::draw(const SceneView& view, const PictureColors& colors)
+void LiquidPainter::draw(const SceneView& view, const PictureColors& colors, const QSize& pixels, float face)
 {
     if (particles_shown_ && particle_count_ > 0) {
         drawParticles(view, colors);
     } else if (!particles_shown_ && index_count_ > 0) {
-        drawSurface(view, colors);
+        takeBelow(pixels);
+        drawSurface(view, colors, face);
     }
+}
+
+void LiquidPainter::takeBelow(const QSize& pixels)
+{
+    int target = 0;
+    gl_->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+    if (!below_ || below_->size() != pixels) { below_ = std::make_unique<QOpenGLFramebufferObject>(pixels); }
+    gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned>(target));
+    gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, below_->handle());
+    gl_->glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_->glBindFramebuffer(GL_FRAMEBUFFER, static_cast<unsigned>(target));
 }
 
 void LiquidPainter::prepare(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors)
 {
     program.bind();
-    program.setUniformValue("view_projection", view.camera.projection(view.size) * view.camera.view());
+    program.setUniformValue("view_projection", view.clip());
     program.setUniformValue("eye", view.camera.eye());
     program.setUniformValue("tint", rgb(waterColor(0.42, colors.water)));
     program.setUniformValue("cut", cutOf(view));
     gl_->glEnable(GL_CLIP_DISTANCE0);
 }
 
-void LiquidPainter::drawSurface(const SceneView& view, const PictureColors& colors)
+void LiquidPainter::drawSurface(const SceneView& view, const PictureColors& colors, float face)
 {
     prepare(surface_, view, colors);
+    surface_.setUniformValue("tinted", colors.water == WaterColors::natural ? 0.08F : 0.42F);
+    surface_.setUniformValue("face", view.camera.eye().z() >= 0 ? face : -face);
+    surface_.setUniformValue("below", 0);
+    gl_->glActiveTexture(GL_TEXTURE0);
+    gl_->glBindTexture(GL_TEXTURE_2D, below_->texture());
     surface_array_.bind();
     if (!view.cut) { // the inside is seen where the drop is cut
         gl_->glEnable(GL_CULL_FACE);

@@ -6,6 +6,7 @@
 #include "ui/picture/liquid_surface.h"
 
 #include <QOpenGLBuffer>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLVertexArrayObject>
 
@@ -21,11 +22,13 @@ public:
     void setLiquid(const LiquidSurface& surface);
     /// Whether the particles are drawn instead of the surface.
     void setParticlesShown(bool shown) { particles_shown_ = shown; }
-    void draw(const SceneView& view, const PictureColors& colors);
+    /// Over what is drawn already, which is seen refracted. face: mm, height of the cloth's upper face, where lines of sight end.
+    void draw(const SceneView& view, const PictureColors& colors, const QSize& pixels, float face);
 
 private:
+    void takeBelow(const QSize& pixels);
     void prepare(QOpenGLShaderProgram& program, const SceneView& view, const PictureColors& colors);
-    void drawSurface(const SceneView& view, const PictureColors& colors);
+    void drawSurface(const SceneView& view, const PictureColors& colors, float face);
     void drawParticles(const SceneView& view, const PictureColors& colors);
 
     QOpenGLFunctions_3_3_Core* gl_ = nullptr;
@@ -35,6 +38,7 @@ private:
     QOpenGLBuffer vertices_{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer indices_{QOpenGLBuffer::IndexBuffer};
     int index_count_ = 0;
+    std::unique_ptr<QOpenGLFramebufferObject> below_; ///< the picture without liquid
     QOpenGLVertexArrayObject particle_array_;
     QOpenGLBuffer centres_{QOpenGLBuffer::VertexBuffer};
     int particle_count_ = 0;

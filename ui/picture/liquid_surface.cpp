@@ -191,16 +191,13 @@ void add_normals(LiquidSurface& surface)
     for (auto& vertex : surface.vertices) { vertex.normal.normalize(); }
 }
 
-} // namespace
-
-LiquidSurface liquid_surface(const Frame& frame)
+/// Round the frame's particles.
+void wrap(const Frame& frame, LiquidSurface& surface)
 {
-    LiquidSurface surface;
-    const std::vector<std::array<float, 3>> points = liquid_points(frame);
-    if (points.empty() || !(frame.ledger.water_free > 0)) { return surface; }
+    if (frame.positions.empty() || !(frame.ledger.water_free > 0)) { return; }
     std::vector<QVector3D> centres;
-    centres.reserve(points.size());
-    for (const auto& position : points) { centres.emplace_back(1000 * position[0], 1000 * position[1], 1000 * position[2]); }
+    centres.reserve(frame.positions.size());
+    for (const auto& position : frame.positions) { centres.emplace_back(1000 * position[0], 1000 * position[1], 1000 * position[2]); }
     // Spacing of particles that lie as dense as in water at rest; its density is near enough for a picture.
     const double spacing = mm_from_metre(std::cbrt(frame.ledger.water_free / 1000 / static_cast<double>(centres.size())));
     Grid grid = grid_round(centres, spacing);
@@ -212,6 +209,66 @@ LiquidSurface liquid_surface(const Frame& frame)
     add_normals(surface);
     surface.particle_radius = static_cast<float>(std::cbrt(3 / (4 * pi)) * spacing);
     surface.centres = std::move(centres);
+}
+
+/// A ball, or what of it stands over a face, with that face below.
+void add_body(const FrameCap& body, LiquidSurface& surface)
+{
+    constexpr int rings = 28, sides = 72;
+    const bool falls = body.base <= 0;
+    const double ball = falls ? std::cbrt(3 * body.volume / (4 * pi)) : 0.5 * (body.base * body.base / body.height + body.height);
+    const double last = falls ? pi : std::acos(std::clamp(1 - body.height / ball, -1.0, 1.0));
+    const double middle = body.face + body.height - ball; // m, its height
+    const auto add = [&](double out, double height, const QVector3D& normal, double angle) {
+        const QVector3D at(static_cast<float>(mm_from_metre(body.x + out * std::cos(angle))),
+                           static_cast<float>(mm_from_metre(body.y + out * std::sin(angle))), static_cast<float>(mm_from_metre(height)));
+        surface.vertices.push_back({at, normal});
+    };
+    const auto first = static_cast<std::uint32_t>(surface.vertices.size());
+    for (int ring = 0; ring <= rings; ++ring) {
+        const double down = last * ring / rings;
+        for (int side = 0; side <= sides; ++side) {
+            const double angle = 2 * pi * (side % sides) / sides;
+            add(ball * std::sin(down), middle + ball * std::cos(down),
+                {static_cast<float>(std::sin(down) * std::cos(angle)), static_cast<float>(std::sin(down) * std::sin(angle)),
+                 static_cast<float>(std::cos(down))},
+                angle);
+        }
+    }
+    for (std::uint32_t ring = 0; ring < rings; ++ring) {
+        for (std::uint32_t side = 0; side < sides; ++side) {
+            const std::uint32_t here = first + ring * (sides + 1) + side, below = here + sides + 1;
+            surface.indices.insert(surface.indices.end(), {here, below, below + 1, here, below + 1, here + 1});
+        }
+    }
+    if (falls) { return; }
+    const auto face = static_cast<std::uint32_t>(surface.vertices.size());
+    for (int side = 0; side < sides; ++side) { add(body.base, body.face, {0, 0, -1}, 2 * pi * side / sides); }
+    for (std::uint32_t side = 1; side + 1 < sides; ++side) {
+        surface.indices.insert(surface.indices.end(), {face, face + side + 1, face + side});
+    }
+}
+
+} // namespace
+
+LiquidSurface liquid_surface(const Frame& frame, const std::vector<FrameCap>& bodies)
+{
+    LiquidSurface surface;
+    wrap(frame, surface);
+    Frame in_bodies;
+    for (const FrameCap& body : bodies) {
+        if (body.height > 0 && body.volume > 0) { in_bodies.caps.push_back(body); }
+    }
+    for (const FrameCap& body : in_bodies.caps) { add_body(body, surface); }
+    if (surface.centres.empty() && !in_bodies.caps.empty()) { // to be shown as particles all the same
+        double volume = 0;
+        for (const auto& point : liquid_points(in_bodies)) {
+            surface.centres.emplace_back(1000 * point[0], 1000 * point[1], 1000 * point[2]);
+        }
+        for (const FrameCap& body : in_bodies.caps) { volume += body.volume; }
+        surface.particle_radius = static_cast<float>(
+            mm_from_metre(std::cbrt(3 * volume / (4 * pi * std::max<double>(1, static_cast<double>(surface.centres.size()))))));
+    }
     return surface;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A smooth surface round the particles of free liquid, so that a drop looks like one.
+// The surface of free liquid: smooth round particles, so that a drop looks like one; of bodies as they are shaped.
 #pragma once
 
 #include "core/scene/frame.h"
@@ -23,8 +23,8 @@ struct LiquidSurface {
     float particle_radius = 0;      ///< of a ball as large as a particle
 };
 
-/// Empty for a frame without free liquid. The surface lies most of a particle's spacing outside the outermost centres:
-/// a picture, not a measure of volume.
-LiquidSurface liquid_surface(const Frame& frame);
+/// Empty without free liquid. Round particles the surface lies most of their spacing outside the outermost centres: a picture, not a
+/// measure of volume. Bodies are parts of balls: see liquid_bodies().
+LiquidSurface liquid_surface(const Frame& frame, const std::vector<FrameCap>& bodies);
 
 } // namespace hygroloom

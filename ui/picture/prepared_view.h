@@ -4,6 +4,7 @@
 
 #include "ui/picture/fabric_scene.h"
 #include "ui/picture/framing.h"
+#include "ui/picture/repeat_picture.h"
 
 namespace hygroloom {
 

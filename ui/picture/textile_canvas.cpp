@@ -3,6 +3,7 @@
 
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,8 +12,12 @@ namespace hygroloom {
 namespace {
 
 constexpr int still_after_ms = 160;
-constexpr double slow_picture = 0.12;         // s: then less is drawn while moving
-constexpr double moving_detail = 0.6;         // of a slow picture
+constexpr double slow_picture = 0.12; // s: then less is drawn while moving
+constexpr double moving_detail = 0.6; // of a slow picture
+constexpr int samples_at_rest = 16;
+constexpr int fewest_samples = 4; // before these are there, the first picture stays
+constexpr double sampling_seconds = 4;
+constexpr int rest_before_samples_ms = 150;   // so that a run's frames, one after the other, are not sampled
 constexpr double too_slow_for_samples = 0.25; // s, without multisampling
 
 } // namespace
@@ -29,6 +34,11 @@ TextileCanvas::TextileCanvas(QWidget* parent) : QOpenGLWidget(parent)
     still_.setSingleShot(true);
     still_.setInterval(still_after_ms);
     connect(&still_, &QTimer::timeout, this, [this] { redraw(false); });
+    more_.setSingleShot(true);
+    connect(&more_, &QTimer::timeout, this, [this] {
+        sample_due_ = true;
+        update();
+    });
     fade_.setSingleShot(true);
     fade_.setInterval(15);
     connect(&fade_, &QTimer::timeout, this, [this] {
@@ -42,6 +52,7 @@ TextileCanvas::~TextileCanvas()
     makeCurrent();
     sampled_.reset();
     scene_picture_.reset();
+    samples_.release();
     renderer_.release();
     doneCurrent();
 }
@@ -125,10 +136,20 @@ void TextileCanvas::setParticlesShown(bool shown)
     redraw(moving_);
 }
 
+void TextileCanvas::setShadowShown(bool shown)
+{
+    shadow_shown_ = shown;
+    redraw(moving_);
+}
+
 void TextileCanvas::setCaption(const PictureCaption& caption)
 {
-    if (caption != caption_) {
-        caption_ = caption;
+    if (caption == caption_) { return; }
+    const bool had_legend = showsLegend();
+    caption_ = caption;
+    if (showsLegend() != had_legend) {
+        redraw(moving_); // with or without a shadow
+    } else {
         update();
     }
 }
@@ -202,13 +223,18 @@ QImage TextileCanvas::picture()
         doneCurrent();
     }
     redraw(false);
-    return grabFramebuffer();
+    at_once_ = true;
+    QImage picture = grabFramebuffer();
+    at_once_ = false;
+    return picture;
 }
 
 void TextileCanvas::initializeGL()
 {
     usable_ = renderer_.initialize();
-    if (!usable_) { Q_EMIT failed(renderer_.problem()); }
+    const QString problem = usable_ ? samples_.initialize() : renderer_.problem();
+    usable_ = problem.isEmpty();
+    if (!usable_) { Q_EMIT failed(problem); }
     if (usable_ && waiting_) { takeView(); }
     scene_changed_ = true;
     water_changed_ = true;
@@ -225,6 +251,7 @@ PictureColors TextileCanvas::colors() const
 {
     PictureColors colors = pictureColors(palette());
     colors.water = water_colors_;
+    colors.shadow = shadow_shown_ && !showsLegend() && !section_.isCut();
     return colors;
 }
 
@@ -232,6 +259,7 @@ void TextileCanvas::redraw(bool moving)
 {
     moving_ = moving;
     scene_changed_ = true;
+    more_.stop();
     if (moving) {
         still_.start();
     } else {
@@ -282,12 +310,48 @@ void TextileCanvas::drawScene()
     scene_changed_ = false;
     if (!scene_.wanted().empty()) { Q_EMIT meshesWanted(); }
     if (was_fading_) { fade_.start(); }
+    sampled_times_ = 0;
+    sample_due_ = false;
+    if (settled) {
+        samples_.begin(pixels);
+        more_.start(rest_before_samples_ms);
+    } else {
+        more_.stop();
+    }
+}
+
+/// As many as take a few seconds.
+int TextileCanvas::samplesWanted() const
+{
+    if (!usable_ || !fabric()) { return 0; }
+    return std::clamp(static_cast<int>(sampling_seconds / std::max(still_seconds_, 1e-3)), fewest_samples, samples_at_rest);
+}
+
+/// The picture once more, a share of a pixel beside its place, into the mean.
+void TextileCanvas::drawSample()
+{
+    sample_due_ = false;
+    if (!samples_.begun() || sampled_times_ >= samplesWanted()) { return; }
+    SceneView view = sceneView();
+    view.shift = samples_.nextShift();
+    samples_.sample().bind();
+    renderer_.draw(view, scene_.batches(), samples_.sample().size(), colors());
+    samples_.sample().release();
+    samples_.add();
+    sampled_times_ = samples_.count();
+    if (sampled_times_ >= fewest_samples) { samples_.copyTo(*scene_picture_); }
+    if (sampled_times_ < samplesWanted()) { more_.start(0); }
 }
 
 void TextileCanvas::paintGL()
 {
     if (usable_) {
-        if (scene_changed_) { drawScene(); }
+        if (scene_changed_) {
+            drawScene();
+        } else if (sample_due_) {
+            drawSample();
+        }
+        while (at_once_ && samples_.begun() && sampled_times_ < samplesWanted()) { drawSample(); }
         // nullptr is the context's own default; this widget has one of its own.
         auto* extra = context()->extraFunctions();
         extra->glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_picture_->handle());

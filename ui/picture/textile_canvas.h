@@ -4,6 +4,7 @@
 
 #include "ui/picture/pointer.h"
 #include "ui/picture/prepared_view.h"
+#include "ui/picture/sample_sum.h"
 #include "ui/picture/textile_renderer.h"
 
 #include <QElapsedTimer>
@@ -32,6 +33,7 @@ struct SectionPlane {
     Across across = Across::nothing;
     double position = 0;  ///< mm, along the direction that it lies across
     bool flipped = false; ///< the other half is kept
+    bool isCut() const { return across != Across::nothing; }
     bool operator==(const SectionPlane&) const = default;
 };
 
@@ -74,6 +76,8 @@ public:
     void setLiquid(LiquidSurface surface);
     /// Particles of free liquid instead of a surface round them.
     void setParticlesShown(bool shown);
+    /// The cloth's shadow on a ground; there is none while colours are read from a legend.
+    void setShadowShown(bool shown);
     void setCaption(const PictureCaption& caption);
     void setWaterColors(WaterColors colors);
     /// Crossing of the repeat that is pointed at elsewhere; negative for none.
@@ -109,8 +113,10 @@ public:
     /// Presses the mouse's button there without moving it.
     void click(const QPointF& at);
 
-    /// The picture with its overlay, complete, however long that takes.
+    /// The picture with its overlay, complete and with smooth edges, however long that takes.
     QImage picture();
+    /// Whether all is drawn that will be while nothing moves.
+    bool rests() const { return !moving_ && !scene_changed_ && sampled_times_ >= samplesWanted(); }
 
 Q_SIGNALS:
     /// Numbered as the whole is, from its first crossing; negative when none is pointed at.
@@ -146,10 +152,13 @@ protected:
 private:
     using Drag = PointerDrag;
     PictureColors colors() const;
+    bool showsLegend() const { return !caption_.legend.isEmpty() && water_colors_ != WaterColors::natural; }
     void frame(Framing framing);
     void redraw(bool moving);
     void takeView();
     void drawScene();
+    void drawSample();
+    int samplesWanted() const;
     void drawOverlay(QPainter& painter);
     void drawTitle(QPainter& painter, const QColor& ink);
     void drawAxes(QPainter& painter, const QColor& ink);
@@ -188,6 +197,7 @@ private:
     LiquidSurface liquid_;
     bool liquid_changed_ = false;
     bool particles_shown_ = false;
+    bool shadow_shown_ = true;
     PictureCaption caption_;
     WaterColors water_colors_ = WaterColors::blue;
     QPoint highlight_{-1, -1};
@@ -218,6 +228,11 @@ private:
     QElapsedTimer since_drawn_;
     QTimer still_;
     QTimer fade_;
+    QTimer more_;       ///< until the next sample is drawn
+    SampleSum samples_; ///< of the picture at rest
+    int sampled_times_ = 0;
+    bool sample_due_ = false;
+    bool at_once_ = false; ///< all samples in one go
     std::unique_ptr<QOpenGLFramebufferObject> sampled_;
     std::unique_ptr<QOpenGLFramebufferObject> scene_picture_;
 };

@@ -50,7 +50,7 @@ void TextileCanvas::drawOverlay(QPainter& painter)
         drawScaleBar(painter, {margin, height() - margin}, *scale, width() * 0.6, ink);
     }
     drawAxes(painter, ink);
-    if (!caption_.legend.isEmpty() && water_colors_ != WaterColors::natural) {
+    if (showsLegend()) {
         const double width = std::max(90.0, metrics.horizontalAdvance(caption_.legend) + 8);
         const QRectF area(this->width() - width - margin, margin, width, std::min(170.0, height() * 0.45));
         drawPlate(painter, area.adjusted(-8, -6, 6, 8), palette());

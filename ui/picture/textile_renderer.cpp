@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_mesh_bytes = 384u << 20;
 constexpr long kept_pictures = 8; // a mesh not shown for so long may go
-enum Unit { water_unit, ramp_unit, end_unit, pick_unit, repeat_unit };
+enum Unit { water_unit, ramp_unit, end_unit, pick_unit, light_unit, looks_unit };
 
 } // namespace
 
@@ -35,7 +35,9 @@ bool TextileRenderer::initialize()
     if (!load(blend_, "blend", false)) { return false; }
     makeTextures();
     makeSquare();
-    problem_ = liquid_.initialize(gl_, flat_vertices_);
+    problem_ = repeat_light_.initialize(gl_);
+    if (problem_.isEmpty()) { problem_ = ground_.initialize(gl_); }
+    if (problem_.isEmpty()) { problem_ = liquid_.initialize(gl_, flat_vertices_); }
     return problem_.isEmpty();
 }
 
@@ -47,12 +49,11 @@ bool TextileRenderer::load(QOpenGLShaderProgram& program, const QString& name, b
 
 void TextileRenderer::makeTextures()
 {
-    unsigned textures[4];
-    gl_->glGenTextures(4, textures);
-    repeat_ = textures[0];
-    water_ = textures[1];
-    end_colors_ = textures[2];
-    pick_colors_ = textures[3];
+    unsigned textures[3];
+    gl_->glGenTextures(3, textures);
+    water_ = textures[0];
+    end_colors_ = textures[1];
+    pick_colors_ = textures[2];
     for (const unsigned texture : {water_, end_colors_, pick_colors_}) {
         gl_->glBindTexture(GL_TEXTURE_2D, texture);
         gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
@@ -63,9 +64,6 @@ void TextileRenderer::makeTextures()
         const float nothing[] = {0, 0};
         gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, 1, 1, 0, GL_RG, GL_FLOAT, nothing);
     }
-    gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, repeat_);
-    gl_->glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    gl_->glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
 }
 
 /// The unit square that flat cells and particles are drawn on.
@@ -89,13 +87,15 @@ void TextileRenderer::release()
     mesh_bytes_ = 0;
     fabric_.reset();
     liquid_.release();
+    repeat_light_.release();
+    ground_.release();
     flat_array_.destroy();
     for (QOpenGLBuffer* buffer : {&flat_vertices_, &instances_}) { buffer->destroy(); }
     ramp_.reset();
     for (auto& picture : belt_pictures_) { picture.reset(); }
     if (gl_ && water_) {
-        const unsigned textures[] = {repeat_, water_, end_colors_, pick_colors_};
-        gl_->glDeleteTextures(4, textures);
+        const unsigned textures[] = {water_, end_colors_, pick_colors_};
+        gl_->glDeleteTextures(3, textures);
         water_ = 0;
     }
     for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &blend_}) { program->removeAllShaders(); }
@@ -151,13 +151,9 @@ void TextileRenderer::dropUnused()
 
 void TextileRenderer::setPicture(const RepeatPicture& picture)
 {
-    gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, repeat_);
-    gl_->glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    gl_->glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, picture.width, picture.height, RepeatPicture::layers, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                      picture.texels.data());
-    gl_->glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
-    gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
-    picture_ = {picture.ends, picture.picks, picture.width, picture.height, {}, picture.level, picture.covered};
+    repeat_light_.setPicture(picture);
+    picture_ = picture;
+    picture_.texels.clear();
 }
 
 bool TextileRenderer::has(const MeshKey& key) const { return key.level == 0 ? picture_.width > 0 : meshes_.count(key) > 0; }
@@ -240,7 +236,7 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
     } else {
         drawFabric(view, batches, colors, {});
     }
-    liquid_.draw(view, colors);
+    liquid_.draw(view, colors, pixels, fabric_ ? 0.5F * fabric_->pitch().z() : 0.0F);
     gl_->glDisable(GL_DEPTH_TEST);
 }
 
@@ -253,6 +249,8 @@ void TextileRenderer::drawFabric(const SceneView& view, const std::vector<CellBa
     gl_->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (!fabric_) { return; }
     setColors(colors);
+    repeat_light_.lightFrom(view.camera.direction());
+    if (colors.shadow) { ground_.draw(view, *fabric_, colors.background); }
     for (const CellRole role : {CellRole::whole, CellRole::fading, CellRole::over}) {
         drawCells(view, batches, colors, role, belt.has_value());
     }
@@ -298,14 +296,15 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     const QVector3D pitch = fabric_->pitch();
     const float side = view.camera.eye().z() >= 0 ? 1.0F : -1.0F;
     program.bind();
-    program.setUniformValue("view_projection", view.camera.projection(view.size) * view.camera.view());
+    program.setUniformValue("view_projection", view.clip());
     program.setUniformValue("eye", view.camera.eye());
     program.setUniformValue("side", side);
     program.setUniformValue("water", water_unit);
     program.setUniformValue("ramp", ramp_unit);
     program.setUniformValue("end_colors", end_unit);
     program.setUniformValue("pick_colors", pick_unit);
-    program.setUniformValue("repeat_picture", repeat_unit);
+    program.setUniformValue("repeat_light", light_unit);
+    program.setUniformValue("looks", looks_unit);
     const bool natural = colors.water == WaterColors::natural;
     program.setUniformValue("natural", natural ? 1.0F : 0.0F);
     static const QVector2D film(static_cast<float>(film_entry), static_cast<float>(inner_reflection(water_index)));
@@ -314,15 +313,13 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     program.setUniformValue("water_scale", full > 0 ? static_cast<float>(1 / full) : 0.0F);
     // Water leaves dry yarns their colour; warmth is shown of every yarn.
     program.setUniformValue("bare", colors.water == WaterColors::warmth ? 1e-6F : 0.02F);
-    program.setUniformValue("background", rgb(colors.background));
+    program.setUniformValue("background", (colors.shadow && side > 0 ? 1 - ground_dark : 1) * rgb(colors.background)); // seen through gaps
     program.setUniformValue("marked_color", rgb(colors.marked));
     gl_->glUniform2i(program.uniformLocation("marked"), marked_.kind == YarnKind::warp ? 0 : 1, marked_.yarn);
     program.setUniformValue("half_thickness", 0.5F * pitch.z());
     program.setUniformValue("pitch", QVector3D(pitch.x(), pitch.y(), side * picture_.level));
     program.setUniformValue("period", QVector2D(static_cast<float>(picture_.ends), static_cast<float>(picture_.picks)));
     program.setUniformValue("crossings", QVector2D(static_cast<float>(textile.ends()), static_cast<float>(textile.picks())));
-    const float gap = std::sqrt(std::max(1e-4F, 1 - picture_.covered) * pitch.x() * pitch.y());
-    program.setUniformValue("gap_depth", 0.5F * pitch.z() / gap);
     // In a parallel view the depth that the card divides by is 1 everywhere.
     const double depth = view.camera.parallel() ? view.camera.depth({}) : 1;
     const double one = pitch_scale(*fabric_, view) * view.camera.pixelsPerMillimetre(1e9, view.size) * 1e9 / depth;
@@ -360,9 +357,7 @@ void TextileRenderer::bindTextures(WaterColors water)
         gl_->glActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
         gl_->glBindTexture(GL_TEXTURE_2D, texture);
     }
-    gl_->glActiveTexture(GL_TEXTURE0 + repeat_unit);
-    gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, repeat_);
-    gl_->glActiveTexture(GL_TEXTURE0);
+    repeat_light_.bind(light_unit, looks_unit);
 }
 
 void TextileRenderer::drawCells(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors, CellRole role,

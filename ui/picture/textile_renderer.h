@@ -2,7 +2,9 @@
 // Draws yarns, their water, and free liquid with OpenGL 3.3. Knows no widget: any current context will do.
 #pragma once
 
+#include "ui/picture/ground_painter.h"
 #include "ui/picture/liquid_painter.h"
+#include "ui/picture/repeat_light.h"
 
 #include <QOpenGLBuffer>
 #include <QOpenGLFramebufferObject>
@@ -82,7 +84,7 @@ private:
     QOpenGLBuffer flat_vertices_{QOpenGLBuffer::VertexBuffer};
     QOpenGLBuffer instances_{QOpenGLBuffer::VertexBuffer};
     RepeatPicture picture_; ///< without its texels
-    unsigned repeat_ = 0;
+    RepeatLight repeat_light_;
     unsigned water_ = 0;
     unsigned end_colors_ = 0; ///< of each end; alpha holds its turns per crossing
     unsigned pick_colors_ = 0;
@@ -91,6 +93,7 @@ private:
     YarnNumber marked_;
     std::unique_ptr<QOpenGLTexture> ramp_;
     WaterColors ramp_colors_ = WaterColors::blue;
+    GroundPainter ground_;
     LiquidPainter liquid_;
 };
 

@@ -128,6 +128,13 @@ void ViewBar::buildViews()
     particles_->setCheckable(true);
     particles_->setChecked(QSettings().value("view/particles", false).toBool());
     if (canvas_) { canvas_->setParticlesShown(particles_->isChecked()); }
+    shadow_ = addKeyed(tr("S&hadow"), 0, tr("Show the shadow of the fabric on the ground."), [this](TextileCanvas& c) {
+        QSettings().setValue("view/shadow", shadow_->isChecked());
+        c.setShadowShown(shadow_->isChecked());
+    });
+    shadow_->setCheckable(true);
+    shadow_->setChecked(QSettings().value("view/shadow", true).toBool());
+    if (canvas_) { canvas_->setShadowShown(shadow_->isChecked()); }
     swatches_ = choices(tr("S&watch"), "view/swatch", {tr("5 mm"), tr("2 cm"), tr("5 cm"), tr("10 cm")}, first_swatch, [this](int i) {
         swatch_ = i;
         Q_EMIT swatchChosen(i);
@@ -266,6 +273,7 @@ void ViewBar::fillMenu(QMenu* menu)
     menu->addMenu(views_);
     menu->addAction(parallel_);
     menu->addAction(particles_);
+    menu->addAction(shadow_);
     menu->addMenu(swatches_);
     menu->addMenu(sections_);
     menu->addAction(measure_);

@@ -54,6 +54,7 @@ private:
     QAction* fit_ = nullptr;
     QAction* parallel_ = nullptr;
     QAction* particles_ = nullptr;
+    QAction* shadow_ = nullptr;
     QAction* measure_ = nullptr;
     QMenu* views_ = nullptr;
     QMenu* swatches_ = nullptr;

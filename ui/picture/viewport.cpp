@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/scene/liquid_bodies.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/picture/view_bar.h"
@@ -177,8 +178,10 @@ void Viewport::showWater()
         return;
     }
     showValues();
-    surfacer_.run([this, frame = frame_](const NewestJob::Turn& turn) {
-        turn.deliver([this, frame, surface = liquid_surface(*frame)] {
+    surfacer_.run([this, frame = frame_, run = run_](const NewestJob::Turn& turn) {
+        const Experiment* experiment = run ? find_experiment(run->design, run->experiment) : nullptr;
+        const auto bodies = experiment ? liquid_bodies(*frame, *experiment, run->textile.half_thickness()) : frame->caps;
+        turn.deliver([this, frame, surface = liquid_surface(*frame, bodies)] {
             if (frame_) { canvas_->setLiquid(surface); }
         });
     });

@@ -127,6 +127,8 @@ double YarnField::openness(const Vec3d& point, const Vec3d& normal) const
     return 1 - hidden;
 }
 
+double shade_of(double openness) { return 0.45 + 0.55 * std::sqrt(openness); }
+
 std::optional<YarnHit> first_skin(const Textile& textile, const Vec3d& from, const Vec3d& direction, const std::optional<CutPlane>& cut)
 {
     const double half = 1.02 * textile.half_thickness();

@@ -48,6 +48,9 @@ private:
     std::vector<YarnSlice> slices_[2]; ///< by kind: yarn by yarn, samples along
 };
 
+/// Shade of a skin with that openness: light that comes from skin to skin softens it.
+double shade_of(double openness);
+
 /// What a ray meets first.
 struct YarnHit {
     Vec3d point; ///< on the skin, m

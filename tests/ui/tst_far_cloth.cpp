@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Cloth from afar shows no bands that it does not have: its picture, blurred, is that of all its yarns drawn far finer. Needs a display:
+// xvfb-run. At rest it is drawn until its edges are smooth, and then no more.
+#include "core/project/library.h"
+#include "ui/picture/framing.h"
+#include "ui/picture/swatch_painter.h"
+#include "ui/picture/textile_canvas.h"
+
+#include <QOpenGLFramebufferObject>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace hygroloom;
+
+namespace {
+
+const QSize picture(320, 256);
+constexpr int finer = 4;
+
+struct Grey {
+    int width = 0, height = 0;
+    std::vector<float> at;
+    float& of(int x, int y) { return at[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
+};
+
+Grey greyOf(const QImage& image)
+{
+    Grey grey{image.width(), image.height(), {}};
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) { grey.at.push_back(static_cast<float>(qGray(image.pixel(x, y)))); }
+    }
+    return grey;
+}
+
+/// By a bell of that many pixels.
+Grey blurred(Grey from, double sigma)
+{
+    const int reach = static_cast<int>(3 * sigma) + 1;
+    for (const bool down : {false, true}) {
+        Grey to = from;
+        for (int y = 0; y < from.height; ++y) {
+            for (int x = 0; x < from.width; ++x) {
+                double sum = 0, weights = 0;
+                for (int i = -reach; i <= reach; ++i) {
+                    const double weight = std::exp(-0.5 * i * i / (sigma * sigma));
+                    const int there = std::clamp((down ? y : x) + i, 0, (down ? from.height : from.width) - 1);
+                    sum += weight * static_cast<double>(down ? from.of(x, there) : from.of(there, y));
+                    weights += weight;
+                }
+                to.of(x, y) = static_cast<float>(sum / weights);
+            }
+        }
+        from = std::move(to);
+    }
+    return from;
+}
+
+/// Shares of the reference's brightness.
+struct Misses {
+    double bands = 0;    ///< root mean square of what differs but for the mean
+    double brighter = 0; ///< mean
+};
+
+} // namespace
+
+class TestFarCloth : public QObject {
+    Q_OBJECT
+
+public:
+    static void initMain() { requestOpenGL(); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        useResources();
+        surface_ = swatchSurface();
+        QVERIFY(surface_);
+        QVERIFY(context_.create() && context_.makeCurrent(surface_.get()));
+        QVERIFY2(renderer_.initialize(), qPrintable(renderer_.problem()));
+    }
+
+    void cleanupTestCase()
+    {
+        context_.makeCurrent(surface_.get());
+        renderer_.release();
+        context_.doneCurrent();
+    }
+
+    void aPlainWeaveHasNoBandsAtAnyDistance_data()
+    {
+        QTest::addColumn<int>("farther");
+        for (const int farther : {1, 2, 4, 8, 16}) { QTest::addRow("%d times the near distance", farther) << farther; }
+    }
+    void aPlainWeaveHasNoBandsAtAnyDistance()
+    {
+        QFETCH(int, farther);
+        const Misses misses = missesOf(50, farther, -28, 48);
+        qInfo("bands %.4f, brighter by %.4f", misses.bands, misses.brighter);
+        QVERIFY2(misses.bands < 0.025, qPrintable(QString::number(misses.bands)));
+        QVERIFY2(std::abs(misses.brighter) < 0.08, qPrintable(QString::number(misses.brighter)));
+    }
+
+    void nearlyFromAboveItIsAsBrightAsItsYarns()
+    {
+        const Misses misses = missesOf(50, 8, 20, 85);
+        qInfo("bands %.4f, brighter by %.4f", misses.bands, misses.brighter);
+        QVERIFY2(std::abs(misses.brighter) < 0.08, qPrintable(QString::number(misses.brighter)));
+    }
+
+    void atRestThePictureIsDrawnAFewTimesMoreAndThenNoMore()
+    {
+        TextileCanvas canvas;
+        canvas.resize(picture);
+        canvas.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&canvas));
+        connect(&canvas, &TextileCanvas::meshesWanted, &canvas, [&] {
+            make_wanted(
+                canvas.fabric(), canvas.scene().wanted(), [] { return false; },
+                [&](const std::shared_ptr<const PreparedView>& ready) {
+                    QMetaObject::invokeMethod(
+                        &canvas, [&canvas, ready] { canvas.addMeshes(*ready); }, Qt::QueuedConnection);
+                });
+        });
+        canvas.setView(prepare_view(cloth(20), canvas.sceneView(), Framing::whole, [] { return false; }));
+        canvas.fit(Framing::whole);
+        QTRY_VERIFY_WITH_TIMEOUT(canvas.rests(), 60000);
+        const QImage smooth = canvas.grabFramebuffer();
+        QSignalSpy drawn(&canvas, &QOpenGLWidget::frameSwapped);
+        QTest::qWait(800);
+        QCOMPARE(drawn.count(), 0);
+        QVERIFY(canvas.rests());
+        canvas.zoomBy(1.01);
+        QVERIFY(!canvas.rests());
+        QTRY_VERIFY_WITH_TIMEOUT(canvas.rests(), 60000);
+        canvas.zoomBy(1 / 1.01);
+        const QImage saved = canvas.picture(); // with all samples, without waiting for them
+        QVERIFY(canvas.rests());
+        QVERIFY(levelsAlongTheEdge(saved) > 12);
+        QVERIFY(levelsAlongTheEdge(smooth) > 12);
+    }
+
+private:
+    /// Shades of grey that the first pixels of the cloth have, row by row, from the left: few where its edge is jagged.
+    static int levelsAlongTheEdge(const QImage& image)
+    {
+        std::set<int> levels;
+        const int background = qGray(image.pixel(image.width() / 2, 2));
+        for (int y = image.height() / 3; y < 2 * image.height() / 3; ++y) {
+            for (int x = 0; x < image.width() / 2; ++x) {
+                if (const int here = qGray(image.pixel(x, y)); std::abs(here - background) > 2) {
+                    levels.insert(here);
+                    break;
+                }
+            }
+        }
+        return static_cast<int>(levels.size());
+    }
+
+    static PreviewRequest cloth(double side_mm)
+    {
+        auto design = std::make_shared<Design>(shipped_presets().front().design);
+        design->fabrics[0].weave = weave_from_pattern("plain");
+        PreviewRequest request;
+        request.design = design;
+        request.whole = swatch_region(design->fabrics[0], side_mm);
+        return request;
+    }
+
+    QImage drawn(const std::shared_ptr<const PreviewFabric>& fabric, SceneView view, int times)
+    {
+        FabricScene scene;
+        scene.setFabric(fabric);
+        complete(scene, renderer_, view);
+        QOpenGLFramebufferObjectFormat format;
+        format.setAttachment(QOpenGLFramebufferObject::Depth);
+        format.setSamples(times > 1 ? 4 : 0);
+        QOpenGLFramebufferObject target(picture * times, format);
+        target.bind();
+        PictureColors colors = pictureColors(QPalette());
+        colors.background = QColor(160, 150, 140); // about as the cloth: its edge does not count
+        renderer_.draw(view, scene.batches(), target.size(), colors);
+        target.release();
+        const QImage image = target.toImage().convertToFormat(QImage::Format_RGB32);
+        return times > 1 ? image.scaled(picture, Qt::IgnoreAspectRatio, Qt::SmoothTransformation) : image;
+    }
+
+    Misses missesOf(double side_mm, int farther, double turn, double lift)
+    {
+        const auto fabric = prepare_fabric(cloth(side_mm));
+        context_.makeCurrent(surface_.get()); // a canvas has one of its own
+        renderer_.setFabric(fabric);
+        SceneView view;
+        view.size = picture;
+        view.camera.lookFrom(turn, lift);
+        view.camera = framed(view.camera, *fabric, Framing::few_repeats, view.size);
+        view.camera.zoom(1.0 / farther, {0.5 * picture.width(), 0.5 * picture.height()}, view.size);
+        const double pitch = pitch_scale(*fabric, view) / view.camera.millimetrePerPixel(view.size);
+        const double sigma = std::max(3.0, pitch);
+        Grey seen = blurred(greyOf(drawn(fabric, view, 1)), sigma);
+        view.detail = std::max<double>(finer, 60 / pitch); // yarns as tubes, however far
+        Grey real = blurred(greyOf(drawn(fabric, view, finer)), sigma);
+        double sum = 0, squares = 0, bright = 0, pixels = 0;
+        const int edge = static_cast<int>(2 * sigma) + 1;
+        for (int y = edge; y < picture.height() - edge; ++y) {
+            for (int x = edge; x < picture.width() - edge; ++x) {
+                const double more = static_cast<double>(seen.of(x, y) - real.of(x, y));
+                sum += more;
+                squares += more * more;
+                bright += static_cast<double>(real.of(x, y));
+                ++pixels;
+            }
+        }
+        const double mean = sum / pixels;
+        return {std::sqrt(std::max(0.0, squares / pixels - mean * mean)) * pixels / bright, sum / bright};
+    }
+
+    std::unique_ptr<QOffscreenSurface> surface_;
+    QOpenGLContext context_;
+    TextileRenderer renderer_;
+};
+
+QTEST_MAIN(TestFarCloth)
+#include "tst_far_cloth.moc"

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The flat picture of a repeat that stands for its tubes from afar, and how bright the cloth is on the whole from each direction.
+#pragma once
+
+#include "ui/picture/preview_fabric.h"
+
+#include <array>
+
+namespace hygroloom {
+
+/// What is seen of a cloth from one direction, means over a repeat: what its own colours are multiplied by, the share that is not gap, and
+/// the shine of dry yarns.
+struct MeanLook {
+    float warp = 0, weft = 0, covered = 0, shine = 0;
+};
+
+/// One period seen square on.
+/// Layers of 4 bytes a texel: ends from the top, picks from the top, ends from below, picks from below, how much is covered.
+/// The first four hold openness times normal (128 is 0) and openness itself; nothing where the other yarns are in front.
+struct RepeatPicture {
+    static constexpr int layers = 5;
+    static constexpr int looks_each_way = 7;
+    int ends = 0;
+    int picks = 0;
+    int width = 0; ///< a power of 2, as height: then texels of coarser pictures are means of finer ones
+    int height = 0;
+    std::vector<std::uint8_t> texels;
+    float level = 0;   ///< mm, mean height of what is seen, above the fabric's middle
+    float covered = 1; ///< share of the area
+    /// From directions whose x and y go from -1 to 1 in even steps, row by row; first from the top, then from below.
+    std::array<MeanLook, 2 * looks_each_way * looks_each_way> looks{};
+};
+RepeatPicture picture_of_repeat(const PreviewFabric& fabric);
+
+} // namespace hygroloom
