@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Cloths that are simulated while one looks: drops come where they are dropped, water adds up, time goes on, and a recording can be kept.
+#include "core/base/error.h"
 #include "core/design/validate.h"
 #include "core/lesson/lesson_table.h"
 #include "core/lesson/water_shares.h"
@@ -120,6 +121,54 @@ private Q_SLOTS:
         const Frame last = read.frame(read.frames() - 1);
         QCOMPARE(last.time, cloth.time());
         require_balanced(last.ledger);
+    }
+    void twoDropsAtOnePlaceAtOneTimeCanBeReadAgain()
+    {
+        const Lesson lesson = read_lesson(three);
+        const std::atomic<bool> stop{false};
+        RunningCloth cloth(lesson.cloths[1].design, lesson.air);
+        cloth.advance(0.1, stop);
+        cloth.drop(0, 0, 3e-9);
+        cloth.drop(0, 0, 3e-9);
+        cloth.drop(1e-3, 0, 3e-9);
+        QCOMPARE(cloth.view()->released, 0);
+        cloth.advance(0.101, stop); // less than lies between their times in the experiment
+        QCOMPARE(cloth.view()->released, 3);
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("lesson.hygrorec").toStdString();
+        write_recording(cloth.recorded(), path);
+        const Recording read(path);
+        const Experiment& experiment = read.run().design.experiments.at(0);
+        QCOMPARE(experiment.droplets.size(), std::size_t{3});
+        QVERIFY(experiment.droplets[1].time_s > experiment.droplets[0].time_s + 1e-3);
+        QVERIFY(!has_error(validate(read.run().design)));
+    }
+    void whatCannotBeReadAgainIsNotWritten()
+    {
+        const Lesson lesson = read_lesson(three);
+        RunningCloth cloth(lesson.cloths[1].design, lesson.air);
+        RecordedCloth recorded = cloth.recorded();
+        recorded.run.design.experiments[0].droplets = {{3, 0, {0, 0}, 10, 0}, {3, 0, {0, 0}, 10, 0}};
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("lesson.hygrorec").toStdString();
+        QVERIFY_EXCEPTION_THROWN(write_recording(recorded, path), FileError);
+        QVERIFY(!std::filesystem::exists(path));
+    }
+    void anyNumberOfChangesOfTheAirIsAnExperiment()
+    {
+        Experiment experiment = table_experiment({25, 0.65, 0.1});
+        for (int k = 0; k < 800; ++k) {
+            const double time = 0.5 * k + (k % 2 ? 0.1 : 0);
+            const Climate air{20.0 + k % 30, 0.5, 1};
+            change_air(experiment.climates, time, climate_at(experiment, time), {5, 0.1, 0}); // a moment later changed again
+            change_air(experiment.climates, time, climate_at(experiment, time), air);
+            QCOMPARE(experiment.climates.back().climate, air);
+        }
+        QVERIFY(experiment.climates.size() > 900 && experiment.climates.size() <= 1000);
+        Design design = read_lesson(three).cloths[0].design;
+        design.experiments = {experiment};
+        QVERIFY(!has_error(validate(design)));
+        QCOMPARE(climate_at(experiment, 500).temperature_c, 20.0 + 799 % 30);
     }
     void threeClothsWithADropEachFollowTheClock()
     {
