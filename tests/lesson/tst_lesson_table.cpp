@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <ctime>
+#include <limits>
 
 using namespace hygroloom;
 
@@ -19,6 +20,13 @@ const std::string three = HYGROLOOM_SOURCE_DIR "/resources/lessons/fibre.json";
 
 /// s of all threads.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+bool laid_out(LessonTable& table)
+{
+    for (int k = 0; k < table.cloths(); ++k)
+        if (!table.view(k)) return false;
+    return true;
+}
 
 void require_balanced(const Ledger& ledger)
 {
@@ -170,16 +178,34 @@ private Q_SLOTS:
         QVERIFY(!has_error(validate(design)));
         QCOMPARE(climate_at(experiment, 500).temperature_c, 20.0 + 799 % 30);
     }
+    void aRecordingThatWasAskedForComesAlsoWhenTheTableGoes()
+    {
+        const Lesson lesson = read_lesson(three);
+        std::atomic<int> taken{0};
+        {
+            LessonTable table(lesson.cloths, lesson.air, 1);
+            QTRY_VERIFY_WITH_TIMEOUT(laid_out(table), 60000);
+            for (int k = 0; k < 9; ++k) table.record(k % 3, [&](const RecordedCloth& cloth) { taken += cloth.frames.empty() ? 0 : 1; });
+        }
+        QCOMPARE(taken.load(), 9);
+    }
+    void aRecordingOfAClothThatWentWrongComes()
+    {
+        const Lesson lesson = read_lesson(three);
+        LessonTable table(lesson.cloths, lesson.air, 1);
+        QTRY_VERIFY_WITH_TIMEOUT(laid_out(table), 60000);
+        table.blow({std::numeric_limits<double>::quiet_NaN(), 0.5, 1});
+        QTRY_VERIFY_WITH_TIMEOUT(!table.failure(0).empty(), 60000);
+        QVERIFY(table.view(0)); // as it was last
+        std::atomic<bool> taken{false};
+        table.record(0, [&](const RecordedCloth& cloth) { taken = !cloth.frames.empty(); });
+        QTRY_VERIFY_WITH_TIMEOUT(taken, 60000);
+    }
     void threeClothsWithADropEachFollowTheClock()
     {
         const Lesson lesson = read_lesson(three);
         LessonTable table(lesson.cloths, lesson.air, 2);
-        const auto laid_out = [&] {
-            for (int k = 0; k < table.cloths(); ++k)
-                if (!table.view(k)) return false;
-            return true;
-        };
-        QTRY_VERIFY_WITH_TIMEOUT(laid_out(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(laid_out(table), 60000);
         const double before = table.clock(), cpu = cpu_seconds();
         QElapsedTimer wall;
         wall.start();
