@@ -102,11 +102,18 @@ std::string RunningCloth::why_no_drop(double x, double y, double volume) const
     const double own = shapes.base(volume, scene.caps.advancing, weight), ball = std::cbrt(3.0 * volume / (4.0 * pi));
     const double speed = std::sqrt(2.0 * gravity_acceleration * metre_from_mm(drop_height_mm));
     double joined = volume, sum_x = x * volume, sum_y = y * volume;
-    for (const FrameCap& cap : last_->caps) {
-        if (std::hypot(cap.x - x, cap.y - y) > own + std::max(cap.base, own)) continue;
-        joined += cap.volume;
-        sum_x += cap.x * cap.volume;
-        sum_y += cap.y * cap.volume;
+    const auto join = [&](double cap_x, double cap_y, double cap_volume, double cap_base) {
+        if (std::hypot(cap_x - x, cap_y - y) > own + std::max(cap_base, own)) return;
+        joined += cap_volume;
+        sum_x += cap_x * cap_volume;
+        sum_y += cap_y * cap_volume;
+    };
+    for (const FrameCap& cap : last_->caps) join(cap.x, cap.y, cap.volume, cap.base);
+    for (std::size_t k = 0; k < asked_at_.size(); ++k) { // those that the last look does not have yet
+        if (asked_at_[k] < last_->time) continue;
+        const Droplet& drop = done_.droplets[k];
+        const double its = drop.volume_ul * cubic_mm;
+        join(metre_from_mm(drop.at_mm[0]), metre_from_mm(drop.at_mm[1]), its, shapes.base(its, scene.caps.advancing, weight));
     }
     const double base = std::max({own, shapes.base(joined, scene.caps.advancing, weight),
                                   impact_base(scene.climate.surface_tension, scene.climate.density, ball, speed)});

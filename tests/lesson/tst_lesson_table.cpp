@@ -151,6 +151,17 @@ private Q_SLOTS:
         QVERIFY(experiment.droplets[1].time_s > experiment.droplets[0].time_s + 1e-3);
         QVERIFY(!has_error(validate(read.run().design)));
     }
+    void dropsOfOneMomentCountTogetherAtTheEdge()
+    {
+        const Lesson lesson = read_lesson(three);
+        const auto refused = [&](int drops) {
+            RunningCloth cloth(lesson.cloths[1].design, lesson.air);
+            for (int k = 0; k < drops; ++k) cloth.drop(14e-3, 0, 20e-9);
+            return cloth.view()->refused;
+        };
+        QCOMPARE(refused(1), 0);
+        QVERIFY(refused(12) > 0); // 240 ul together stand over the edge
+    }
     void whatCannotBeReadAgainIsNotWritten()
     {
         const Lesson lesson = read_lesson(three);
