@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 namespace hygroloom {
 namespace {
@@ -39,6 +40,7 @@ void LessonTable::set_speed(double speed)
     const std::scoped_lock lock(guard_);
     go_on();
     speed_ = std::max(0.0, speed);
+    if (speed_ > 0) pace_ *= speed_ / std::exchange(paced_, speed_); // what follows one speed is taken to follow another
     changed_.notify_all();
 }
 

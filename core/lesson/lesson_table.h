@@ -72,6 +72,7 @@ private:
     double speed_ = 1;
     double clock_ = 0; // s, simulated
     double pace_ = 1;
+    double paced_ = 1; // the speed that the pace is of; more than 0
     std::chrono::steady_clock::time_point seen_ = std::chrono::steady_clock::now();
     std::atomic<bool> stop_{false};
     std::vector<std::thread> threads_; // the last member

@@ -212,6 +212,15 @@ private Q_SLOTS:
         table.record(0, [&](const RecordedCloth& cloth) { taken = !cloth.frames.empty(); });
         QTRY_VERIFY_WITH_TIMEOUT(taken, 60000);
     }
+    void thePaceFollowsTheSpeedAtOnce()
+    {
+        const Lesson lesson = read_lesson(three);
+        LessonTable table(lesson.cloths, lesson.air, 1);
+        for (const double speed : {1.0, LessonTable::slow_motion, 0.0, 1.0}) { // before the clock goes
+            table.set_speed(speed);
+            if (speed > 0) QVERIFY(std::abs(table.pace() / speed - 1) < 1e-9);
+        }
+    }
     void threeClothsWithADropEachFollowTheClock()
     {
         const Lesson lesson = read_lesson(three);
