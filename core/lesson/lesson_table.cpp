@@ -13,6 +13,7 @@ namespace {
 
 constexpr double looks_per_second = 20; // of real time, at each cloth
 constexpr double pace_settles = 0.5;    // s
+constexpr double follows = 0.9;         // of the speed
 
 } // namespace
 
@@ -40,7 +41,10 @@ void LessonTable::set_speed(double speed)
     const std::scoped_lock lock(guard_);
     go_on();
     speed_ = std::max(0.0, speed);
-    if (speed_ > 0) pace_ *= speed_ / std::exchange(paced_, speed_); // what follows one speed is taken to follow another
+    if (speed_ > 0) {
+        const double before = std::exchange(paced_, speed_);
+        pace_ = pace_ >= follows * before ? pace_ * speed_ / before : std::min(pace_, speed_); // else as fast as it can
+    }
     changed_.notify_all();
 }
 
