@@ -20,11 +20,18 @@
 namespace hygroloom {
 namespace {
 
-constexpr std::size_t most_kept_frames = 120;
 constexpr double cubic_mm = 1e-9;    // m3, an ul
 constexpr double drops_apart = 2e-3; // s; drops of an experiment that appear together must not overlap
 
 double ul_of(double water, const Scene& scene) { return water / scene.climate.density / cubic_mm; }
+
+std::size_t bytes_of(const Frame& frame)
+{
+    std::size_t values = frame.shells.size() + 3 * (frame.positions.size() + frame.velocities.size()) + frame.pressures.size();
+    for (const FrameField& field : frame_fields) values += field.values ? field.in(frame).size() : 0;
+    for (const auto& [name, other] : frame.others) values += other.size();
+    return sizeof(Frame) + values * sizeof(float) + frame.caps.size() * sizeof(FrameCap) + frame.cells.size() * sizeof(CellSums);
+}
 
 /// Planned for drops of any size that the table offers.
 Design planned_design(const Design& design, const Climate& air)
@@ -205,7 +212,7 @@ void RunningCloth::keep(const std::shared_ptr<const Frame>& frame)
 {
     if (!kept_.empty() && frame->time < kept_.back()->time + keep_every_) return;
     kept_.push_back(frame);
-    if (kept_.size() < most_kept_frames) return;
+    if (kept_.size() < most_kept_frames(bytes_of(*frame))) return;
     for (std::size_t k = 0; 2 * k < kept_.size(); ++k) kept_[k] = kept_[2 * k];
     kept_.resize((kept_.size() + 1) / 2);
     keep_every_ *= 2;
@@ -222,6 +229,12 @@ RecordedCloth RunningCloth::recorded() const
     experiment.duration_s = std::max(0.1, time_);
     if (fell > 0) experiment.duration_s = std::max(experiment.duration_s, experiment.droplets.back().time_s + drops_apart);
     return cloth;
+}
+
+std::size_t most_kept_frames(std::size_t bytes_each)
+{
+    constexpr std::size_t fewest = 20, most = 120, room = 100'000'000; // bytes
+    return std::clamp(room / std::max<std::size_t>(1, bytes_each), fewest, most);
 }
 
 void change_air(std::vector<ClimateMoment>& later, double time, const Climate& before, const Climate& air)

@@ -36,6 +36,9 @@ void write_recording(const RecordedCloth& cloth, const std::filesystem::path& pa
 /// experiment may have.
 void change_air(std::vector<ClimateMoment>& later, double time, const Climate& before, const Climate& air);
 
+/// How many frames of so many bytes are kept of a cloth for its recording.
+std::size_t most_kept_frames(std::size_t bytes_each);
+
 constexpr double drop_height_mm = 10; ///< of a drop's lowest point over the cloth
 
 class RunningCloth {

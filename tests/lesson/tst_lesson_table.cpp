@@ -173,6 +173,12 @@ private Q_SLOTS:
         QVERIFY_EXCEPTION_THROWN(write_recording(recorded, path), FileError);
         QVERIFY(!std::filesystem::exists(path));
     }
+    void keptFramesTakeAHundredMegabytes()
+    {
+        QCOMPARE(most_kept_frames(1000), std::size_t{120});
+        QCOMPARE(most_kept_frames(2'000'000), std::size_t{50});
+        QCOMPARE(most_kept_frames(50'000'000), std::size_t{20}); // fewer show nothing
+    }
     void anyNumberOfChangesOfTheAirIsAnExperiment()
     {
         Experiment experiment = table_experiment({25, 0.65, 0.1});
