@@ -227,6 +227,39 @@ private Q_SLOTS:
             if (speed > 0) QVERIFY(std::abs(table.pace() / speed - 1) < 1e-9);
         }
     }
+    /// Each step of the lesson on climate that asks for other air must let more water go, at once and later.
+    void theAirThatTheLessonAsksForDries()
+    {
+        const Lesson lesson = read_lesson(HYGROLOOM_SOURCE_DIR "/resources/lessons/climate.json");
+        const std::atomic<bool> stop{false};
+        std::vector<Climate> airs{lesson.air};
+        for (const LessonStep& step : lesson.steps) {
+            if (!step.seen || step.seen->metric < 0) continue;
+            const std::string key = lesson_metrics()[static_cast<std::size_t>(step.seen->metric)].key;
+            Climate air = airs.back();
+            if (key == "air_speed_m_s") air.air_speed_m_s = step.seen->limit;
+            if (key == "air_humidity") air.relative_humidity = step.seen->limit;
+            if (key == "air_temperature_c") air.temperature_c = step.seen->limit;
+            if (air != airs.back()) airs.push_back(air);
+        }
+        QCOMPARE(airs.size(), std::size_t{4});
+        std::vector<double> soon, later;
+        for (const Climate& air : airs) {
+            RunningCloth cloth(lesson.cloths[0].design, lesson.air);
+            cloth.drop(0, 0, 1e-9 * lesson.drop_ul);
+            cloth.advance(1, stop);
+            cloth.blow(air);
+            cloth.advance(1.3, stop);
+            soon.push_back(cloth.view()->score.evaporated_ul);
+            cloth.advance(3, stop);
+            later.push_back(cloth.view()->score.evaporated_ul);
+        }
+        for (std::size_t k = 0; k < airs.size(); ++k) {
+            qInfo("%g C, %g %%, %g m/s: %.4f ul after 0.3 s, %.4f ul after 2 s", airs[k].temperature_c, 100 * airs[k].relative_humidity,
+                  airs[k].air_speed_m_s, soon[k], later[k]);
+            QVERIFY(k == 0 || (soon[k] > soon[k - 1] && later[k] > later[k - 1]));
+        }
+    }
     void threeClothsWithADropEachFollowTheClock()
     {
         const Lesson lesson = read_lesson(three);
