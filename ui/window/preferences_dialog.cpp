@@ -69,7 +69,10 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent), names_(
     buttons->button(QDialogButtonBox::RestoreDefaults)->setText(tr("&Restore Defaults"));
     buttons->button(QDialogButtonBox::RestoreDefaults)->setToolTip(tr("Sets all pages to their defaults."));
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
-    for (QAbstractButton* button : buttons->buttons()) { button->setIcon({}); }
+    for (QAbstractButton* button : buttons->buttons()) {
+        button->setIcon({});
+        qobject_cast<QPushButton*>(button)->setAutoDefault(false); // Enter commits a field
+    }
     auto* middle = new QHBoxLayout;
     middle->setSpacing(16);
     middle->addWidget(names_);
