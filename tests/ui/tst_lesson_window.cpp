@@ -13,11 +13,16 @@
 #include "ui/lesson/magnifier.h"
 
 #include <QFile>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
+#include <QToolButton>
 
 #include <ctime>
 
@@ -240,10 +245,82 @@ private Q_SLOTS:
         QCOMPARE(QFile(folder.filePath("film.mp4")).size(), qint64{5 * 40 * 30 * 4}); // even sides
         QVERIFY(!QFile::exists(folder.filePath("film.mp4.part")));
     }
+    void endingsAreAddedBeforeTheFileIsLookedFor()
+    {
+        QTemporaryDir folder;
+        save("Recording of", folder.filePath("a"));
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath("a.hygrorec")), patience);
+        save("Recording of", folder.filePath("B.HYGROREC"));
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath("B.HYGROREC")), patience);
+        save("Recording of", folder.filePath("a.first"));
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath("a.first.hygrorec")), patience);
+    }
+    void aRecordingThatWasAskedForIsWrittenBeforeTheLessonCloses()
+    {
+        QTemporaryDir folder;
+        save("Recording of", folder.filePath("a"));
+        window_->close();
+        QVERIFY(QFile::exists(folder.filePath("a.hygrorec")));
+    }
+    void aFilmThatRunsIsKeptOnEscape()
+    {
+        QTemporaryDir folder;
+        QFile program(folder.filePath("ffmpeg"));
+        QVERIFY(program.open(QIODevice::WriteOnly));
+        program.write("#!/bin/sh\nfor last; do :; done\n/bin/cat > \"$last\"; sleep 0.5\n");
+        program.close();
+        QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::ExeOwner | QFile::WriteOwner));
+        const QByteArray path = qgetenv("PATH");
+        qputenv("PATH", folder.path().toUtf8() + ":" + path);
+        save("Film (MP4)", folder.filePath("film"));
+        qputenv("PATH", path);
+        QTest::qWait(300);
+        QTest::keyClick(window_.get(), Qt::Key_Escape);
+        QVERIFY(window_->isVisible()); // it is still being written
+        QVERIFY(entry("Film (MP4)") == nullptr && entry("The film is being written") != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(!window_->isVisible(), 20000);
+        QVERIFY(QFile(folder.filePath("film.mp4")).size() > 0);
+        QVERIFY(!QFile::exists(folder.filePath("film.mp4.part")));
+    }
     void escapeLeaves()
     {
         QTest::keyClick(window_.get(), Qt::Key_Escape);
         QVERIFY(!window_->isVisible());
+    }
+
+private:
+    template <typename Button> Button* button(const QString& text)
+    {
+        for (Button* each : window_->findChildren<Button*>()) {
+            if (each->text() == text) { return each; }
+        }
+        return nullptr;
+    }
+
+    /// Of the menu Save, by how its text begins.
+    QAction* entry(const QString& text)
+    {
+        QMenu* menu = button<QToolButton>("Save")->menu();
+        Q_EMIT menu->aboutToShow();
+        for (QAction* each : menu->actions()) {
+            if (each->text().startsWith(text)) { return each; }
+        }
+        return nullptr;
+    }
+
+    /// As typed into the dialog.
+    void save(const QString& text, const QString& path)
+    {
+        QAction* action = entry(text);
+        QVERIFY2(action, qPrintable(text));
+        QTimer::singleShot(200, this, [path] {
+            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            dialog->setDirectory(QFileInfo(path).path());
+            dialog->findChild<QLineEdit*>("fileNameEdit")->setText(QFileInfo(path).fileName());
+            static_cast<QDialog*>(dialog)->accept();
+        });
+        action->trigger();
     }
 };
 
