@@ -14,6 +14,7 @@
 
 #include <QFile>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
@@ -25,6 +26,7 @@
 #include <QToolButton>
 
 #include <ctime>
+#include <limits>
 
 using namespace hygroloom;
 
@@ -185,6 +187,42 @@ private Q_SLOTS:
         const double each = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / pictures;
         qInfo("%.1f ms of CPU a picture", 1000 * each);
         QVERIFY(each < 1.0 / 30);
+    }
+    void aClothThatGoesWrongSaysSoAndTakesNoDrops()
+    {
+        LessonScene& scene = window_->scene();
+        const QColor notice("#ffd08a");
+        const auto said = [&] {
+            const QImage image = scene.grab(scene.clothArea(0).toRect()).toImage();
+            int count = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) { count += image.pixelColor(x, y) == notice ? 1 : 0; }
+            }
+            return count > 50;
+        };
+        QVERIFY(!said());
+        window_->table()->blow({std::numeric_limits<double>::quiet_NaN(), 0.5, 1});
+        QTRY_VERIFY_WITH_TIMEOUT(!window_->table()->failure(0).empty(), patience);
+        QTest::qWait(100);
+        QVERIFY(said());
+        const QImage before = scene.grab(scene.clothArea(0).toRect()).toImage();
+        scene.drop(0, 0, 0);
+        QCOMPARE(scene.grab(scene.clothArea(0).toRect()).toImage(), before);
+    }
+    void aClothThatCannotBeLaidOutIsNotWaitedFor()
+    {
+        Lesson lesson = window_->lesson();
+        lesson.cloths[1].design.fabrics[0].warp.material = {{"no such fibre", 1.0}};
+        window_->showLesson(lesson);
+        const auto waits = [&] {
+            for (const QLabel* label : window_->findChildren<QLabel*>()) {
+                if (label->text() == "The cloths are being laid out.") { return true; }
+            }
+            return false;
+        };
+        QVERIFY(waits());
+        QTRY_VERIFY_WITH_TIMEOUT(!waits(), patience);
+        QVERIFY(!window_->table()->failure(1).empty());
     }
     void aWrongFileIsSaid()
     {

@@ -259,7 +259,7 @@ void LessonWindow::look()
     bool all = true;
     for (int k = 0; k < table_->cloths(); ++k) {
         const auto view = table_->view(k);
-        all = all && view;
+        all = all && (view || !table_->failure(k).empty());
         state.cloths.push_back(view ? view->score : ClothScore{});
     }
     pace_->setText(!all                  ? tr("The cloths are being laid out.")
