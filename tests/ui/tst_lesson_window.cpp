@@ -138,6 +138,29 @@ private Q_SLOTS:
         window_->steps().back();
         QCOMPARE(window_->steps().step(), 0);
     }
+    void stepsLeaveTimeToReadAndStayAfterBack()
+    {
+        Lesson lesson;
+        LessonGoal at_once;
+        lesson.steps = {{"Short.", "", at_once}, {std::string(100, 'a'), "", at_once}, {"End.", "", {}}};
+        TableState state;
+        state.cloths.resize(2);
+        LessonSteps steps;
+        steps.setLesson(lesson);
+        steps.look(state, 0);
+        QVERIFY(steps.seen());
+        QCOMPARE(steps.msToNext(), 2500);
+        steps.next();
+        steps.look(state, 1);
+        QCOMPARE(steps.msToNext(), 6000); // 60 ms a character
+        steps.back();
+        steps.look(state, 2);
+        QVERIFY(steps.seen());
+        QCOMPARE(steps.msToNext(), 0);
+        steps.next();
+        steps.look(state, 3);
+        QCOMPARE(steps.msToNext(), 6000);
+    }
     void handsChangeTheAir()
     {
         window_->controls().windSlider().setValue(30);
