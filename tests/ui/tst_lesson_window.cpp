@@ -12,18 +12,21 @@
 #include "ui/lesson/lesson_words.h"
 #include "ui/lesson/magnifier.h"
 
+#include <QComboBox>
 #include <QFile>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMenu>
+#include <QMessageBox>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
+#include <QWheelEvent>
 
 #include <ctime>
 #include <limits>
@@ -171,6 +174,58 @@ private Q_SLOTS:
         window_->reset();
         QTRY_VERIFY_WITH_TIMEOUT(laidOut(*window_), patience);
         QCOMPARE(window_->controls().air().temperature_c, 25.0);
+    }
+    void theWheelScrollsAndChangesNothing()
+    {
+        const QSlider& wind = window_->controls().windSlider();
+        auto* lessons = window_->findChild<QComboBox*>();
+        const int before = wind.value(), chosen = lessons->currentIndex();
+        for (QWidget* each : {static_cast<QWidget*>(&window_->controls().windSlider()), static_cast<QWidget*>(lessons)}) {
+            const QPointF at = each->rect().center();
+            QWheelEvent event(at, each->mapToGlobal(at), {}, {0, -240}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(each, &event);
+        }
+        QCOMPARE(wind.value(), before);
+        QCOMPARE(lessons->currentIndex(), chosen);
+    }
+    void resetAsksOnceDropsHaveFallen()
+    {
+        auto* reset = button<QToolButton>("Reset");
+        const LessonTable* table = window_->table();
+        bool asked = false;
+        const auto answer = [&](const QString& with) {
+            QTimer::singleShot(200, this, [&asked, with] {
+                auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+                asked = box != nullptr;
+                if (!box) { return; }
+                for (QAbstractButton* each : box->buttons()) {
+                    if (each->text().remove('&') == with) { return each->click(); }
+                }
+                box->reject();
+            });
+        };
+        window_->scene().drop(0, 0, 0);
+        QTRY_COMPARE_WITH_TIMEOUT(dropsOn(*window_, 0), 1, patience);
+        answer("Cancel");
+        reset->click();
+        QVERIFY(asked);
+        QCOMPARE(window_->table(), table);
+        QCOMPARE(dropsOn(*window_, 0), 1);
+        answer("Cancel");
+        auto* lessons = window_->findChild<QComboBox*>();
+        lessons->setCurrentIndex(1);
+        Q_EMIT lessons->activated(1);
+        QVERIFY(asked);
+        QCOMPARE(lessons->currentIndex(), 0);
+        answer("Reset");
+        reset->click();
+        QTRY_VERIFY_WITH_TIMEOUT(laidOut(*window_), patience);
+        QCOMPARE(dropsOn(*window_, 0), 0);
+        asked = false;
+        answer("Cancel");
+        reset->click(); // nothing to lose
+        QTest::qWait(400);
+        QVERIFY(!asked);
     }
     void theMagnifierShowsTheYarnsNumbers()
     {

@@ -141,6 +141,18 @@ private Q_SLOTS:
         QVERIFY(dialog_->isVisible());
     }
 
+    void theWheelOverTheirPagesChangesNothing()
+    {
+        QSpinBox* threads = spinBox("Threads of a run on the CPU");
+        QVERIFY(threads);
+        const int before = threads->value();
+        dialog_->findChild<QListWidget*>()->setFocus();
+        wheel(*threads, 240);
+        QCOMPARE(threads->value(), before);
+        wheel(*box("Lengths"), -240);
+        QCOMPARE(preferences().length, 0);
+    }
+
     void theWheelZoomsAsPreferred()
     {
         QVERIFY(wheelZoom(120) > 1);

@@ -2,7 +2,9 @@
 #include "ui/lesson/lesson_window.h"
 
 #include "core/base/error.h"
+#include "ui/basics/ask.h"
 #include "ui/basics/quantity.h"
+#include "ui/basics/wheel_guard.h"
 #include "ui/document/document.h"
 #include "ui/lesson/cloth_choice.h"
 #include "ui/lesson/lesson_controls.h"
@@ -130,6 +132,9 @@ QWidget* LessonWindow::buildSide()
     layout->addLayout(buttons);
     layout->addWidget(controls_);
     layout->addWidget(note_);
+    auto* wheel = new WheelGuard(this);
+    wheel->guard(side);
+    wheel->guardSliders(side);
     return side;
 }
 
@@ -138,7 +143,9 @@ void LessonWindow::connectParts()
     connect(lessons_, &QComboBox::activated, this, &LessonWindow::chooseLesson);
     connect(pause_, &QToolButton::toggled, this, &LessonWindow::setSpeed);
     connect(slow_, &QToolButton::toggled, this, &LessonWindow::setSpeed);
-    connect(reset_, &QToolButton::clicked, this, &LessonWindow::reset);
+    connect(reset_, &QToolButton::clicked, this, [this] {
+        if (mayClear(tr("Reset"), tr("&Reset"))) { reset(); }
+    });
     connect(explain_, &QToolButton::toggled, scene_, &LessonScene::setExplains);
     connect(screen_, &QToolButton::toggled, this, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     connect(help_, &QToolButton::clicked, this, &LessonWindow::helpWanted);
@@ -164,8 +171,28 @@ void LessonWindow::connectParts()
     pictures_.setInterval(1000 / Film::pictures_per_second);
 }
 
+/// Whether what lies on the table may go; the user is asked where something would be lost.
+bool LessonWindow::mayClear(const QString& title, const QString& button)
+{
+    int drops = 0;
+    for (int k = 0; table_ && k < table_->cloths(); ++k) {
+        if (const auto view = table_->view(k)) { drops += view->score.drops; }
+    }
+    if (drops == 0 && !film_.runs()) { return true; }
+    const QString consequence =
+        drops == 0 ? tr("A film is being taken; it goes on with the new cloths.")
+        : film_.runs()
+            ? tr("What the drops have come to is lost, unless a recording is saved before. The film goes on with the new cloths.")
+            : tr("What the drops have come to is lost, unless a recording is saved before.");
+    return confirm(this, title, tr("Lay out new cloths?"), consequence, button);
+}
+
 void LessonWindow::chooseLesson(int index)
 {
+    if (!mayClear(tr("Another lesson"), tr("&Lay Out"))) {
+        lessons_->setCurrentIndex(chosen_);
+        return;
+    }
     const bool chosen = index == own_cloths  ? chooseCloths()
                         : index == from_file ? chooseFile()
                                              : openLesson(QString(":/lessons/%1.json").arg(shipped[index]));

@@ -38,6 +38,7 @@ public:
     bool openLesson(const QString& path);
     void showLesson(const Lesson& lesson);
     void setPaused(bool paused);
+    /// Without asking.
     void reset();
     QString clockText() const;
 
@@ -56,6 +57,7 @@ private:
     QWidget* buildSide();
     QToolButton* addButton(const QString& text, const QKeySequence& key, bool checkable);
     void connectParts();
+    bool mayClear(const QString& title, const QString& button);
     void chooseLesson(int index);
     bool chooseCloths();
     bool chooseFile();
