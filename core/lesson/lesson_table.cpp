@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 namespace hygroloom {
 namespace {
 
 constexpr double looks_per_second = 20; // of real time, at each cloth
 constexpr double pace_settles = 0.5;    // s
+constexpr double follows = 0.9;         // of the speed
 
 } // namespace
 
@@ -31,6 +33,7 @@ LessonTable::~LessonTable()
     stop_ = true;
     changed_.notify_all();
     for (std::thread& thread : threads_) thread.join();
+    for (const Place& place : places_) serve(place, place.takes);
 }
 
 void LessonTable::set_speed(double speed)
@@ -38,6 +41,10 @@ void LessonTable::set_speed(double speed)
     const std::scoped_lock lock(guard_);
     go_on();
     speed_ = std::max(0.0, speed);
+    if (speed_ > 0) {
+        const double before = std::exchange(paced_, speed_);
+        pace_ = pace_ >= follows * before ? pace_ * speed_ / before : std::min(pace_, speed_); // else as fast as it can
+    }
     changed_.notify_all();
 }
 
@@ -114,7 +121,8 @@ void LessonTable::tilt(double degrees)
 void LessonTable::record(int cloth, std::function<void(RecordedCloth)> take)
 {
     const std::scoped_lock lock(guard_);
-    tell(places_.at(static_cast<std::size_t>(cloth)), [take = std::move(take)](RunningCloth& running) { take(running.recorded()); });
+    places_.at(static_cast<std::size_t>(cloth)).takes.push_back(std::move(take));
+    changed_.notify_all();
 }
 
 /// The one that is farthest behind and has something to do. The guard is held.
@@ -122,8 +130,9 @@ LessonTable::Place* LessonTable::next_place()
 {
     Place* next = nullptr;
     for (Place& place : places_) {
-        const bool has_work = !place.running || !place.acts.empty() || place.time < clock_;
-        if (place.busy || !place.failure.empty() || !has_work) continue;
+        const bool goes_on = place.failure.empty() && (!place.running || !place.acts.empty() || place.time < clock_);
+        const bool has_work = goes_on || (place.running && !place.takes.empty());
+        if (place.busy || !has_work) continue;
         if (!next || (place.running && (!next->running ? false : place.time < next->time)) || (!place.running && next->running))
             next = &place;
     }
@@ -143,13 +152,32 @@ void LessonTable::work()
         place->busy = true;
         std::vector<Act> acts = std::move(place->acts);
         place->acts.clear();
+        const std::vector<Take> takes = std::move(place->takes);
+        place->takes.clear();
+        const bool goes_on = place->failure.empty();
         const double until = place->time < clock_ ? std::max(clock_, place->time + speed_ / looks_per_second) : place->time;
         lock.unlock();
-        work_on(*place, std::move(acts), until);
+        if (goes_on) work_on(*place, std::move(acts), until);
+        std::string problem = serve(*place, takes);
         lock.lock();
+        if (place->failure.empty()) place->failure = std::move(problem);
         place->busy = false;
         changed_.notify_all();
     }
+}
+
+/// Without the guard, after the acts. What went wrong before a recording could be taken; who takes one says what came of it.
+std::string LessonTable::serve(const Place& place, const std::vector<Take>& takes)
+{
+    if (!place.running) return {};
+    try {
+        for (const Take& take : takes) take(place.running->recorded());
+    } catch (const std::bad_alloc&) {
+        return "Not enough memory for a recording of this cloth.";
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return {};
 }
 
 /// Without the guard; nobody else touches what runs while the place is busy.

@@ -39,18 +39,21 @@ public:
     void drop(int cloth, double x, double y, double volume);
     void blow(const Climate& air);
     void tilt(double degrees);
-    /// What a recording has to hold; called in its thread as soon as it can be.
+    /// What a recording has to hold; called in its thread as soon as it can be, also of a cloth that went wrong, and at the latest while
+    /// the table goes. A cloth without a view has none.
     void record(int cloth, std::function<void(RecordedCloth)> take);
 
 private:
     using Act = std::function<void(RunningCloth&)>;
+    using Take = std::function<void(RecordedCloth)>;
     struct Place {
         LessonCloth cloth;
         std::unique_ptr<RunningCloth> running;
         std::shared_ptr<const ClothView> view;
         std::string failure;
         std::vector<Act> acts;
-        double time = 0; ///< s, reached
+        std::vector<Take> takes; ///< recordings that were asked for
+        double time = 0;         ///< s, reached
         bool busy = false;
     };
 
@@ -60,6 +63,7 @@ private:
     Place* next_place();
     void work();
     void work_on(Place& place, std::vector<Act> acts, double until);
+    static std::string serve(const Place& place, const std::vector<Take>& takes);
 
     std::mutex guard_;
     std::condition_variable changed_;
@@ -68,6 +72,7 @@ private:
     double speed_ = 1;
     double clock_ = 0; // s, simulated
     double pace_ = 1;
+    double paced_ = 1; // the speed that the pace is of; more than 0
     std::chrono::steady_clock::time_point seen_ = std::chrono::steady_clock::now();
     std::atomic<bool> stop_{false};
     std::vector<std::thread> threads_; // the last member

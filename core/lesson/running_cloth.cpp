@@ -3,6 +3,7 @@
 
 #include "core/analysis/metrics.h"
 #include "core/base/error.h"
+#include "core/design/validate.h"
 #include "core/physics/caps.h"
 #include "core/run/plan_run.h"
 #include "core/run/recording.h"
@@ -19,10 +20,18 @@
 namespace hygroloom {
 namespace {
 
-constexpr std::size_t most_kept_frames = 120;
-constexpr double cubic_mm = 1e-9; // m3, an ul
+constexpr double cubic_mm = 1e-9;    // m3, an ul
+constexpr double drops_apart = 2e-3; // s; drops of an experiment that appear together must not overlap
 
 double ul_of(double water, const Scene& scene) { return water / scene.climate.density / cubic_mm; }
+
+std::size_t bytes_of(const Frame& frame)
+{
+    std::size_t values = frame.shells.size() + 3 * (frame.positions.size() + frame.velocities.size()) + frame.pressures.size();
+    for (const FrameField& field : frame_fields) values += field.values ? field.in(frame).size() : 0;
+    for (const auto& [name, other] : frame.others) values += other.size();
+    return sizeof(Frame) + values * sizeof(float) + frame.caps.size() * sizeof(FrameCap) + frame.cells.size() * sizeof(CellSums);
+}
 
 /// Planned for drops of any size that the table offers.
 Design planned_design(const Design& design, const Climate& air)
@@ -100,11 +109,18 @@ std::string RunningCloth::why_no_drop(double x, double y, double volume) const
     const double own = shapes.base(volume, scene.caps.advancing, weight), ball = std::cbrt(3.0 * volume / (4.0 * pi));
     const double speed = std::sqrt(2.0 * gravity_acceleration * metre_from_mm(drop_height_mm));
     double joined = volume, sum_x = x * volume, sum_y = y * volume;
-    for (const FrameCap& cap : last_->caps) {
-        if (std::hypot(cap.x - x, cap.y - y) > own + std::max(cap.base, own)) continue;
-        joined += cap.volume;
-        sum_x += cap.x * cap.volume;
-        sum_y += cap.y * cap.volume;
+    const auto join = [&](double cap_x, double cap_y, double cap_volume, double cap_base) {
+        if (std::hypot(cap_x - x, cap_y - y) > own + std::max(cap_base, own)) return;
+        joined += cap_volume;
+        sum_x += cap_x * cap_volume;
+        sum_y += cap_y * cap_volume;
+    };
+    for (const FrameCap& cap : last_->caps) join(cap.x, cap.y, cap.volume, cap.base);
+    for (std::size_t k = 0; k < asked_at_.size(); ++k) { // those that the last look does not have yet
+        if (asked_at_[k] < last_->time) continue;
+        const Droplet& drop = done_.droplets[k];
+        const double its = drop.volume_ul * cubic_mm;
+        join(metre_from_mm(drop.at_mm[0]), metre_from_mm(drop.at_mm[1]), its, shapes.base(its, scene.caps.advancing, weight));
     }
     const double base = std::max({own, shapes.base(joined, scene.caps.advancing, weight),
                                   impact_base(scene.climate.surface_tension, scene.climate.density, ball, speed)});
@@ -123,7 +139,9 @@ void RunningCloth::drop(double x, double y, double volume)
     }
     const PutDrop put{x, y, volume, metre_from_mm(drop_height_mm), 0};
     session_->poke(put);
-    done_.droplets.push_back({volume / cubic_mm, time_, {mm_from_metre(x), mm_from_metre(y)}, drop_height_mm, 0});
+    const double at = done_.droplets.empty() ? time_ : std::max(time_, done_.droplets.back().time_s + drops_apart);
+    done_.droplets.push_back({volume / cubic_mm, at, {mm_from_metre(x), mm_from_metre(y)}, drop_height_mm, 0});
+    asked_at_.push_back(time_);
     landed_ = time_ + std::sqrt(2.0 * put.height / gravity_acceleration);
     absorbed_ = -1;
 }
@@ -132,11 +150,7 @@ void RunningCloth::blow(const Climate& air)
 {
     const Climate before = climate_at(done_, time_);
     session_->poke(air_of(air, time_, run_->textile, done_));
-    constexpr double at_once = 1e-3; // s; in an experiment air changes evenly
-    std::vector<ClimateMoment>& later = done_.climates;
-    const double from = std::max(time_, later.empty() ? at_once : later.back().time_s + at_once);
-    later.push_back({from, before});
-    later.push_back({from + at_once, air});
+    change_air(done_.climates, time_, before, air);
 }
 
 void RunningCloth::tilt(double degrees)
@@ -186,8 +200,7 @@ std::shared_ptr<const ClothView> RunningCloth::view()
     view->air = climate_at(session_->scene(), time_);
     view->bound_at_start = bound_at_start_;
     view->score = score_of(*last_);
-    view->released = static_cast<int>(
-        std::count_if(done_.droplets.begin(), done_.droplets.end(), [this](const Droplet& drop) { return drop.time_s < last_->time; }));
+    view->released = static_cast<int>(std::count_if(asked_at_.begin(), asked_at_.end(), [this](double at) { return at < last_->time; }));
     view->refused = refused_;
     view->sliding = sliding(*last_);
     view->notice = notice_;
@@ -199,7 +212,7 @@ void RunningCloth::keep(const std::shared_ptr<const Frame>& frame)
 {
     if (!kept_.empty() && frame->time < kept_.back()->time + keep_every_) return;
     kept_.push_back(frame);
-    if (kept_.size() < most_kept_frames) return;
+    if (kept_.size() < most_kept_frames(bytes_of(*frame))) return;
     for (std::size_t k = 0; 2 * k < kept_.size(); ++k) kept_[k] = kept_[2 * k];
     kept_.resize((kept_.size() + 1) / 2);
     keep_every_ *= 2;
@@ -211,13 +224,44 @@ RecordedCloth RunningCloth::recorded() const
     if (last_->time > kept_.back()->time) cloth.frames.push_back(last_);
     Experiment& experiment = cloth.run.design.experiments[0];
     experiment = done_;
+    const auto fell = std::count_if(asked_at_.begin(), asked_at_.end(), [this](double at) { return at < time_; });
+    experiment.droplets.resize(static_cast<std::size_t>(fell));
     experiment.duration_s = std::max(0.1, time_);
-    std::erase_if(experiment.droplets, [&](const Droplet& drop) { return drop.time_s >= experiment.duration_s; });
+    if (fell > 0) experiment.duration_s = std::max(experiment.duration_s, experiment.droplets.back().time_s + drops_apart);
     return cloth;
+}
+
+std::size_t most_kept_frames(std::size_t bytes_each)
+{
+    constexpr std::size_t fewest = 20, most = 120, room = 100'000'000; // bytes
+    return std::clamp(room / std::max<std::size_t>(1, bytes_each), fewest, most);
+}
+
+void change_air(std::vector<ClimateMoment>& later, double time, const Climate& before, const Climate& air)
+{
+    constexpr std::size_t most_moments = 1000;           // of an experiment; see validate_climates()
+    constexpr double at_once = 1e-3;                     // s; in an experiment air changes evenly
+    if (!later.empty() && later.back().time_s >= time) { // nobody has felt the last one yet
+        later.back().climate = air;
+        return;
+    }
+    if (later.size() + 2 > most_moments) {
+        // Each change is two moments, from and to. Of the airs between two changes the shortest goes.
+        std::size_t shortest = 1;
+        for (std::size_t k = 1; k + 1 < later.size(); k += 2)
+            if (later[k + 1].time_s - later[k].time_s < later[shortest + 1].time_s - later[shortest].time_s) shortest = k;
+        const auto first = later.begin() + static_cast<std::ptrdiff_t>(shortest);
+        later.erase(first, first + 2);
+    }
+    const double from = std::max(time, later.empty() ? at_once : later.back().time_s + at_once);
+    later.push_back({from, before});
+    later.push_back({from + at_once, air});
 }
 
 void write_recording(const RecordedCloth& cloth, const std::filesystem::path& path)
 {
+    for (const Issue& issue : validate(cloth.run.design))
+        if (issue.severity == Severity::error) throw FileError(path.string() + ": This cloth cannot be recorded. " + issue.text);
     RecordingWriter writer(path, cloth.run);
     for (const auto& frame : cloth.frames) writer.append(*frame);
     writer.finish(0);

@@ -29,8 +29,15 @@ struct RecordedCloth {
     RunRecord run;
     std::vector<std::shared_ptr<const Frame>> frames;
 };
-/// Throws FileError.
+/// Throws FileError, also where what was done is no experiment that can be read again.
 void write_recording(const RecordedCloth& cloth, const std::filesystem::path& path);
+
+/// Notes that the air of an experiment changes at a time in s, from one that it has then. Many changes are joined to as many as an
+/// experiment may have.
+void change_air(std::vector<ClimateMoment>& later, double time, const Climate& before, const Climate& air);
+
+/// How many frames of so many bytes are kept of a cloth for its recording.
+std::size_t most_kept_frames(std::size_t bytes_each);
 
 constexpr double drop_height_mm = 10; ///< of a drop's lowest point over the cloth
 
@@ -60,7 +67,8 @@ private:
 
     std::unique_ptr<Backend> backend_;
     std::shared_ptr<RunRecord> run_;
-    Experiment done_; ///< with the drops and the air so far
+    Experiment done_;              ///< with the drops and the air so far; no two drops at one time
+    std::vector<double> asked_at_; ///< s, each drop: of the look at which it was released
     std::unique_ptr<Session> session_;
     double time_ = 0;           // s
     double tilt_ = 0;           // rad

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Cloths that are simulated while one looks: drops come where they are dropped, water adds up, time goes on, and a recording can be kept.
+#include "core/base/error.h"
 #include "core/design/validate.h"
 #include "core/lesson/lesson_table.h"
 #include "core/lesson/water_shares.h"
@@ -9,6 +10,7 @@
 #include <QTest>
 
 #include <ctime>
+#include <limits>
 
 using namespace hygroloom;
 
@@ -18,6 +20,13 @@ const std::string three = HYGROLOOM_SOURCE_DIR "/resources/lessons/fibre.json";
 
 /// s of all threads.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+bool laid_out(LessonTable& table)
+{
+    for (int k = 0; k < table.cloths(); ++k)
+        if (!table.view(k)) return false;
+    return true;
+}
 
 void require_balanced(const Ledger& ledger)
 {
@@ -121,16 +130,141 @@ private Q_SLOTS:
         QCOMPARE(last.time, cloth.time());
         require_balanced(last.ledger);
     }
+    void twoDropsAtOnePlaceAtOneTimeCanBeReadAgain()
+    {
+        const Lesson lesson = read_lesson(three);
+        const std::atomic<bool> stop{false};
+        RunningCloth cloth(lesson.cloths[1].design, lesson.air);
+        cloth.advance(0.1, stop);
+        cloth.drop(0, 0, 3e-9);
+        cloth.drop(0, 0, 3e-9);
+        cloth.drop(1e-3, 0, 3e-9);
+        QCOMPARE(cloth.view()->released, 0);
+        cloth.advance(0.101, stop); // less than lies between their times in the experiment
+        QCOMPARE(cloth.view()->released, 3);
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("lesson.hygrorec").toStdString();
+        write_recording(cloth.recorded(), path);
+        const Recording read(path);
+        const Experiment& experiment = read.run().design.experiments.at(0);
+        QCOMPARE(experiment.droplets.size(), std::size_t{3});
+        QVERIFY(experiment.droplets[1].time_s > experiment.droplets[0].time_s + 1e-3);
+        QVERIFY(!has_error(validate(read.run().design)));
+    }
+    void dropsOfOneMomentCountTogetherAtTheEdge()
+    {
+        const Lesson lesson = read_lesson(three);
+        const auto refused = [&](int drops) {
+            RunningCloth cloth(lesson.cloths[1].design, lesson.air);
+            for (int k = 0; k < drops; ++k) cloth.drop(14e-3, 0, 20e-9);
+            return cloth.view()->refused;
+        };
+        QCOMPARE(refused(1), 0);
+        QVERIFY(refused(12) > 0); // 240 ul together stand over the edge
+    }
+    void whatCannotBeReadAgainIsNotWritten()
+    {
+        const Lesson lesson = read_lesson(three);
+        RunningCloth cloth(lesson.cloths[1].design, lesson.air);
+        RecordedCloth recorded = cloth.recorded();
+        recorded.run.design.experiments[0].droplets = {{3, 0, {0, 0}, 10, 0}, {3, 0, {0, 0}, 10, 0}};
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("lesson.hygrorec").toStdString();
+        QVERIFY_EXCEPTION_THROWN(write_recording(recorded, path), FileError);
+        QVERIFY(!std::filesystem::exists(path));
+    }
+    void keptFramesTakeAHundredMegabytes()
+    {
+        QCOMPARE(most_kept_frames(1000), std::size_t{120});
+        QCOMPARE(most_kept_frames(2'000'000), std::size_t{50});
+        QCOMPARE(most_kept_frames(50'000'000), std::size_t{20}); // fewer show nothing
+    }
+    void anyNumberOfChangesOfTheAirIsAnExperiment()
+    {
+        Experiment experiment = table_experiment({25, 0.65, 0.1});
+        for (int k = 0; k < 800; ++k) {
+            const double time = 0.5 * k + (k % 2 ? 0.1 : 0);
+            const Climate air{20.0 + k % 30, 0.5, 1};
+            change_air(experiment.climates, time, climate_at(experiment, time), {5, 0.1, 0}); // a moment later changed again
+            change_air(experiment.climates, time, climate_at(experiment, time), air);
+            QCOMPARE(experiment.climates.back().climate, air);
+        }
+        QVERIFY(experiment.climates.size() > 900 && experiment.climates.size() <= 1000);
+        Design design = read_lesson(three).cloths[0].design;
+        design.experiments = {experiment};
+        QVERIFY(!has_error(validate(design)));
+        QCOMPARE(climate_at(experiment, 500).temperature_c, 20.0 + 799 % 30);
+    }
+    void aRecordingThatWasAskedForComesAlsoWhenTheTableGoes()
+    {
+        const Lesson lesson = read_lesson(three);
+        std::atomic<int> taken{0};
+        {
+            LessonTable table(lesson.cloths, lesson.air, 1);
+            QTRY_VERIFY_WITH_TIMEOUT(laid_out(table), 60000);
+            for (int k = 0; k < 9; ++k) table.record(k % 3, [&](const RecordedCloth& cloth) { taken += cloth.frames.empty() ? 0 : 1; });
+        }
+        QCOMPARE(taken.load(), 9);
+    }
+    void aRecordingOfAClothThatWentWrongComes()
+    {
+        const Lesson lesson = read_lesson(three);
+        LessonTable table(lesson.cloths, lesson.air, 1);
+        QTRY_VERIFY_WITH_TIMEOUT(laid_out(table), 60000);
+        table.blow({std::numeric_limits<double>::quiet_NaN(), 0.5, 1});
+        QTRY_VERIFY_WITH_TIMEOUT(!table.failure(0).empty(), 60000);
+        QVERIFY(table.view(0)); // as it was last
+        std::atomic<bool> taken{false};
+        table.record(0, [&](const RecordedCloth& cloth) { taken = !cloth.frames.empty(); });
+        QTRY_VERIFY_WITH_TIMEOUT(taken, 60000);
+    }
+    void thePaceFollowsTheSpeedAtOnce()
+    {
+        const Lesson lesson = read_lesson(three);
+        LessonTable table(lesson.cloths, lesson.air, 1);
+        for (const double speed : {1.0, LessonTable::slow_motion, 0.0, 1.0}) { // before the clock goes
+            table.set_speed(speed);
+            if (speed > 0) QVERIFY(std::abs(table.pace() / speed - 1) < 1e-9);
+        }
+    }
+    /// Each step of the lesson on climate that asks for other air must let more water go, at once and later.
+    void theAirThatTheLessonAsksForDries()
+    {
+        const Lesson lesson = read_lesson(HYGROLOOM_SOURCE_DIR "/resources/lessons/climate.json");
+        const std::atomic<bool> stop{false};
+        std::vector<Climate> airs{lesson.air};
+        for (const LessonStep& step : lesson.steps) {
+            if (!step.seen || step.seen->metric < 0) continue;
+            const std::string key = lesson_metrics()[static_cast<std::size_t>(step.seen->metric)].key;
+            Climate air = airs.back();
+            if (key == "air_speed_m_s") air.air_speed_m_s = step.seen->limit;
+            if (key == "air_humidity") air.relative_humidity = step.seen->limit;
+            if (key == "air_temperature_c") air.temperature_c = step.seen->limit;
+            if (air != airs.back()) airs.push_back(air);
+        }
+        QCOMPARE(airs.size(), std::size_t{4});
+        std::vector<double> soon, later;
+        for (const Climate& air : airs) {
+            RunningCloth cloth(lesson.cloths[0].design, lesson.air);
+            cloth.drop(0, 0, 1e-9 * lesson.drop_ul);
+            cloth.advance(1, stop);
+            cloth.blow(air);
+            cloth.advance(1.3, stop);
+            soon.push_back(cloth.view()->score.evaporated_ul);
+            cloth.advance(3, stop);
+            later.push_back(cloth.view()->score.evaporated_ul);
+        }
+        for (std::size_t k = 0; k < airs.size(); ++k) {
+            qInfo("%g C, %g %%, %g m/s: %.4f ul after 0.3 s, %.4f ul after 2 s", airs[k].temperature_c, 100 * airs[k].relative_humidity,
+                  airs[k].air_speed_m_s, soon[k], later[k]);
+            QVERIFY(k == 0 || (soon[k] > soon[k - 1] && later[k] > later[k - 1]));
+        }
+    }
     void threeClothsWithADropEachFollowTheClock()
     {
         const Lesson lesson = read_lesson(three);
         LessonTable table(lesson.cloths, lesson.air, 2);
-        const auto laid_out = [&] {
-            for (int k = 0; k < table.cloths(); ++k)
-                if (!table.view(k)) return false;
-            return true;
-        };
-        QTRY_VERIFY_WITH_TIMEOUT(laid_out(), 60000);
+        QTRY_VERIFY_WITH_TIMEOUT(laid_out(table), 60000);
         const double before = table.clock(), cpu = cpu_seconds();
         QElapsedTimer wall;
         wall.start();

@@ -14,6 +14,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QSpinBox>
 #include <QWheelEvent>
@@ -122,6 +123,34 @@ private Q_SLOTS:
         QCOMPARE(canvas->camera().direction(), before);
         drag(*canvas, Qt::RightButton);
         QVERIFY(canvas->camera().direction() != before);
+    }
+
+    void enterInAFieldRestoresNothing()
+    {
+        choose("Lengths", 2);
+        QSpinBox* number = spinBox("Threads of a run on the CPU");
+        QVERIFY(number);
+        dialog_->findChild<QListWidget*>()->setCurrentRow(5);
+        number->setFocus();
+        number->findChild<QLineEdit*>()->setText("3");
+        QTest::keyClick(number, Qt::Key_Return);
+        QCOMPARE(preferences().threads, 3);
+        QCOMPARE(preferences().length, 2);
+        QTest::keyClick(dialog_->findChild<QListWidget*>(), Qt::Key_Return);
+        QCOMPARE(preferences().length, 2);
+        QVERIFY(dialog_->isVisible());
+    }
+
+    void theWheelOverTheirPagesChangesNothing()
+    {
+        QSpinBox* threads = spinBox("Threads of a run on the CPU");
+        QVERIFY(threads);
+        const int before = threads->value();
+        dialog_->findChild<QListWidget*>()->setFocus();
+        wheel(*threads, 240);
+        QCOMPARE(threads->value(), before);
+        wheel(*box("Lengths"), -240);
+        QCOMPARE(preferences().length, 0);
     }
 
     void theWheelZoomsAsPreferred()
@@ -253,12 +282,19 @@ private:
         QMetaObject::invokeMethod(found, "activated", Q_ARG(int, index));
     }
 
-    void setNumber(const QString& name, int value)
+    QSpinBox* spinBox(const QString& name)
     {
         for (QSpinBox* each : dialog_->findChildren<QSpinBox*>()) {
-            if (each->accessibleName() == name) { return each->setValue(value); }
+            if (each->accessibleName() == name) { return each; }
         }
-        QFAIL(qPrintable(name));
+        return nullptr;
+    }
+
+    void setNumber(const QString& name, int value)
+    {
+        QSpinBox* box = spinBox(name);
+        QVERIFY2(box, qPrintable(name));
+        box->setValue(value);
     }
 
     void tick(const QString& name)

@@ -4,17 +4,25 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QEvent>
+#include <QSlider>
 
 namespace hygroloom {
 
 void WheelGuard::guard(QWidget* panel)
 {
-    const auto watch = [this](QWidget* field) {
-        field->setFocusPolicy(Qt::StrongFocus); // the wheel gives no focus either
-        field->installEventFilter(this);
-    };
     for (QComboBox* choice : panel->findChildren<QComboBox*>()) { watch(choice); }
     for (QAbstractSpinBox* count : panel->findChildren<QAbstractSpinBox*>()) { watch(count); }
+}
+
+void WheelGuard::guardSliders(QWidget* panel)
+{
+    for (QSlider* slider : panel->findChildren<QSlider*>()) { watch(slider); }
+}
+
+void WheelGuard::watch(QWidget* field)
+{
+    field->setFocusPolicy(Qt::StrongFocus); // the wheel gives no focus either
+    field->installEventFilter(this);
 }
 
 bool WheelGuard::eventFilter(QObject* watched, QEvent* event)

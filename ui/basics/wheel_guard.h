@@ -13,9 +13,14 @@ public:
 
     /// Choices within it no longer turn with the wheel, and counts do so only while they have the focus.
     void guard(QWidget* panel);
+    /// Sliders within it no longer turn with the wheel, either.
+    void guardSliders(QWidget* panel);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void watch(QWidget* field);
 };
 
 } // namespace hygroloom

@@ -69,6 +69,8 @@ void LessonScene::refresh(int place)
 {
     Cloth& cloth = cloths_[static_cast<std::size_t>(place)];
     cloth.view = table_->view(place);
+    cloth.failure = QString::fromStdString(table_->failure(place));
+    if (!cloth.failure.isEmpty()) { cloth.falling.clear(); }
     if (!cloth.view) { return; }
     std::erase_if(cloth.falling, [&](const Falling& drop) { return drop.number <= cloth.view->released + cloth.view->refused; });
 }
@@ -103,7 +105,7 @@ void LessonScene::drop(int cloth, double x, double y)
     Cloth& on = cloths_.at(static_cast<std::size_t>(cloth));
     if (!table_) { return; }
     refresh(cloth); // it may have been laid out since the last picture
-    if (!on.view) { return; }
+    if (!on.view || !on.failure.isEmpty()) { return; }
     Falling falling{++on.asked, x, y, 1e-9 * drop_ul_, {}};
     falling.since.start();
     on.falling.push_back(falling);
@@ -154,9 +156,9 @@ void LessonScene::drawCloth(QPainter& painter, int place)
     if (!cloth.view) {
         painter.fillRect(area, table_edge);
         painter.setPen(words_color);
-        const std::string failure = table_ ? table_->failure(place) : std::string();
-        const QString text = failure.empty() ? tr("This cloth is being laid out.") : QString::fromStdString(failure);
-        painter.drawText(area.adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap, text);
+        if (cloth.failure.isEmpty()) {
+            painter.drawText(area.adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap, tr("This cloth is being laid out."));
+        }
         return;
     }
     const int side = std::max(8, qRound(area.width() * devicePixelRatioF()));
@@ -187,6 +189,21 @@ void LessonScene::drawCaps(QPainter& painter, int place)
         const double ball = std::cbrt(3 * drop.volume / (4 * pi)), height = 1e-3 * drop_height_mm;
         drawFalling(painter, at(drop.x, drop.y), ball * pixels, height * pixels);
     }
+}
+
+/// Over what was seen of it last.
+void LessonScene::drawFailure(QPainter& painter, int place) const
+{
+    const QString& failure = cloths_[static_cast<std::size_t>(place)].failure;
+    if (failure.isEmpty()) { return; }
+    const QRectF area = clothArea(place);
+    painter.fillRect(area, QColor(0, 0, 0, 170));
+    QFont large = font();
+    large.setPixelSize(std::clamp(qRound(area.width() / 20), 12, 20));
+    painter.setFont(large);
+    painter.setPen(notice_color);
+    painter.drawText(area.adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
+                     tr("This cloth is not simulated any more. %1").arg(failure));
 }
 
 void LessonScene::drawWords(QPainter& painter, int place) const
@@ -246,6 +263,7 @@ void LessonScene::paintEvent(QPaintEvent*)
     for (int k = 0; k < static_cast<int>(cloths_.size()); ++k) {
         drawCloth(painter, k);
         drawCaps(painter, k);
+        drawFailure(painter, k);
         drawWords(painter, k);
     }
     if (!cloths_.empty()) {

@@ -23,7 +23,7 @@ public:
     void setDrop(double volume_ul) { drop_ul_ = volume_ul; }
     void setExplains(bool explains);
     bool explains() const { return explains_; }
-    /// Puts a drop over a place of a cloth, m from its middle.
+    /// Puts a drop over a place of a cloth, m from its middle; not on one that is not simulated.
     void drop(int cloth, double x, double y);
     /// Pixels of this widget that a cloth takes; empty where there is none.
     QRectF clothArea(int cloth) const;
@@ -49,6 +49,7 @@ private:
         QString title;
         std::unique_ptr<ClothLook> look;
         std::shared_ptr<const ClothView> view, drawn;
+        QString failure; ///< why it is not simulated any more
         int asked = 0;
         std::vector<Falling> falling;
     };
@@ -60,6 +61,7 @@ private:
     /// m from the cloth's middle.
     QPointF placeOn(int cloth, const QPointF& at) const;
     void drawCloth(QPainter& painter, int place);
+    void drawFailure(QPainter& painter, int place) const;
     void drawCaps(QPainter& painter, int place);
     void drawWords(QPainter& painter, int place) const;
     void drawGlass(QPainter& painter) const;

@@ -11,7 +11,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int time_to_read_ms = 2500;
+constexpr int least_to_read_ms = 2500, read_character_ms = 60;
 
 QLabel* plainLabel()
 {
@@ -38,7 +38,7 @@ LessonSteps::LessonSteps(QWidget* parent)
     for (QLabel* label : {count_, text_, ask_, mark_}) { layout->addWidget(label); }
     layout->addLayout(buttons);
     pause_.setSingleShot(true);
-    connect(&pause_, &QTimer::timeout, this, &LessonSteps::next);
+    connect(&pause_, &QTimer::timeout, this, &LessonSteps::goOn);
     connect(next_, &QPushButton::clicked, this, &LessonSteps::next);
     connect(back_, &QPushButton::clicked, this, &LessonSteps::back);
 }
@@ -46,6 +46,7 @@ LessonSteps::LessonSteps(QWidget* parent)
 void LessonSteps::setLesson(const Lesson& lesson)
 {
     steps_ = lesson.steps;
+    held_ = false;
     setVisible(!steps_.empty());
     show(0);
 }
@@ -85,16 +86,27 @@ void LessonSteps::look(TableState state, double clock)
     if (!now.seen || state.cloths.empty() || !is_seen(*now.seen, state)) { return; }
     seen_ = true;
     mark_->setText(tr("Seen."));
-    if (step_ + 1 < static_cast<int>(steps_.size())) { pause_.start(time_to_read_ms); }
+    if (!held_ && step_ + 1 < static_cast<int>(steps_.size())) {
+        pause_.start(std::max(least_to_read_ms, read_character_ms * static_cast<int>(text_->text().size())));
+    }
 }
 
-void LessonSteps::next()
+int LessonSteps::msToNext() const { return pause_.isActive() ? pause_.interval() : 0; }
+
+void LessonSteps::goOn()
 {
     if (step_ + 1 < static_cast<int>(steps_.size())) { show(step_ + 1); }
 }
 
+void LessonSteps::next()
+{
+    held_ = false;
+    goOn();
+}
+
 void LessonSteps::back()
 {
+    held_ = true;
     if (step_ > 0) { show(step_ - 1); }
 }
 

@@ -25,7 +25,10 @@ public:
     void look(TableState state, double clock);
     int step() const { return step_; }
     bool seen() const { return seen_; }
+    /// From seen to the next step; 0: it does not come by itself.
+    int msToNext() const;
     void next();
+    /// From here on no step comes by itself, until next().
     void back();
 
 Q_SIGNALS:
@@ -33,12 +36,14 @@ Q_SIGNALS:
 
 private:
     void show(int step);
+    void goOn();
 
     std::vector<LessonStep> steps_;
     int step_ = 0;
     double begun_ = -1; // s of the clock; less than 0: with the next look
     bool seen_ = false;
-    QTimer pause_; // from seen to the next step
+    bool held_ = false; // since the class went back
+    QTimer pause_;      // from seen to the next step
     QLabel *count_, *text_, *ask_, *mark_;
     QPushButton *back_, *next_;
 };

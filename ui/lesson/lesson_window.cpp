@@ -2,7 +2,9 @@
 #include "ui/lesson/lesson_window.h"
 
 #include "core/base/error.h"
+#include "ui/basics/ask.h"
 #include "ui/basics/quantity.h"
+#include "ui/basics/wheel_guard.h"
 #include "ui/document/document.h"
 #include "ui/lesson/cloth_choice.h"
 #include "ui/lesson/lesson_controls.h"
@@ -130,6 +132,9 @@ QWidget* LessonWindow::buildSide()
     layout->addLayout(buttons);
     layout->addWidget(controls_);
     layout->addWidget(note_);
+    auto* wheel = new WheelGuard(this);
+    wheel->guard(side);
+    wheel->guardSliders(side);
     return side;
 }
 
@@ -138,21 +143,27 @@ void LessonWindow::connectParts()
     connect(lessons_, &QComboBox::activated, this, &LessonWindow::chooseLesson);
     connect(pause_, &QToolButton::toggled, this, &LessonWindow::setSpeed);
     connect(slow_, &QToolButton::toggled, this, &LessonWindow::setSpeed);
-    connect(reset_, &QToolButton::clicked, this, &LessonWindow::reset);
+    connect(reset_, &QToolButton::clicked, this, [this] {
+        if (mayClear(tr("Reset"), tr("&Reset"))) { reset(); }
+    });
     connect(explain_, &QToolButton::toggled, scene_, &LessonScene::setExplains);
     connect(screen_, &QToolButton::toggled, this, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
     connect(help_, &QToolButton::clicked, this, &LessonWindow::helpWanted);
     connect(leave_, &QToolButton::clicked, this, &QWidget::close);
     connect(save_menu_, &QMenu::aboutToShow, this, &LessonWindow::fillSaveMenu);
     connect(controls_, &LessonControls::dropChanged, scene_, &LessonScene::setDrop);
-    connect(controls_, &LessonControls::airChanged, this, [this] { table_->blow(controls_->air()); });
-    connect(controls_, &LessonControls::tiltChanged, this, [this] { table_->tilt(controls_->tilt()); });
+    connect(controls_, &LessonControls::airChanged, this, [this] {
+        if (table_) { table_->blow(controls_->air()); }
+    });
+    connect(controls_, &LessonControls::tiltChanged, this, [this] {
+        if (table_) { table_->tilt(controls_->tilt()); }
+    });
     connect(&looks_, &QTimer::timeout, this, &LessonWindow::look);
     connect(&pictures_, &QTimer::timeout, this, [this] { film_.add(scene_->grab().toImage()); });
-    connect(&film_, &Film::finished, this, &LessonWindow::say);
+    connect(&film_, &Film::finished, this, &LessonWindow::filmEnded);
     connect(&film_, &Film::failed, this, [this](const QString& sentence) {
-        pictures_.stop();
-        say(sentence);
+        closing_ = false; // the sentence is to be read
+        filmEnded(sentence);
     });
     connect(steps_, &LessonSteps::stepChanged, note_, &QLabel::clear);
     looks_.start(look_ms);
@@ -160,8 +171,28 @@ void LessonWindow::connectParts()
     pictures_.setInterval(1000 / Film::pictures_per_second);
 }
 
+/// Whether what lies on the table may go; the user is asked where something would be lost.
+bool LessonWindow::mayClear(const QString& title, const QString& button)
+{
+    int drops = 0;
+    for (int k = 0; table_ && k < table_->cloths(); ++k) {
+        if (const auto view = table_->view(k)) { drops += view->score.drops; }
+    }
+    if (drops == 0 && !film_.runs()) { return true; }
+    const QString consequence =
+        drops == 0 ? tr("A film is being taken; it goes on with the new cloths.")
+        : film_.runs()
+            ? tr("What the drops have come to is lost, unless a recording is saved before. The film goes on with the new cloths.")
+            : tr("What the drops have come to is lost, unless a recording is saved before.");
+    return confirm(this, title, tr("Lay out new cloths?"), consequence, button);
+}
+
 void LessonWindow::chooseLesson(int index)
 {
+    if (!mayClear(tr("Another lesson"), tr("&Lay Out"))) {
+        lessons_->setCurrentIndex(chosen_);
+        return;
+    }
     const bool chosen = index == own_cloths  ? chooseCloths()
                         : index == from_file ? chooseFile()
                                              : openLesson(QString(":/lessons/%1.json").arg(shipped[index]));
@@ -255,7 +286,7 @@ void LessonWindow::look()
     bool all = true;
     for (int k = 0; k < table_->cloths(); ++k) {
         const auto view = table_->view(k);
-        all = all && view;
+        all = all && (view || !table_->failure(k).empty());
         state.cloths.push_back(view ? view->score : ClothScore{});
     }
     pace_->setText(!all                  ? tr("The cloths are being laid out.")
@@ -267,64 +298,6 @@ void LessonWindow::look()
 }
 
 QString LessonWindow::clockText() const { return clock_->text(); }
-
-void LessonWindow::fillSaveMenu()
-{
-    save_menu_->clear();
-    for (int k = 0; k < table_->cloths(); ++k) {
-        const QString title = QString::fromStdString(lesson_.cloths[static_cast<std::size_t>(k)].title).replace('&', "&&");
-        QAction* action = save_menu_->addAction(tr("Recording of %1…").arg(title));
-        action->setEnabled(table_->view(k) != nullptr);
-        connect(action, &QAction::triggered, this, [this, k] { saveRecording(k); });
-    }
-    save_menu_->addSeparator();
-    if (film_.runs()) {
-        connect(save_menu_->addAction(tr("End Film")), &QAction::triggered, this, [this] {
-            pictures_.stop();
-            film_.finish();
-        });
-        return;
-    }
-    connect(save_menu_->addAction(tr("Film as Pictures (PNG)…")), &QAction::triggered, this, [this] { saveFilm(false); });
-    connect(save_menu_->addAction(tr("Film (MP4)…")), &QAction::triggered, this, [this] { saveFilm(true); });
-}
-
-void LessonWindow::saveRecording(int cloth)
-{
-    QString path = QFileDialog::getSaveFileName(this, tr("Save Recording"), "lesson.hygrorec", tr("Recordings (*.hygrorec)"));
-    if (path.isEmpty()) { return; }
-    if (!path.endsWith(".hygrorec")) { path += ".hygrorec"; }
-    table_->record(cloth, [this, path](const RecordedCloth& recorded) { // in the cloth's thread, which ends before this window
-        QString sentence = tr("Saved %1.").arg(path);
-        try {
-            write_recording(recorded, QFile::encodeName(path).toStdString());
-        } catch (const std::exception& error) {
-            sentence = QString::fromStdString(error.what());
-        }
-        QMetaObject::invokeMethod(
-            this, [this, sentence] { say(sentence); }, Qt::QueuedConnection);
-    });
-}
-
-void LessonWindow::saveFilm(bool movie)
-{
-    if (movie) {
-        if (!Film::whyNoMovie().isEmpty()) { // said before a name is asked for
-            film_.startMovie({});
-            return;
-        }
-        QString path = QFileDialog::getSaveFileName(this, tr("Save Film"), "lesson.mp4", tr("Films (*.mp4)"));
-        if (path.isEmpty()) { return; }
-        if (!path.endsWith(".mp4")) { path += ".mp4"; }
-        if (!film_.startMovie(path)) { return; }
-    } else {
-        const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the Pictures"));
-        if (folder.isEmpty()) { return; }
-        film_.startPictures(folder);
-    }
-    pictures_.start();
-    say(tr("The table is being filmed. Save ▸ End Film ends it."));
-}
 
 void LessonWindow::say(const QString& sentence) { note_->setText(sentence); }
 

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <QWidget>
 
+class QCloseEvent;
 class QComboBox;
 class QLabel;
 class QMenu;
@@ -20,7 +21,7 @@ class LessonControls;
 class LessonScene;
 class LessonSteps;
 
-/// Esc closes it.
+/// Esc closes it, as soon as a film that runs is written.
 class LessonWindow : public QWidget {
     Q_OBJECT
 public:
@@ -37,6 +38,7 @@ public:
     bool openLesson(const QString& path);
     void showLesson(const Lesson& lesson);
     void setPaused(bool paused);
+    /// Without asking.
     void reset();
     QString clockText() const;
 
@@ -48,12 +50,14 @@ Q_SIGNALS:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
 
 private:
     void build();
     QWidget* buildSide();
     QToolButton* addButton(const QString& text, const QKeySequence& key, bool checkable);
     void connectParts();
+    bool mayClear(const QString& title, const QString& button);
     void chooseLesson(int index);
     bool chooseCloths();
     bool chooseFile();
@@ -61,8 +65,12 @@ private:
     void setSpeed();
     void look();
     void fillSaveMenu();
+    QString askForFile(const QString& title, const QString& name, const QString& kind, const QString& ending);
     void saveRecording(int cloth);
+    void recordingEnded(const QString& sentence, bool failed);
     void saveFilm(bool movie);
+    void endFilm();
+    void filmEnded(const QString& sentence);
     void say(const QString& sentence);
 
     const Document& document_;
@@ -77,6 +85,8 @@ private:
     QMenu* save_menu_;
     QTimer looks_, pictures_;
     Film film_{"lesson"};
+    bool closing_ = false; ///< as soon as the film is written
+    QString not_saved_;    ///< why the last recording was not
     std::unique_ptr<LessonTable> table_;
 };
 

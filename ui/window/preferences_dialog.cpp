@@ -6,6 +6,7 @@
 #include "ui/basics/language.h"
 #include "ui/basics/preferred_menu.h"
 #include "ui/basics/quantity.h"
+#include "ui/basics/wheel_guard.h"
 #include "ui/results/device_choice.h"
 
 #include <QCheckBox>
@@ -64,12 +65,16 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent), names_(
     addAutosave();
     addRuns();
     addDevices();
+    (new WheelGuard(this))->guard(pages_);
     names_->setFixedWidth(names_->sizeHintForColumn(0) + 24); // of the longest name, in any language
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
     buttons->button(QDialogButtonBox::RestoreDefaults)->setText(tr("&Restore Defaults"));
     buttons->button(QDialogButtonBox::RestoreDefaults)->setToolTip(tr("Sets all pages to their defaults."));
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
-    for (QAbstractButton* button : buttons->buttons()) { button->setIcon({}); }
+    for (QAbstractButton* button : buttons->buttons()) {
+        button->setIcon({});
+        qobject_cast<QPushButton*>(button)->setAutoDefault(false); // Enter commits a field
+    }
     auto* middle = new QHBoxLayout;
     middle->setSpacing(16);
     middle->addWidget(names_);

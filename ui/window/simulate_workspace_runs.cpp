@@ -239,12 +239,14 @@ void SimulateWorkspace::savePictures()
     if (!playback_.run() || playback_.live()) { return; }
     const QString folder = askForFolder(&window_, tr("Folder for the Pictures"), folderOf(document_));
     if (folder.isEmpty()) { return; }
-    const auto older = QDir(folder).entryList({QString("%1-??????.png").arg(film_stem)}, QDir::Files).size();
-    if (older > 0 &&
+    QDir there(folder);
+    const QStringList older = there.entryList({QString("%1-??????.png").arg(film_stem)}, QDir::Files);
+    if (!older.isEmpty() &&
         !confirm(&window_, tr("The folder has pictures of a run"), tr("Write the pictures of this run over those in %1?").arg(folder),
-                 tr("%1 pictures with such names are there.").arg(older), tr("&Replace"))) {
+                 tr("%1 pictures with such names are there.").arg(older.size()), tr("&Replace"))) {
         return;
     }
+    for (const QString& name : older) { there.remove(name); } // a longer run before would leave its end
     makeFilm()->savePictures(folder);
 }
 
