@@ -1052,6 +1052,10 @@
         <source>spreading speed by 5 mm rings</source>
         <translation>Ausbreitungsgeschwindigkeit nach 5-mm-Ringen</translation>
     </message>
+    <message>
+        <source>core</source>
+        <translation>Kern</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>
@@ -1414,6 +1418,14 @@
     <message>
         <source>%1 (not usable)</source>
         <translation>%1 (nicht nutzbar)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Hygroloom</source>
+        <translation>Hygroloom</translation>
     </message>
 </context>
 <context>
@@ -2943,16 +2955,16 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Versuch umbenennen</translation>
     </message>
     <message>
-        <source>Name:</source>
-        <translation>Name:</translation>
-    </message>
-    <message>
         <source>rename experiment</source>
         <translation>Versuch umbenennen</translation>
     </message>
     <message>
         <source>delete experiment</source>
         <translation>Versuch löschen</translation>
+    </message>
+    <message>
+        <source>An experiment “%1” already exists. Choose another name.</source>
+        <translation>Ein Versuch „%1“ ist schon da. Wählen Sie einen anderen Namen.</translation>
     </message>
 </context>
 <context>
@@ -3244,6 +3256,14 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>%1 (*%2)</source>
         <translation>%1 (*%2)</translation>
+    </message>
+    <message>
+        <source>What is in it now is lost.</source>
+        <translation>Was darin steht, geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -3745,6 +3765,49 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>It is a factor already.</source>
         <translation>Es ist schon ein Faktor.</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::Film</name>
+    <message>
+        <source>MP4 needs the program ffmpeg, which is not installed. Save pictures instead, or install it: apt install ffmpeg.</source>
+        <translation>MP4 braucht das Programm ffmpeg, das nicht installiert ist. Sichern Sie stattdessen Bilder, oder installieren Sie es: apt install ffmpeg.</translation>
+    </message>
+    <message>
+        <source>No picture was taken, so there is no film.</source>
+        <translation>Es wurde kein Bild aufgenommen, also gibt es keinen Film.</translation>
+    </message>
+    <message>
+        <source>Some pictures cannot be written to %1. Is the disk full?</source>
+        <translation>Einige Bilder lassen sich nicht nach %1 schreiben. Ist die Platte voll?</translation>
+    </message>
+    <message>
+        <source>Saved %1 pictures to %2.</source>
+        <translation>%1 Bilder in %2 gesichert.</translation>
+    </message>
+    <message>
+        <source>Saved %1 pictures to %2; %3 were left out because the disk was too slow.</source>
+        <translation>%1 Bilder in %2 gesichert; %3 wurden ausgelassen, weil die Platte zu langsam war.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gesichert.</translation>
+    </message>
+    <message>
+        <source>The film cannot be written to %1. ffmpeg said: %2</source>
+        <translation>Der Film lässt sich nicht nach %1 schreiben. ffmpeg meldet: %2</translation>
+    </message>
+    <message>
+        <source>Saved %1; %2 of its pictures were left out because ffmpeg was too slow.</source>
+        <translation>%1 ist gespeichert; %2 Bilder fehlen darin, weil ffmpeg zu langsam war.</translation>
+    </message>
+    <message>
+        <source>The film cannot be written to %1. Is the disk full?</source>
+        <translation>Der Film lässt sich nicht nach %1 schreiben. Ist der Datenträger voll?</translation>
+    </message>
+    <message>
+        <source>There is no film because %1 cannot be started: %2</source>
+        <translation>Es gibt keinen Film, weil %1 nicht startet: %2</translation>
     </message>
 </context>
 <context>
@@ -4870,41 +4933,6 @@ Klicken zeigt diese Zeit.</translation>
     </message>
 </context>
 <context>
-    <name>hygroloom::Film</name>
-    <message>
-        <source>MP4 needs the program ffmpeg, which is not installed. Save pictures instead, or install it: apt install ffmpeg.</source>
-        <translation>MP4 braucht das Programm ffmpeg, das nicht installiert ist. Sichern Sie stattdessen Bilder, oder installieren Sie es: apt install ffmpeg.</translation>
-    </message>
-    <message>
-        <source>No picture was taken, so there is no film.</source>
-        <translation>Es wurde kein Bild aufgenommen, also gibt es keinen Film.</translation>
-    </message>
-    <message>
-        <source>Some pictures cannot be written to %1. Is the disk full?</source>
-        <translation>Einige Bilder lassen sich nicht nach %1 schreiben. Ist die Platte voll?</translation>
-    </message>
-    <message>
-        <source>Saved %1 pictures to %2.</source>
-        <translation>%1 Bilder in %2 gesichert.</translation>
-    </message>
-    <message>
-        <source>Saved %1 pictures to %2; %3 were left out because the disk was too slow.</source>
-        <translation>%1 Bilder in %2 gesichert; %3 wurden ausgelassen, weil die Platte zu langsam war.</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 gesichert.</translation>
-    </message>
-    <message>
-        <source>The film cannot be written to %1.</source>
-        <translation>Der Film lässt sich nicht nach %1 schreiben.</translation>
-    </message>
-    <message>
-        <source>The film cannot be written to %1. ffmpeg said: %2</source>
-        <translation>Der Film lässt sich nicht nach %1 schreiben. ffmpeg meldet: %2</translation>
-    </message>
-</context>
-<context>
     <name>hygroloom::LessonScene</name>
     <message>
         <source>Table with cloths</source>
@@ -4913,6 +4941,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>This cloth is being laid out.</source>
         <translation>Dieser Stoff wird ausgelegt.</translation>
+    </message>
+    <message>
+        <source>This cloth is not simulated any more. %1</source>
+        <translation>Dieses Gewebe wird nicht weiter simuliert. %1</translation>
     </message>
 </context>
 <context>
@@ -5096,6 +5128,70 @@ Klicken zeigt diese Zeit.</translation>
         <source>The table is being filmed. Save ▸ End Film ends it.</source>
         <translation>Der Tisch wird gefilmt. Sichern ▸ Film beenden beendet das.</translation>
     </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>A film is being taken; it goes on with the new cloths.</source>
+        <translation>Ein Film wird aufgenommen; er geht mit den neuen Geweben weiter.</translation>
+    </message>
+    <message>
+        <source>What the drops have come to is lost, unless a recording is saved before. The film goes on with the new cloths.</source>
+        <translation>Was aus den Tropfen geworden ist, geht verloren, wenn Sie nicht vorher eine Aufzeichnung speichern. Der Film geht mit den neuen Geweben weiter.</translation>
+    </message>
+    <message>
+        <source>What the drops have come to is lost, unless a recording is saved before.</source>
+        <translation>Was aus den Tropfen geworden ist, geht verloren, wenn Sie nicht vorher eine Aufzeichnung speichern.</translation>
+    </message>
+    <message>
+        <source>Lay out new cloths?</source>
+        <translation>Neue Gewebe auslegen?</translation>
+    </message>
+    <message>
+        <source>Another lesson</source>
+        <translation>Andere Lektion</translation>
+    </message>
+    <message>
+        <source>&amp;Lay Out</source>
+        <translation>Aus&amp;legen</translation>
+    </message>
+    <message>
+        <source>The film is being written…</source>
+        <translation>Der Film wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>%1 is there already. Replace it?</source>
+        <translation>%1 ist schon da. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>What is in that file is lost.</source>
+        <translation>Was in dieser Datei steht, geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>The film is being written; then the lesson ends.</source>
+        <translation>Der Film wird geschrieben; danach endet die Lektion.</translation>
+    </message>
+    <message>
+        <source>The film is being written</source>
+        <translation>Der Film wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Leave without the film?</source>
+        <translation>Ohne den Film gehen?</translation>
+    </message>
+    <message>
+        <source>What was filmed is lost.</source>
+        <translation>Was gefilmt wurde, geht verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave</source>
+        <translation>&amp;Gehen</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::LiquidPanel</name>
@@ -5220,10 +5316,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Flüssigkeit löschen</translation>
     </message>
     <message>
-        <source>Name:</source>
-        <translation>Name:</translation>
-    </message>
-    <message>
         <source>Rename liquid</source>
         <translation>Flüssigkeit umbenennen</translation>
     </message>
@@ -5246,6 +5338,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Delete</source>
         <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation>„%1“ löschen?</translation>
     </message>
 </context>
 <context>
@@ -5391,10 +5487,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Show or hide the issues of the project.</source>
         <translation>Die Meldungen zum Projekt zeigen oder verbergen.</translation>
-    </message>
-    <message>
-        <source>Hygroloom</source>
-        <translation>Hygroloom</translation>
     </message>
     <message>
         <source>F&amp;abric</source>
@@ -5879,6 +5971,18 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Runs take much room</source>
         <translation>Läufe belegen viel Platz</translation>
+    </message>
+    <message>
+        <source>&amp;Save the Project</source>
+        <translation>Projekt &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard the Changes</source>
+        <translation>Änderungen &amp;verwerfen</translation>
     </message>
 </context>
 <context>
@@ -7012,6 +7116,33 @@ Klicken zeigt diese Zeit.</translation>
         <source>&amp;Forget</source>
         <translation>&amp;Vergessen</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::RunFilm</name>
+    <message>
+        <source>Saving pictures of the run</source>
+        <translation>Bilder des Laufs werden gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Saving pictures</source>
+        <translation>Bilder werden gespeichert</translation>
+    </message>
+    <message>
+        <source>Cancelled after %1 of %2 pictures.</source>
+        <translation>Nach %1 von %2 Bildern abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Cancelled after %1 pictures.</source>
+        <translation>Nach %1 Bildern abgebrochen.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::RunForm</name>
@@ -7493,6 +7624,62 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>The recording cannot be written to %1: %2</source>
         <translation>Die Aufzeichnung lässt sich nicht in %1 schreiben: %2</translation>
+    </message>
+    <message>
+        <source>Save Picture Se&amp;quence…</source>
+        <translation>Bild&amp;folge speichern…</translation>
+    </message>
+    <message>
+        <source>Save the picture at each time of the run that is shown, as numbered PNG files.</source>
+        <translation>Das Bild zu jeder Zeit des gezeigten Laufs als nummerierte PNG-Dateien speichern.</translation>
+    </message>
+    <message>
+        <source>Save Fil&amp;m (MP4)…</source>
+        <translation>Fil&amp;m speichern (MP4)…</translation>
+    </message>
+    <message>
+        <source>Save the pictures of the run that is shown as a film.</source>
+        <translation>Die Bilder des gezeigten Laufs als Film speichern.</translation>
+    </message>
+    <message>
+        <source>Save Fil&amp;m (MP4): ffmpeg Is Not Installed</source>
+        <translation>Fil&amp;m speichern (MP4): ffmpeg ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>&amp;Run on the CPU</source>
+        <translation>Auf der &amp;CPU rechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Do Not Run</source>
+        <translation>&amp;Nicht rechnen</translation>
+    </message>
+    <message>
+        <source>Folder for the Pictures</source>
+        <translation>Ordner für die Bilder</translation>
+    </message>
+    <message>
+        <source>The folder has pictures of a run</source>
+        <translation>Der Ordner enthält Bilder eines Laufs</translation>
+    </message>
+    <message>
+        <source>Write the pictures of this run over those in %1?</source>
+        <translation>Die Bilder dieses Laufs über die in %1 schreiben?</translation>
+    </message>
+    <message>
+        <source>%1 pictures with such names are there.</source>
+        <translation>%1 Bilder mit solchen Namen sind da.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Save Film</source>
+        <translation>Film speichern</translation>
+    </message>
+    <message>
+        <source>Films (*.mp4)</source>
+        <translation>Filme (*.mp4)</translation>
     </message>
 </context>
 <context>
@@ -8003,6 +8190,14 @@ Stattdessen auf der CPU rechnen?</translation>
         <source>%1 runs failed.</source>
         <translation>%1 Läufe misslangen.</translation>
     </message>
+    <message>
+        <source>&amp;Discard the Changes</source>
+        <translation>Änderungen &amp;verwerfen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::StudyRuns</name>
@@ -8318,10 +8513,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <source>weft over warp</source>
         <translation>Schuss über Kette</translation>
     </message>
-    <message>
-        <source>End %1, pick %2 of the pores filled</source>
-        <translation>Kettfaden %1, Schuss %2 der Poren gefüllt</translation>
-    </message>
 </context>
 <context>
     <name>hygroloom::TimeChartView</name>
@@ -8626,6 +8817,26 @@ Stattdessen auf der CPU rechnen?</translation>
         <source>Pores filled</source>
         <translation>Gefüllte Poren</translation>
     </message>
+    <message>
+        <source>End %1, pick %2 of the pores filled</source>
+        <translation>Kettfaden %1, Schuss %2 der Poren gefüllt</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Feuchte</translation>
+    </message>
+    <message>
+        <source>Relative humidity in the yarns: end %1, pick %2</source>
+        <translation>Relative Feuchte in den Garnen: Kettfaden %1, Schuss %2</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>End %1, pick %2</source>
+        <translation>Kettfaden %1, Schuss %2</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::WaterMap</name>
@@ -8658,10 +8869,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>trocken</translation>
     </message>
     <message>
-        <source>%1: %2 at %3, %4 mm</source>
-        <translation>%1: %2 an %3, %4 mm</translation>
-    </message>
-    <message>
         <source>5th to 95th percentile of %1 replicates</source>
         <translation>5. bis 95. Perzentil von %1 Wiederholungen</translation>
     </message>
@@ -8680,6 +8887,18 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>wetted radius now %1</source>
         <translation>benetzter Radius jetzt %1</translation>
+    </message>
+    <message>
+        <source>Temperatures from %1 to %2.</source>
+        <translation>Temperaturen von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>Humidities from %1 to %2.</source>
+        <translation>Feuchten von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2 at %3, %4 %5</source>
+        <translation>%1: %2 bei %3, %4 %5</translation>
     </message>
 </context>
 <context>
@@ -8719,6 +8938,30 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>g/m²</source>
         <translation>g/m²</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Feuchte</translation>
+    </message>
+    <message>
+        <source>What the maps and the picture show</source>
+        <translation>Was die Karten und das Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Temperature (not modelled)</source>
+        <translation>Temperatur (nicht gerechnet)</translation>
+    </message>
+    <message>
+        <source>Humidity (not modelled)</source>
+        <translation>Feuchte (nicht gerechnet)</translation>
+    </message>
+    <message>
+        <source>Relative humidity of the air in the yarns&apos; pores.</source>
+        <translation>Relative Feuchte der Luft in den Poren der Garne.</translation>
     </message>
 </context>
 <context>
@@ -9500,6 +9743,30 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>none</source>
         <translation>keine</translation>
+    </message>
+    <message>
+        <source>Of a core-spun yarn: the bare filament in its middle, which the fibres are spun round. It takes room from the pores and no liquid water.</source>
+        <translation>Eines Kerngarns: das blanke Filament in seiner Mitte, um das die Fasern gesponnen sind. Es nimmt den Poren Raum und kein flüssiges Wasser auf.</translation>
+    </message>
+    <message>
+        <source>Core</source>
+        <translation>Kern</translation>
+    </message>
+    <message>
+        <source>%1 core</source>
+        <translation>Kern aus %1</translation>
+    </message>
+    <message>
+        <source>Core share</source>
+        <translation>Kernanteil</translation>
+    </message>
+    <message>
+        <source>core share</source>
+        <translation>Kernanteil</translation>
+    </message>
+    <message>
+        <source>Fraction of the core, by the yarn&apos;s dry mass.</source>
+        <translation>Anteil des Kerns an der Trockenmasse des Garns.</translation>
     </message>
 </context>
 <context>
