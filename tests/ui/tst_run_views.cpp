@@ -148,7 +148,11 @@ private:
     /// A short run of an example's experiment of a type, to its end.
     bool run(const QString& project, double duration_s, ExperimentType type = ExperimentType::droplet)
     {
-        if (!window_->openFile(example(project))) { return false; }
+        window_.reset(); // a changed project would ask
+        window_ = std::make_unique<MainWindow>();
+        window_->resize(1280, 800);
+        window_->show();
+        if (!QTest::qWaitForWindowExposed(window_.get()) || !window_->openFile(example(project))) { return false; }
         const auto& all = window_->document().design()->experiments;
         const auto found = std::find_if(all.begin(), all.end(), [type](const Experiment& e) { return e.type == type; });
         if (found == all.end()) { return false; }
