@@ -307,6 +307,22 @@ private Q_SLOTS:
         QCOMPARE(run_cli({"measure", recording, "--map", "left", "-o", folder_.filePath("x.png")}).code, 2);
         QCOMPARE(run_cli({"measure", recording, "--map", "top", "-o", folder_.filePath("x.tif")}).code, 2);
     }
+    void mapsShowWarmthAndHumidityWhereTheRunModelsThem()
+    {
+        for (const char* state : {"on", "off"}) {
+            const QString recording = folder_.filePath(QString("air-%1.hygrorec").arg(state)), file = folder_.filePath("air.csv");
+            const QString physics = QString("heat=%1,vapour=%1").arg(state);
+            QCOMPARE(run_cli(short_run(recording) + QStringList{"--physics", physics}, 300).code, 0);
+            for (const char* quantity : {"temperature", "humidity"}) {
+                const Answer answer = run_cli({"measure", recording, "--map", "top", "--quantity", quantity, "-o", file});
+                QCOMPARE(answer.code, QString(state) == "on" ? 0 : 3);
+                QCOMPARE(answer.err.contains("This run does not model "), QString(state) == "off");
+            }
+        }
+        const QString recording = folder_.filePath("air-on.hygrorec");
+        QCOMPARE(run_cli({"measure", recording, "--quantity", "humidity"}).code, 2);
+        QCOMPARE(run_cli({"measure", recording, "--map", "top", "--quantity", "heat", "-o", folder_.filePath("x.png")}).code, 2);
+    }
     void waterIsExportedOnThePieceThatWasSimulated()
     {
         const QString recording = folder_.filePath("wet.hygrorec"), file = folder_.filePath("wet.ply"),

@@ -119,7 +119,12 @@ private Q_SLOTS:
     void candidatesStayWhileOneIsChosen()
     {
         QFETCH(int, workspace);
-        QVERIFY(window_->openFile(example("three-candidates")));
+        window_->document().edit("candidates", {}, [](Design& d) {
+            for (const char* name : {"second", "third"}) {
+                d.fabrics.push_back(d.fabrics[0]);
+                d.fabrics.back().name = name;
+            }
+        });
         window_->setWorkspace(static_cast<Workspace>(workspace));
         QDockWidget* dock = window_->design().docks().candidates;
         dock->show();

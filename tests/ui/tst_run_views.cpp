@@ -115,11 +115,44 @@ private Q_SLOTS:
         }
     }
 
+    void aFilmNeedsFfmpeg()
+    {
+        QTemporaryDir folder;
+        const QByteArray path = qgetenv("PATH");
+        qputenv("PATH", folder.path().toUtf8());
+        window_->simulate().refreshActions();
+        const QAction* action = window_->simulate().actions().save_film;
+        QVERIFY(!action->isEnabled());
+        QVERIFY2(action->text().remove('&').endsWith("ffmpeg Is Not Installed"), qPrintable(action->text()));
+        // What stands in for it keeps what it is given.
+        QFile program(folder.filePath("ffmpeg"));
+        QVERIFY(program.open(QIODevice::WriteOnly));
+        program.write("#!/bin/sh\nfor last; do :; done\n/bin/cat > \"$last\"\n");
+        program.close();
+        QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::ExeOwner | QFile::WriteOwner));
+        window_->simulate().refreshActions();
+        QVERIFY(action->isEnabled());
+        auto* film = new RunFilm(
+            playback(), [this] { return window_->viewport().picture(); }, "run", window_.get());
+        QSignalSpy saved(film, &RunFilm::saved);
+        film->saveMovie(folder.filePath("run.mp4"));
+        qputenv("PATH", path);
+        QTRY_VERIFY_WITH_TIMEOUT(saved.count() == 1, 60000);
+        const QImage one = window_->viewport().picture();
+        const qint64 bytes = qint64{4} * (one.width() / 2 * 2) * (one.height() / 2 * 2);
+        QCOMPARE(QFile(folder.filePath("run.mp4")).size(), playback().frames() * bytes);
+        QVERIFY(!QFile::exists(folder.filePath("run.mp4.part")));
+    }
+
 private:
     /// A short run of an example's experiment of a type, to its end.
     bool run(const QString& project, double duration_s, ExperimentType type = ExperimentType::droplet)
     {
-        if (!window_->openFile(example(project))) { return false; }
+        window_.reset(); // a changed project would ask
+        window_ = std::make_unique<MainWindow>();
+        window_->resize(1280, 800);
+        window_->show();
+        if (!QTest::qWaitForWindowExposed(window_.get()) || !window_->openFile(example(project))) { return false; }
         const auto& all = window_->document().design()->experiments;
         const auto found = std::find_if(all.begin(), all.end(), [type](const Experiment& e) { return e.type == type; });
         if (found == all.end()) { return false; }
