@@ -1,9 +1,10 @@
-in vec3 at;
 in vec2 crossing;
 flat in float fade;
+in vec4 mean;       // see flat.vert
+flat in vec3 above;
+in float steepness; // 1 from straight above, 0 along the cloth
 
 uniform sampler2D repeat_light; // see repeat.frag
-uniform sampler2DArray looks;   // see RepeatPicture: what the whole looks like from each direction
 uniform vec2 period;          // crossings
 uniform vec2 crossings;       // of the whole
 uniform sampler2D end_colors;
@@ -19,22 +20,13 @@ uniform float over_tubes;     // 1: laid over tubes, the thinner the nearer
 
 out vec4 color;
 
-// Mean light of ends and of picks, how much is covered, and the shine of dry yarns, looked at from there.
-vec4 look_from(vec3 to_eye)
-{
-    vec2 nodes = vec2(textureSize(looks, 0).xy);
-    return texture(looks, vec3((0.5 * to_eye.xy + 0.5) * (nodes - 1.0) / nodes + 0.5 / nodes, side > 0.0 ? 0.0 : 1.0));
-}
-
 // The light of ends and of picks, and the share of the background. The repeat's picture is one from straight above, and gives the
 // pattern; its means are made those of what is seen from here, where less of the gaps shows and more of the yarns' sides.
-vec3 light_here(vec4 mean, vec3 to_eye)
+vec3 light_here()
 {
     float finest = max(length(dFdx(crossing)), length(dFdy(crossing))); // crossings in a pixel
-    vec3 scale = vec3(1.0 / 0.75, 1.0 / 0.75, 1.0);
-    vec3 here = texture(repeat_light, crossing / period, 1.5 * smoothstep(0.3, 0.7, finest)).rgb * scale;
-    vec3 above = textureLod(repeat_light, vec2(0.5), 20.0).rgb * scale;
-    here = mix(above, here, 0.5 + 0.5 * abs(to_eye.z)); // flatter from the side
+    vec3 here = texture(repeat_light, crossing / period, 1.5 * smoothstep(0.3, 0.7, finest)).rgb / vec3(0.75, 0.75, 1.0);
+    here = mix(above, here, 0.5 + 0.5 * steepness); // flatter from the side
     float seen_through = min((1.0 - mean.b) / max(1.0 - above.b, 0.001), 1.0);
     float in_gaps = 0.7 * (1.0 - seen_through); // of the mean light, where one sees yarns below instead of the background
     vec2 wanted = mean.rg * (1.0 - in_gaps * (1.0 - above.b));
@@ -48,9 +40,7 @@ void main()
     if (left_out(fade))
         discard;
 #endif
-    vec3 to_eye = normalize(eye - at);
-    vec4 mean = look_from(to_eye);
-    vec3 light = light_here(mean, to_eye);
+    vec3 light = light_here();
     vec2 share = crossing / crossings;
     vec3 end_dry = texture(end_colors, vec2(share.x, 0.5)).rgb, pick_dry = texture(pick_colors, vec2(share.y, 0.5)).rgb;
     vec2 which = floor(crossing);

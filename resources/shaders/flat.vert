@@ -5,17 +5,28 @@ layout(location = 5) in vec3 cell_fade;   // size, fade
 uniform mat4 view_projection;
 uniform vec3 pitch;           // mm; z is the layer's height
 uniform vec4 cut;
+uniform vec3 eye;
+uniform float side;
+uniform sampler2D repeat_light; // see repeat.frag
+uniform sampler2DArray looks;   // see RepeatPicture: what the whole looks like from each direction
 
-out vec3 at;
 out vec2 crossing;            // counted from the fabric's corner
 flat out float fade;
+out vec4 mean;                // light of ends and of picks, how much is covered, and the shine of dry yarns, looked at from here
+flat out vec3 above;          // of the first three from straight above, as repeat_light has them
+out float steepness;
 
 void main()
 {
     vec2 span = corner * cell_fade.xy;
-    at = vec3(cell.xy + span, pitch.z);
+    vec3 at = vec3(cell.xy + span, pitch.z);
     crossing = cell.zw + span / pitch.xy;
     fade = cell_fade.z;
+    vec3 to_eye = normalize(eye - at);
+    vec2 nodes = vec2(textureSize(looks, 0).xy);
+    mean = textureLod(looks, vec3((0.5 * to_eye.xy + 0.5) * (nodes - 1.0) / nodes + 0.5 / nodes, side > 0.0 ? 0.0 : 1.0), 0.0);
+    above = textureLod(repeat_light, vec2(0.5), 20.0).rgb / vec3(0.75, 0.75, 1.0);
+    steepness = abs(to_eye.z);
     gl_ClipDistance[0] = cut.w - dot(cut.xyz, at);
     gl_Position = view_projection * vec4(at, 1.0);
 }

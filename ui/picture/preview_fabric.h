@@ -29,7 +29,7 @@ struct TubeLevel {
     double pixels;
 };
 /// From coarse to fine. Level 0 is a flat picture of the repeat and has no tubes; tubes[0] is level 1.
-constexpr TubeLevel tubes[] = {{5, 6, 13}, {5, 8, 20}, {5, 12, 30}, {5, 16, 52}, {8, 20, 100}, {12, 28, 200}};
+constexpr TubeLevel tubes[] = {{3, 6, 13}, {5, 8, 20}, {5, 12, 30}, {5, 16, 52}, {8, 20, 100}, {12, 28, 200}};
 /// After the tubes come single fibres.
 constexpr int fibre_level = static_cast<int>(std::size(tubes)) + 1;
 constexpr double fibre_pixels = 220;
