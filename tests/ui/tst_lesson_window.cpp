@@ -1,51 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The lesson on screen: a click is seen at once and becomes water on its cloth, words add up, steps go on, and films are written.
 #include "core/base/units.h"
-#include "ui/basics/appearance.h"
+#include "lesson_test.h"
 #include "ui/basics/film.h"
-#include "ui/document/document.h"
 #include "ui/lesson/cloth_choice.h"
-#include "ui/lesson/lesson_controls.h"
-#include "ui/lesson/lesson_scene.h"
-#include "ui/lesson/lesson_steps.h"
-#include "ui/lesson/lesson_window.h"
 #include "ui/lesson/lesson_words.h"
 #include "ui/lesson/magnifier.h"
 
-#include <QComboBox>
 #include <QFile>
-#include <QFileDialog>
-#include <QLabel>
-#include <QLineEdit>
 #include <QListWidget>
-#include <QMenu>
-#include <QMessageBox>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTemporaryDir>
-#include <QTest>
-#include <QTimer>
-#include <QToolButton>
-#include <QWheelEvent>
 
 #include <ctime>
-#include <limits>
 
 using namespace hygroloom;
 
 namespace {
-
-constexpr int patience = 120000; // ms
-
-bool laidOut(LessonWindow& window)
-{
-    for (int k = 0; k < window.table()->cloths(); ++k) {
-        if (!window.table()->view(k)) { return false; }
-    }
-    return true;
-}
-
-int dropsOn(LessonWindow& window, int cloth) { return window.table()->view(cloth)->score.drops; }
 
 double brightness(const QImage& image)
 {
@@ -58,23 +30,11 @@ double brightness(const QImage& image)
 
 } // namespace
 
-class TestLessonWindow : public QObject {
+class TestLessonWindow : public LessonTest {
     Q_OBJECT
 
-    std::unique_ptr<Document> document_;
-    std::unique_ptr<LessonWindow> window_;
-
 private Q_SLOTS:
-    void initTestCase() { useResources(); }
-    void init()
-    {
-        document_ = std::make_unique<Document>();
-        window_ = std::make_unique<LessonWindow>(*document_);
-        window_->resize(1280, 800);
-        window_->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-        QTRY_VERIFY_WITH_TIMEOUT(laidOut(*window_), patience);
-    }
+    void init() { openLesson(); }
     void cleanup() { window_.reset(); }
 
     void aClickIsSeenAtOnceAndBecomesWater()
@@ -141,29 +101,6 @@ private Q_SLOTS:
         window_->steps().back();
         QCOMPARE(window_->steps().step(), 0);
     }
-    void stepsLeaveTimeToReadAndStayAfterBack()
-    {
-        Lesson lesson;
-        LessonGoal at_once;
-        lesson.steps = {{"Short.", "", at_once}, {std::string(100, 'a'), "", at_once}, {"End.", "", {}}};
-        TableState state;
-        state.cloths.resize(2);
-        LessonSteps steps;
-        steps.setLesson(lesson);
-        steps.look(state, 0);
-        QVERIFY(steps.seen());
-        QCOMPARE(steps.msToNext(), 2500);
-        steps.next();
-        steps.look(state, 1);
-        QCOMPARE(steps.msToNext(), 6000); // 60 ms a character
-        steps.back();
-        steps.look(state, 2);
-        QVERIFY(steps.seen());
-        QCOMPARE(steps.msToNext(), 0);
-        steps.next();
-        steps.look(state, 3);
-        QCOMPARE(steps.msToNext(), 6000);
-    }
     void handsChangeTheAir()
     {
         window_->controls().windSlider().setValue(30);
@@ -174,58 +111,6 @@ private Q_SLOTS:
         window_->reset();
         QTRY_VERIFY_WITH_TIMEOUT(laidOut(*window_), patience);
         QCOMPARE(window_->controls().air().temperature_c, 25.0);
-    }
-    void theWheelScrollsAndChangesNothing()
-    {
-        const QSlider& wind = window_->controls().windSlider();
-        auto* lessons = window_->findChild<QComboBox*>();
-        const int before = wind.value(), chosen = lessons->currentIndex();
-        for (QWidget* each : {static_cast<QWidget*>(&window_->controls().windSlider()), static_cast<QWidget*>(lessons)}) {
-            const QPointF at = each->rect().center();
-            QWheelEvent event(at, each->mapToGlobal(at), {}, {0, -240}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
-            QApplication::sendEvent(each, &event);
-        }
-        QCOMPARE(wind.value(), before);
-        QCOMPARE(lessons->currentIndex(), chosen);
-    }
-    void resetAsksOnceDropsHaveFallen()
-    {
-        auto* reset = button<QToolButton>("Reset");
-        const LessonTable* table = window_->table();
-        bool asked = false;
-        const auto answer = [&](const QString& with) {
-            QTimer::singleShot(200, this, [&asked, with] {
-                auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-                asked = box != nullptr;
-                if (!box) { return; }
-                for (QAbstractButton* each : box->buttons()) {
-                    if (each->text().remove('&') == with) { return each->click(); }
-                }
-                box->reject();
-            });
-        };
-        window_->scene().drop(0, 0, 0);
-        QTRY_COMPARE_WITH_TIMEOUT(dropsOn(*window_, 0), 1, patience);
-        answer("Cancel");
-        reset->click();
-        QVERIFY(asked);
-        QCOMPARE(window_->table(), table);
-        QCOMPARE(dropsOn(*window_, 0), 1);
-        answer("Cancel");
-        auto* lessons = window_->findChild<QComboBox*>();
-        lessons->setCurrentIndex(1);
-        Q_EMIT lessons->activated(1);
-        QVERIFY(asked);
-        QCOMPARE(lessons->currentIndex(), 0);
-        answer("Reset");
-        reset->click();
-        QTRY_VERIFY_WITH_TIMEOUT(laidOut(*window_), patience);
-        QCOMPARE(dropsOn(*window_, 0), 0);
-        asked = false;
-        answer("Cancel");
-        reset->click(); // nothing to lose
-        QTest::qWait(400);
-        QVERIFY(!asked);
     }
     void theMagnifierShowsTheYarnsNumbers()
     {
@@ -265,42 +150,6 @@ private Q_SLOTS:
         const double each = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC / pictures;
         qInfo("%.1f ms of CPU a picture", 1000 * each);
         QVERIFY(each < 1.0 / 30);
-    }
-    void aClothThatGoesWrongSaysSoAndTakesNoDrops()
-    {
-        LessonScene& scene = window_->scene();
-        const QColor notice("#ffd08a");
-        const auto said = [&] {
-            const QImage image = scene.grab(scene.clothArea(0).toRect()).toImage();
-            int count = 0;
-            for (int y = 0; y < image.height(); ++y) {
-                for (int x = 0; x < image.width(); ++x) { count += image.pixelColor(x, y) == notice ? 1 : 0; }
-            }
-            return count > 50;
-        };
-        QVERIFY(!said());
-        window_->table()->blow({std::numeric_limits<double>::quiet_NaN(), 0.5, 1});
-        QTRY_VERIFY_WITH_TIMEOUT(!window_->table()->failure(0).empty(), patience);
-        QTest::qWait(100);
-        QVERIFY(said());
-        const QImage before = scene.grab(scene.clothArea(0).toRect()).toImage();
-        scene.drop(0, 0, 0);
-        QCOMPARE(scene.grab(scene.clothArea(0).toRect()).toImage(), before);
-    }
-    void aClothThatCannotBeLaidOutIsNotWaitedFor()
-    {
-        Lesson lesson = window_->lesson();
-        lesson.cloths[1].design.fabrics[0].warp.material = {{"no such fibre", 1.0}};
-        window_->showLesson(lesson);
-        const auto waits = [&] {
-            for (const QLabel* label : window_->findChildren<QLabel*>()) {
-                if (label->text() == "The cloths are being laid out.") { return true; }
-            }
-            return false;
-        };
-        QVERIFY(waits());
-        QTRY_VERIFY_WITH_TIMEOUT(!waits(), patience);
-        QVERIFY(!window_->table()->failure(1).empty());
     }
     void aWrongFileIsSaid()
     {
@@ -361,82 +210,10 @@ private Q_SLOTS:
         QCOMPARE(QFile(folder.filePath("film.mp4")).size(), qint64{5 * 40 * 30 * 4}); // even sides
         QVERIFY(!QFile::exists(folder.filePath("film.mp4.part")));
     }
-    void endingsAreAddedBeforeTheFileIsLookedFor()
-    {
-        QTemporaryDir folder;
-        save("Recording of", folder.filePath("a"));
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath("a.hygrorec")), patience);
-        save("Recording of", folder.filePath("B.HYGROREC"));
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath("B.HYGROREC")), patience);
-        save("Recording of", folder.filePath("a.first"));
-        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.filePath("a.first.hygrorec")), patience);
-    }
-    void aRecordingThatWasAskedForIsWrittenBeforeTheLessonCloses()
-    {
-        QTemporaryDir folder;
-        save("Recording of", folder.filePath("a"));
-        window_->close();
-        QVERIFY(QFile::exists(folder.filePath("a.hygrorec")));
-    }
-    void aFilmThatRunsIsKeptOnEscape()
-    {
-        QTemporaryDir folder;
-        QFile program(folder.filePath("ffmpeg"));
-        QVERIFY(program.open(QIODevice::WriteOnly));
-        program.write("#!/bin/sh\nfor last; do :; done\n/bin/cat > \"$last\"; sleep 0.5\n");
-        program.close();
-        QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::ExeOwner | QFile::WriteOwner));
-        const QByteArray path = qgetenv("PATH");
-        qputenv("PATH", folder.path().toUtf8() + ":" + path);
-        save("Film (MP4)", folder.filePath("film"));
-        qputenv("PATH", path);
-        QTest::qWait(300);
-        QTest::keyClick(window_.get(), Qt::Key_Escape);
-        QVERIFY(window_->isVisible()); // it is still being written
-        QVERIFY(entry("Film (MP4)") == nullptr && entry("The film is being written") != nullptr);
-        QTRY_VERIFY_WITH_TIMEOUT(!window_->isVisible(), 20000);
-        QVERIFY(QFile(folder.filePath("film.mp4")).size() > 0);
-        QVERIFY(!QFile::exists(folder.filePath("film.mp4.part")));
-    }
     void escapeLeaves()
     {
         QTest::keyClick(window_.get(), Qt::Key_Escape);
         QVERIFY(!window_->isVisible());
-    }
-
-private:
-    template <typename Button> Button* button(const QString& text)
-    {
-        for (Button* each : window_->findChildren<Button*>()) {
-            if (each->text() == text) { return each; }
-        }
-        return nullptr;
-    }
-
-    /// Of the menu Save, by how its text begins.
-    QAction* entry(const QString& text)
-    {
-        QMenu* menu = button<QToolButton>("Save")->menu();
-        Q_EMIT menu->aboutToShow();
-        for (QAction* each : menu->actions()) {
-            if (each->text().startsWith(text)) { return each; }
-        }
-        return nullptr;
-    }
-
-    /// As typed into the dialog.
-    void save(const QString& text, const QString& path)
-    {
-        QAction* action = entry(text);
-        QVERIFY2(action, qPrintable(text));
-        QTimer::singleShot(200, this, [path] {
-            auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-            QVERIFY(dialog);
-            dialog->setDirectory(QFileInfo(path).path());
-            dialog->findChild<QLineEdit*>("fileNameEdit")->setText(QFileInfo(path).fileName());
-            static_cast<QDialog*>(dialog)->accept();
-        });
-        action->trigger();
     }
 };
 

@@ -7,6 +7,7 @@
 #include "ui/lesson/magnifier.h"
 #include "ui/lesson/water_disc.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -22,6 +23,8 @@ constexpr double stream_pause = 0.2; // s, from drop to drop
 constexpr double margin = 22;        // pixels, round a cloth
 constexpr double words_height = 190; // pixels, under it
 constexpr double side_m = 1e-3 * lesson_cloth_mm;
+constexpr double small_step = 1e-3, large_step = 5e-3; // m, of the marker
+constexpr double marker_radius = 9;                    // pixels
 const QColor table_color("#4a4038"), table_edge("#332b25"), words_color("#f4efe6"), quiet_words("#cfc6b8"), notice_color("#ffd08a");
 
 } // namespace
@@ -29,10 +32,12 @@ const QColor table_color("#4a4038"), table_edge("#332b25"), words_color("#f4efe6
 LessonScene::LessonScene(QWidget* parent) : QWidget(parent)
 {
     setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
     setMinimumSize(480, 360);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Table with cloths"));
+    setAccessibleDescription(tr("1 to 4 choose a cloth, arrows move the marker on it, Enter drops water there."));
     connect(&frames_, &QTimer::timeout, this, &LessonScene::goOn);
     frames_.setTimerType(Qt::PreciseTimer);
     frames_.start(frame_ms);
@@ -42,7 +47,9 @@ void LessonScene::setTable(LessonTable* table, const std::vector<LessonCloth>& c
 {
     table_ = table;
     cloths_.clear();
-    pours_ = false;
+    pours_ = by_keys_ = false;
+    marked_ = 0;
+    marker_ = {};
     for (const LessonCloth& cloth : cloths) {
         cloths_.emplace_back();
         cloths_.back().title = QString::fromStdString(cloth.title);
@@ -100,6 +107,12 @@ QPointF LessonScene::placeOn(int cloth, const QPointF& at) const
     return {(at.x() - area.center().x()) * metre, (area.center().y() - at.y()) * metre};
 }
 
+QPointF LessonScene::pixelOf(int cloth, const QPointF& place) const
+{
+    const QRectF area = clothArea(cloth);
+    return area.center() + QPointF(place.x(), -place.y()) * (area.width() / side_m);
+}
+
 void LessonScene::drop(int cloth, double x, double y)
 {
     Cloth& on = cloths_.at(static_cast<std::size_t>(cloth));
@@ -123,9 +136,52 @@ void LessonScene::dropAt(const QPointF& at)
     drop(cloth, place.x(), place.y());
 }
 
+void LessonScene::chooseCloth(int cloth)
+{
+    if (cloth < 0 || cloth >= static_cast<int>(cloths_.size())) { return; }
+    marked_ = cloth;
+    by_keys_ = true;
+    update();
+}
+
+void LessonScene::moveMarker(double x, double y)
+{
+    by_keys_ = true;
+    const auto within = [](double at) { return std::clamp(at, -0.5 * side_m, 0.5 * side_m); };
+    marker_ = {within(marker_.x() + x), within(marker_.y() + y)};
+    update();
+}
+
+bool LessonScene::markerSeen() const { return by_keys_ && hasFocus() && marked_ < static_cast<int>(cloths_.size()); }
+
+QPointF LessonScene::lookedAt() const { return markerSeen() ? pixelOf(marked_, marker_) : pointer_; }
+
+void LessonScene::dropAtMarker(bool again)
+{
+    if (!table_ || marked_ >= static_cast<int>(cloths_.size())) { return; }
+    by_keys_ = true;
+    if (again && table_->clock() < last_drop_ + stream_pause) { return; }
+    drop(marked_, marker_.x(), marker_.y());
+}
+
+void LessonScene::keyPressEvent(QKeyEvent* event)
+{
+    const double step = event->modifiers().testFlag(Qt::ShiftModifier) ? large_step : small_step;
+    switch (event->key()) {
+    case Qt::Key_Left: return moveMarker(-step, 0);
+    case Qt::Key_Right: return moveMarker(step, 0);
+    case Qt::Key_Up: return moveMarker(0, step);
+    case Qt::Key_Down: return moveMarker(0, -step);
+    case Qt::Key_Return:
+    case Qt::Key_Enter: return dropAtMarker(event->isAutoRepeat());
+    default: return QWidget::keyPressEvent(event);
+    }
+}
+
 void LessonScene::mousePressEvent(QMouseEvent* event)
 {
     pointer_ = event->position();
+    by_keys_ = false;
     if (event->button() != Qt::LeftButton || clothAt(pointer_) < 0) { return; }
     dropAt(pointer_);
     pours_ = true;
@@ -133,7 +189,9 @@ void LessonScene::mousePressEvent(QMouseEvent* event)
 
 void LessonScene::mouseMoveEvent(QMouseEvent* event)
 {
+    if (event->position() == pointer_) { return; }
     pointer_ = event->position();
+    by_keys_ = false;
     if (explains_) { update(); }
 }
 
@@ -243,17 +301,33 @@ void LessonScene::drawWords(QPainter& painter, int place) const
 
 void LessonScene::drawGlass(QPainter& painter) const
 {
-    const int cloth = explains_ ? clothAt(pointer_) : -1;
+    const QPointF at = lookedAt();
+    const int cloth = explains_ ? clothAt(at) : -1;
     if (cloth < 0 || !cloths_[static_cast<std::size_t>(cloth)].view) { return; }
-    const QPointF place = placeOn(cloth, pointer_);
+    const QPointF place = placeOn(cloth, at);
     const YarnLook yarn = yarnAt(*cloths_[static_cast<std::size_t>(cloth)].view, place.x(), place.y());
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(words_color, 2));
-    painter.drawEllipse(pointer_, 4, 4);
+    painter.drawEllipse(at, 4, 4);
     const double away = magnifier_radius + 16;
-    const double x = pointer_.x() + away + magnifier_radius > width() ? pointer_.x() - away : pointer_.x() + away;
-    const double y = std::clamp(pointer_.y(), magnifier_radius + 4, std::max(magnifier_radius + 4, height() - magnifier_radius - 4));
+    const double x = at.x() + away + magnifier_radius > width() ? at.x() - away : at.x() + away;
+    const double y = std::clamp(at.y(), magnifier_radius + 4, std::max(magnifier_radius + 4, height() - magnifier_radius - 4));
     drawMagnifier(painter, {x, y}, yarn, font());
+}
+
+void LessonScene::drawMarker(QPainter& painter) const
+{
+    if (!markerSeen()) { return; }
+    const QPointF at = pixelOf(marked_, marker_);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(table_edge, 5), QPen(notice_color, 2)}) { // seen on any cloth
+        painter.setPen(pen);
+        painter.drawEllipse(at, marker_radius, marker_radius);
+        for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+            painter.drawLine(at + way * (0.5 * marker_radius), at + way * (1.6 * marker_radius));
+        }
+    }
 }
 
 void LessonScene::paintEvent(QPaintEvent*)
@@ -271,6 +345,7 @@ void LessonScene::paintEvent(QPaintEvent*)
         drawScaleBar(painter, first.bottomLeft() + QPointF(8, -8), lesson_cloth_mm / first.width(), 0.6 * first.width(), QColor("#1d2327"),
                      QColor(255, 255, 255, 150));
     }
+    drawMarker(painter);
     drawGlass(painter);
     if (click_.isValid()) {
         slowest_answer_ = std::max(slowest_answer_, 1e-9 * static_cast<double>(click_.nsecsElapsed()));

@@ -25,6 +25,8 @@ public:
     bool explains() const { return explains_; }
     /// Puts a drop over a place of a cloth, m from its middle; not on one that is not simulated.
     void drop(int cloth, double x, double y);
+    /// Shows the marker that keys move, on that cloth, where there is one.
+    void chooseCloth(int cloth);
     /// Pixels of this widget that a cloth takes; empty where there is none.
     QRectF clothArea(int cloth) const;
     /// s of wall time from a click to the next picture, the longest so far; less than 0: none yet.
@@ -37,6 +39,7 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     /// A drop that was asked for and that no frame has yet.
@@ -55,16 +58,23 @@ private:
     };
 
     void dropAt(const QPointF& at);
+    void dropAtMarker(bool again);
+    void moveMarker(double x, double y);
+    bool markerSeen() const;
+    /// Where one looks: at the marker or the pointer.
+    QPointF lookedAt() const;
     void goOn();
     void refresh(int place);
     int clothAt(const QPointF& at) const;
     /// m from the cloth's middle.
     QPointF placeOn(int cloth, const QPointF& at) const;
+    QPointF pixelOf(int cloth, const QPointF& place) const;
     void drawCloth(QPainter& painter, int place);
     void drawFailure(QPainter& painter, int place) const;
     void drawCaps(QPainter& painter, int place);
     void drawWords(QPainter& painter, int place) const;
     void drawGlass(QPainter& painter) const;
+    void drawMarker(QPainter& painter) const;
 
     LessonTable* table_ = nullptr;
     std::vector<Cloth> cloths_;
@@ -73,6 +83,9 @@ private:
     double last_drop_ = 0; // s of the clock, of a stream
     bool pours_ = false, explains_ = false;
     QPointF pointer_{-1, -1};
+    int marked_ = 0; ///< cloth that the marker is on
+    QPointF marker_; ///< m from its middle
+    bool by_keys_ = false;
     QElapsedTimer click_; // valid until the next picture
     double slowest_answer_ = -1;
 };

@@ -2,6 +2,7 @@
 #include "ui/lesson/lesson_steps.h"
 
 #include <QBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 
@@ -41,6 +42,20 @@ LessonSteps::LessonSteps(QWidget* parent)
     connect(&pause_, &QTimer::timeout, this, &LessonSteps::goOn);
     connect(next_, &QPushButton::clicked, this, &LessonSteps::next);
     connect(back_, &QPushButton::clicked, this, &LessonSteps::back);
+    for (QPushButton* button : {back_, next_}) {
+        button->setAutoDefault(true); // Enter presses it, too
+        button->installEventFilter(this);
+    }
+}
+
+/// Space pauses the table, but not while a button has the focus.
+bool LessonSteps::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+        event->accept();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 void LessonSteps::setLesson(const Lesson& lesson)

@@ -34,6 +34,9 @@ public:
 Q_SIGNALS:
     void stepChanged();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void show(int step);
     void goOn();

@@ -54,7 +54,8 @@ LessonWindow::LessonWindow(const Document& document, QWidget* parent)
       lessons_(new QComboBox), clock_(new QLabel), pace_(new QLabel), note_(new QLabel),
       pause_(addButton(tr("Pause"), QKeySequence(Qt::Key_Space), true)), slow_(addButton(tr("Slow motion"), QKeySequence(Qt::Key_S), true)),
       reset_(addButton(tr("Reset"), QKeySequence(Qt::Key_R), false)), explain_(addButton(tr("Explain"), QKeySequence(Qt::Key_E), true)),
-      screen_(addButton(tr("Full screen"), QKeySequence(Qt::Key_F11), true)), save_(addButton(tr("Save"), {}, false)),
+      screen_(addButton(tr("Full screen"), QKeySequence(Qt::Key_F11), true)),
+      save_(addButton(tr("Save"), QKeySequence(Qt::CTRL | Qt::Key_S), false)),
       help_(addButton(tr("Help"), QKeySequence(Qt::Key_F1), false)), leave_(addButton(tr("Leave"), {}, false)), save_menu_(new QMenu(this))
 {
     setWindowTitle(tr("Lesson – Hygroloom"));
@@ -63,6 +64,7 @@ LessonWindow::LessonWindow(const Document& document, QWidget* parent)
     build();
     connectParts();
     chooseLesson(0);
+    scene_->setFocus();
 }
 
 LessonWindow::~LessonWindow()
@@ -305,6 +307,9 @@ void LessonWindow::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Escape) {
         close();
+    } else if (event->key() >= Qt::Key_1 && event->key() <= Qt::Key_4) { // wherever the focus is
+        scene_->setFocus();
+        scene_->chooseCloth(event->key() - Qt::Key_1);
     } else {
         QWidget::keyPressEvent(event);
     }
