@@ -15,7 +15,6 @@
 namespace hygroloom {
 namespace {
 
-constexpr std::string_view knob_prefix = "fidelity.";
 constexpr std::size_t largest_matrix = 20'000'000;                                      // values of all points
 constexpr std::uint64_t permutation_stream = 101, place_stream = 201, shift_stream = 1; // of the study's seed; factors add their number
 

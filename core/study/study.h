@@ -55,6 +55,7 @@ const char* name_of(Sampling sampling);
 /// saltelli: points in the pattern that gives the indices by themselves. surrogate: from a surface fitted to any points.
 enum class Sensitivity { none, saltelli, surrogate };
 
+constexpr std::string_view knob_prefix = "fidelity."; ///< of a factor's path that is a knob
 constexpr std::size_t most_study_rows = 1'000'000, most_study_factors = 100;
 
 struct Study {

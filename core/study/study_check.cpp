@@ -16,8 +16,6 @@
 namespace hygroloom {
 namespace {
 
-constexpr std::string_view knob_prefix = "fidelity.";
-
 class Check {
 public:
     Check(const Study& study, const Design& design) : study_(study), design_(design) {}
