@@ -14,7 +14,7 @@
 namespace hygroloom {
 namespace {
 
-constexpr const char *absorbed = "water_absorbed_g", *left = "water_left_g";
+constexpr const char *absorbed = "water_absorbed_g", *left_over = "water_left_g";
 
 std::string unit_in(const std::string& key)
 {
@@ -76,8 +76,8 @@ std::vector<double> curve_of(const std::string& key, const Metrics& metrics)
         if (key == series.key) return values_of(series, s);
     std::vector<double> grams;
     for (std::size_t i = 0; i < s.time.size(); ++i)
-        grams.push_back(1e3 * (key == left ? metrics.ledger.water_delivered - s.evaporated[i]
-                                           : s.yarn_water[i] + s.bound_water[i] - metrics.ledger.water_initial));
+        grams.push_back(1e3 * (key == left_over ? metrics.ledger.water_delivered - s.evaporated[i]
+                                                : s.yarn_water[i] + s.bound_water[i] - metrics.ledger.water_initial));
     return grams;
 }
 
@@ -125,7 +125,7 @@ std::vector<std::string> measurable_curves(ExperimentType type)
         if (has && key != "time_s" && key != "air_temperature_c") keys.push_back(key);
     }
     keys.emplace_back(absorbed);
-    if (starts_wet(type)) keys.emplace_back(left);
+    if (starts_wet(type)) keys.emplace_back(left_over);
     return keys;
 }
 
