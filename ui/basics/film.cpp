@@ -144,6 +144,7 @@ void Film::startEncoder()
                            "-f",
                            "mp4",
                            partOf(target_)});
+    QFile::remove(partOf(target_)); // of a program that was killed
     ffmpeg_->start();
 }
 
