@@ -63,7 +63,7 @@ private Q_SLOTS:
         LessonScene& scene = window_->scene();
         const QPoint at = scene.clothArea(0).center().toPoint();
         QTest::mousePress(&scene, Qt::LeftButton, {}, at);
-        QTRY_VERIFY_WITH_TIMEOUT(dropsOn(*window_, 0) >= 3, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(dropsOn(*window_, 0) >= 4, patience);
         QTest::mouseRelease(&scene, Qt::LeftButton, {}, at);
         const auto view = window_->table()->view(0);
         const RecordedCloth recorded = [&] {
