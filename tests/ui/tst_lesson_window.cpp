@@ -63,7 +63,7 @@ private Q_SLOTS:
         LessonScene& scene = window_->scene();
         const QPoint at = scene.clothArea(0).center().toPoint();
         QTest::mousePress(&scene, Qt::LeftButton, {}, at);
-        QTRY_VERIFY_WITH_TIMEOUT(dropsOn(*window_, 0) >= 3, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(dropsOn(*window_, 0) >= 4, patience);
         QTest::mouseRelease(&scene, Qt::LeftButton, {}, at);
         const auto view = window_->table()->view(0);
         const RecordedCloth recorded = [&] {
@@ -77,8 +77,9 @@ private Q_SLOTS:
             return cloth;
         }();
         const std::vector<Droplet>& drops = recorded.run.design.experiments[0].droplets;
-        QVERIFY(drops.size() >= 2);
-        QVERIFY(drops[1].time_s - drops[0].time_s >= 0.19);
+        QVERIFY(drops.size() >= 3);
+        const double apart = (drops.back().time_s - drops.front().time_s) / static_cast<double>(drops.size() - 1);
+        QVERIFY2(apart >= 0.12, qPrintable(QString::number(apart))); // 0.2 s of the clock, from which looks differ by 0.1 s at most
     }
     void wetClothIsDarker()
     {

@@ -40,7 +40,8 @@ Design dyed(Design design, std::size_t place)
     const auto dye_yarn = [&](Yarn& yarn) {
         if (!yarn.color) { yarn.color = dye; }
     };
-    Fabric& fabric = design.fabrics.at(0);
+    if (design.fabrics.empty()) { return design; } // the table says so
+    Fabric& fabric = design.fabrics.front();
     dye_yarn(fabric.warp);
     dye_yarn(fabric.weft);
     for (Yarn& yarn : fabric.extra_yarns) { dye_yarn(yarn); }

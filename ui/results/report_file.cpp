@@ -2,6 +2,7 @@
 #include "ui/results/report_file.h"
 
 #include "core/project/atomic_file.h"
+#include "ui/basics/quantity.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
@@ -226,4 +227,3 @@ QString askForReportFile(QWidget* parent, const QString& folder, const QString& 
 } // namespace hygroloom
 
 #include "report_file.moc"
-#include "ui/basics/quantity.h"
