@@ -4946,6 +4946,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>This cloth is not simulated any more. %1</source>
         <translation>Dieses Gewebe wird nicht weiter simuliert. %1</translation>
     </message>
+    <message>
+        <source>1 to 4 choose a cloth, arrows move the marker on it, Enter drops water there.</source>
+        <translation>1 bis 4 wählen ein Gewebe, Pfeile bewegen die Marke darauf, die Eingabetaste lässt dort Wasser fallen.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::LessonSteps</name>
