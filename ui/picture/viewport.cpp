@@ -18,6 +18,17 @@
 
 namespace hygroloom {
 
+namespace {
+
+/// With the pools and drops that the run knows as numbers. run may be nullptr.
+LiquidSurface surfaceOf(const Frame& frame, const RunRecord* run)
+{
+    const Experiment* experiment = run ? find_experiment(run->design, run->experiment) : nullptr;
+    return liquid_surface(frame, experiment ? liquid_bodies(frame, *experiment, run->textile.half_thickness()) : frame.caps);
+}
+
+} // namespace
+
 Viewport::Viewport(QWidget* parent) : QWidget(parent)
 {
     auto* layout = new QVBoxLayout(this);
@@ -179,9 +190,7 @@ void Viewport::showWater()
     }
     showValues();
     surfacer_.run([this, frame = frame_, run = run_](const NewestJob::Turn& turn) {
-        const Experiment* experiment = run ? find_experiment(run->design, run->experiment) : nullptr;
-        const auto bodies = experiment ? liquid_bodies(*frame, *experiment, run->textile.half_thickness()) : frame->caps;
-        turn.deliver([this, frame, surface = liquid_surface(*frame, bodies)] {
+        turn.deliver([this, frame, surface = surfaceOf(*frame, run.get())] {
             if (frame_) { canvas_->setLiquid(surface); }
         });
     });
@@ -309,7 +318,7 @@ QImage Viewport::picture()
     if (!canvas_) { return {}; }
     if (frame_ && subject_ == Subject::run && surfacer_.busy()) { // the free liquid of this frame, not of the one before
         surfacer_.drop();
-        canvas_->setLiquid(liquid_surface(*frame_));
+        canvas_->setLiquid(surfaceOf(*frame_, run_.get()));
     }
     return canvas_->picture();
 }
