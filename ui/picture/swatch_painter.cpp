@@ -65,7 +65,7 @@ QImage SwatchPainter::picture(const std::shared_ptr<const Design>& design)
     ++drawn_;
     const Fabric& fabric = design->fabrics[0];
     const double side = sideOf(fabric);
-    const QImage drawn = begin() ? draw({design, 0, region_of_sample(fabric, 2 * side, 2 * side)}, side) : QImage();
+    const QImage drawn = begin() ? draw({design, 0, region_of_sample(fabric, 2 * side, 2 * side), {}}, side) : QImage();
     if (drawn.isNull()) {
         const auto threads = [&](double per_cm) { return std::min(pixels_, static_cast<int>(std::lround(0.1 * side * per_cm))); };
         return clothPicture(fabric, threads(fabric.ends_per_cm), threads(fabric.picks_per_cm)).scaled(pixels_, pixels_);
