@@ -59,8 +59,9 @@ template <typename BaseOf> void join(std::vector<Company>& all, const BaseOf& ba
 double largest_cap_base(double volume, double advancing, const LiquidAt& liquid, double duration)
 {
     constexpr double step = 0.98; // of the angle
+    constexpr double ahead = 0.5; // s, at most, that lines which go on in steps of the yarns are ahead of those that slow down all the time
     double angle = std::max(advancing, 0.5 * pi);
-    for (double time = 0; angle > advancing && time <= duration;) {
+    for (double time = 0; angle > advancing && time <= duration + ahead;) {
         const double next = std::max(advancing, step * angle);
         const double speed = speed_of_contact_line(liquid.surface_tension, liquid.viscosity, angle, advancing);
         time += (base_at(volume, next, liquid) - base_at(volume, angle, liquid)) / speed;
