@@ -13,11 +13,14 @@ namespace {
 
 double ball_of(double volume) { return std::cbrt(3.0 * volume / (4.0 * pi)); }
 
-/// Of a drop that shows an angle, m, at most: of a ball's cap, or of a puddle with its rim.
+/// Of a drop that shows an angle, m, at most: of a ball's cap, or of a puddle with its rim. Shapes between the two (Young and Laplace) are
+/// wider than both by up to 9.4 %, at 5 degrees and 25 ul of water.
 double base_at(double volume, double angle, const LiquidAt& liquid)
 {
+    constexpr double between = 1.1;
     const double length = std::sqrt(liquid.surface_tension / (liquid.density * gravity_acceleration)); // capillary
-    return std::max(cap_base(volume, angle), std::sqrt(volume / (pi * 2.0 * length * std::sin(0.5 * angle))) + 0.5 * length);
+    const double puddle = std::sqrt(volume / (pi * 2.0 * length * std::sin(0.5 * angle))) + 0.5 * length;
+    return between * std::max(cap_base(volume, angle), puddle);
 }
 
 /// Drops that may become one, and the rectangle about their middles. m, m3

@@ -102,6 +102,17 @@ private Q_SLOTS:
         const double weight = scene.climate.density * gravity_acceleration / scene.climate.surface_tension;
         QVERIFY(frame.caps[0].base >= 0.99 * drop_of_volume(frame.caps[0].volume, scene.caps.advancing, weight).base_radius);
     }
+    void noShapeAtRestIsWiderThanThePlanExpects()
+    {
+        constexpr double tension = 0.0728, density = 998;
+        for (int degrees = 3; degrees <= 175; degrees += 4)
+            for (double ul = 0.05; ul < 2000; ul *= 1.2) {
+                const double angle = radian_from_degree(degrees), volume = cubic_metre_from_ul(ul);
+                const double base = CapShapes::table().base(volume, angle, density * gravity_acceleration / tension);
+                QVERIFY2(base <= largest_cap_base(volume, angle, {tension, 1e-3, density}, 1e9),
+                         qPrintable(QString("%1 degrees, %2 µl").arg(degrees).arg(ul)));
+            }
+    }
     void noCapLeavesTheSampleWhereThePlanGivesItRoom()
     {
         Scene scene = scene_of(library_fabric("Textile F"), drops_on_sample({drop_at(0, 0, 5)}, 1));
@@ -138,7 +149,13 @@ private Q_SLOTS:
                 caps.spread(time += dt, dt);
                 for (const FrameCap& cap : caps.shown(time))
                     QVERIFY2(std::max(std::abs(cap.x), std::abs(cap.y)) + cap.base <= 10e-3,
-                             qPrintable(QString("%1 degrees, %2 s").arg(bounds.advancing_deg).arg(time)));
+                             qPrintable(QString("%1 degrees, %2 s, at %3 and %4 mm, base %5 mm, %6 µl")
+                                            .arg(bounds.advancing_deg)
+                                            .arg(time)
+                                            .arg(1e3 * cap.x)
+                                            .arg(1e3 * cap.y)
+                                            .arg(1e3 * cap.base)
+                                            .arg(1e9 * cap.volume)));
             }
         }
         QVERIFY2(allowed > 60 && small_angles > 20, qPrintable(QString("%1, %2").arg(allowed).arg(small_angles)));
