@@ -1056,6 +1056,10 @@
         <source>core</source>
         <translation>Kern</translation>
     </message>
+    <message>
+        <source>cap</source>
+        <translation>Kappe</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>
@@ -2308,6 +2312,14 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Stop the Runs</source>
         <translation>Läufe stoppen</translation>
+    </message>
+    <message>
+        <source>Water reached the edge of the sample in: %1. A larger sample changes these numbers.</source>
+        <translation>Wasser hat den Rand der Probe erreicht bei: %1. Eine größere Probe ändert diese Zahlen.</translation>
+    </message>
+    <message>
+        <source>%1 replicates of these runs are kept. Choose more than one under Replicates to judge by them.</source>
+        <translation>%1 Wiederholungen dieser Läufe sind da. Wählen Sie unter Wiederholungen mehr als eine, um nach ihnen zu urteilen.</translation>
     </message>
 </context>
 <context>
@@ -6410,12 +6422,12 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Der gezeigte Lauf: %1</translation>
     </message>
     <message>
-        <source>numerical error at most %1 % of any result</source>
-        <translation>numerischer Fehler höchstens %1 % eines Ergebnisses</translation>
+        <source>numerical error about %1 %</source>
+        <translation>numerischer Fehler etwa %1 %</translation>
     </message>
     <message>
-        <source>%1, error ≤ %2 %</source>
-        <translation>%1, Fehler ≤ %2 %</translation>
+        <source>%1, error ≈ %2 %</source>
+        <translation>%1, Fehler ≈ %2 %</translation>
     </message>
 </context>
 <context>
@@ -6529,10 +6541,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>degrees Fahrenheit (°F)</source>
         <translation>Grad Fahrenheit (°F)</translation>
-    </message>
-    <message>
-        <source>Axes of charts, reports, tables saved as files and the command line keep mm, tex and °C.</source>
-        <translation>Achsen von Diagrammen, Berichte, gesicherte Tabellen und die Befehlszeile behalten mm, tex und °C.</translation>
     </message>
     <message>
         <source>Language</source>
@@ -6717,6 +6725,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Running simulations keep theirs. Fewer threads leave room for other work.</source>
         <translation>Laufende Simulationen behalten ihre. Weniger Threads lassen Raum für andere Arbeit.</translation>
+    </message>
+    <message>
+        <source>Tables saved as files and the command line keep mm, tex and °C; so do the lesson and scale bars in pictures of reports.</source>
+        <translation>Gespeicherte Tabellen und die Kommandozeile behalten mm, tex und °C, ebenso die Lektion und Maßstäbe in Bildern von Berichten.</translation>
     </message>
 </context>
 <context>
@@ -7773,8 +7785,8 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Gestoppt. Die Ergebnisse bis hierher sind gezeigt.</translation>
     </message>
     <message>
-        <source>about 4 min, 38 MB, error ≤ 14 %</source>
-        <translation>etwa 4 min, 38 MB, Fehler ≤ 14 %</translation>
+        <source>about 4 min, 38 MB, error ≈ 14 %</source>
+        <translation>etwa 4 min, 38 MB, Fehler ≈ 14 %</translation>
     </message>
 </context>
 <context>

@@ -130,6 +130,7 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "sweat"),
     // Parts of the physics.
     QT_TRANSLATE_NOOP("core", "liquid"),
+    QT_TRANSLATE_NOOP("core", "cap"),
     QT_TRANSLATE_NOOP("core", "wicking"),
     QT_TRANSLATE_NOOP("core", "sorption"),
     QT_TRANSLATE_NOOP("core", "vapour"),

@@ -114,7 +114,14 @@ void CompareView::refreshHint()
     }
     std::optional<Fidelity> fidelity;
     bool differ = false;
+    int kept = 0;
+    QStringList atEdge;
     for (const StudyRow& row : rows_) {
+        kept = std::max(kept, row.kept);
+        if (row.candidate && std::any_of(row.candidate->replicates.begin(), row.candidate->replicates.end(),
+                                         [](const std::optional<ReplicateRun>& run) { return run && run->edge_time; })) {
+            atEdge << QString::fromStdString(row.fabric);
+        }
         if (!row.candidate || !row.candidate->run) { continue; }
         const Fidelity own = row.candidate->run->plan.fidelity;
         differ = differ || (fidelity && *fidelity != own);
@@ -126,6 +133,12 @@ void CompareView::refreshHint()
         if (const std::string few = few_replicates_text(choiceOf(*entry()).replicates); !few.empty()) {
             notes.prepend(QString::fromStdString(few));
         }
+    }
+    if (!atEdge.isEmpty()) {
+        notes.prepend(tr("Water reached the edge of the sample in: %1. A larger sample changes these numbers.").arg(atEdge.join(", ")));
+    }
+    if (kept > 1 && entry() && choiceOf(*entry()).replicates == 1) {
+        notes << tr("%1 replicates of these runs are kept. Choose more than one under Replicates to judge by them.").arg(kept);
     }
     if (differ) { notes << tr("These runs have different fidelities, which is part of their difference."); }
     note_->setText(notes.join(' '));

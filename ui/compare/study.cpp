@@ -72,6 +72,9 @@ std::vector<StudyRow> studyRows(const Design& design, const std::vector<KeptRun>
         } else {
             row.missing.push_back(job);
         }
+        if (const ReplicateSet* set = sets.empty() ? nullptr : find_set(sets, keyOf(design, job))) {
+            row.kept = static_cast<int>(set->runs.size()) + (set->runs.contains(0) ? 0 : 1); // number 0 may be the row's own run
+        }
         if (choice.replicates > 1) {
             StudyJob several = job;
             several.of = choice.replicates;

@@ -35,6 +35,7 @@ struct StudyRow {
     double wall = 0;                    ///< s, of its run; 0: there is none
     std::optional<Candidate> candidate; ///< none: no number is known
     int runs = 0;                       ///< of the replicates
+    int kept = 0;                       ///< replicates that there are, however many are chosen
     std::vector<StudyJob> missing;
 };
 

@@ -17,8 +17,8 @@ namespace {
 /// Two digits that count: the scene that was measured is another one.
 QString errorPercent(double error) { return shownNumber(100 * error, decimals_for(100 * error, 2)); }
 
-/// Of all results of the run the largest.
-QString errorText(double error) { return PlanDialog::tr("numerical error at most %1 % of any result").arg(errorPercent(error)); }
+/// That of the measured scene; Compare widens it for each number and for scenes that differ.
+QString errorText(double error) { return PlanDialog::tr("numerical error about %1 %").arg(errorPercent(error)); }
 
 QString escaped(const std::string& words) { return QString::fromStdString(words).toHtmlEscaped(); }
 
@@ -93,7 +93,7 @@ QString shortExpectation(const ModelPlan& plan)
 {
     const QString cost = PlanDialog::tr("%1, %2").arg(roughDuration(plan.expected_seconds), bytesText(plan.expected_bytes));
     const bool known = plan.expected_error && plan.fidelity != Fidelity::reference; // whose own is none by definition
-    return known ? PlanDialog::tr("%1, error ≤ %2 %").arg(cost, errorPercent(*plan.expected_error)) : cost;
+    return known ? PlanDialog::tr("%1, error ≈ %2 %").arg(cost, errorPercent(*plan.expected_error)) : cost;
 }
 
 QString expectedError(const ModelPlan& plan)

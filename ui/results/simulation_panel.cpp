@@ -111,7 +111,7 @@ void SimulationPanel::addFidelities()
         expected_[i]->setAccessibleName(tr("Expected for %1").arg(button->text()));
         expected_[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         // What is expected comes late, and must not widen the panel then: room for it is kept.
-        expected_[i]->setMinimumWidth(expected_[i]->fontMetrics().horizontalAdvance(tr("about 4 min, 38 MB, error ≤ 14 %")));
+        expected_[i]->setMinimumWidth(expected_[i]->fontMetrics().horizontalAdvance(tr("about 4 min, 38 MB, error ≈ 14 %")));
         expected_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
         grid->addWidget(button, static_cast<int>(i), 0);
         grid->addWidget(expected_[i], static_cast<int>(i), 1);
