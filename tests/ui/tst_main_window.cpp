@@ -163,12 +163,10 @@ private Q_SLOTS:
         QVERIFY(run->wall > 0);
         const QString line = originOf(*run, false);
         QVERIFY(run->plan.expected_error);
-        QVERIFY2(line.contains(QRegularExpression("^Draft, expected numerical error about [0-9.]+ %, on ")) &&
-                     line.contains(", took "),
+        QVERIFY2(line.contains(QRegularExpression("^Draft, expected numerical error about [0-9.]+ %, on ")) && line.contains(", took "),
                  qPrintable(line));
         const QString text = results().text();
-        QVERIFY2(text.contains(
-                     QRegularExpression("Fidelity: Draft\nExpected numerical error about [0-9.]+ %\\. Estimated from ")),
+        QVERIFY2(text.contains(QRegularExpression("Fidelity: Draft\nExpected numerical error about [0-9.]+ %\\. Estimated from ")),
                  qPrintable(text));
         QVERIFY2(text.contains("\nDevice: " + QString::fromStdString(run->device) + "\nStarted: "), qPrintable(text));
         RunRecord other = *run;

@@ -36,8 +36,9 @@ LessonSteps::LessonSteps(QWidget* parent)
     buttons->addWidget(next_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    for (QLabel* label : {count_, text_, ask_, mark_}) { layout->addWidget(label); }
-    layout->addLayout(buttons);
+    layout->addWidget(count_);
+    layout->addLayout(buttons); // over the texts, which are of any length: they stay where they are
+    for (QLabel* label : {text_, ask_, mark_}) { layout->addWidget(label); }
     pause_.setSingleShot(true);
     connect(&pause_, &QTimer::timeout, this, &LessonSteps::goOn);
     connect(next_, &QPushButton::clicked, this, &LessonSteps::next);

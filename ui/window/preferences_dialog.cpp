@@ -202,7 +202,8 @@ void PreferencesDialog::addUnits()
               {tr("tex (g per km)"), tr("English cotton count (Ne)"), tr("metric count (Nm)"), tr("denier (g per 9 km)")});
     addChoice(*form, tr("Sett"), &Preferences::sett, {tr("per centimetre"), tr("per inch")});
     addChoice(*form, tr("Temperature"), &Preferences::degrees, {tr("degrees Celsius (°C)"), tr("degrees Fahrenheit (°F)")});
-    addNote(*form, tr("Tables saved as files and the command line keep mm, tex and °C; so do the lesson and scale bars in pictures of reports."));
+    addNote(*form,
+            tr("Tables saved as files and the command line keep mm, tex and °C; so do the lesson and scale bars in pictures of reports."));
 }
 
 void PreferencesDialog::addLanguage()
