@@ -42,6 +42,8 @@ const std::map<std::string, Change> changes{
     {"yarn.material", {R"("cotton")"}},
     {"yarn.material.name", {R"("cotton")", "material"}},
     {"yarn.material.share", {R"([{ "name": "fibre", "share": 0.5 }, { "name": "cotton", "share": 0.5 }])", "material"}},
+    {"yarn.core.material", {R"({ "material": "elastane", "share": 0.05 })", "core"}},
+    {"yarn.core.share", {R"({ "material": "elastane", "share": 0.05 })", "core"}},
     {"yarn.diameter_mm", {"0.4"}},
     {"yarn.linear_density_tex", {"30"}},
     {"yarn.packing_factor", {"0.6"}},
