@@ -309,7 +309,7 @@ private Q_SLOTS:
         garment.stopRun();
         words = defaultOf();
         QVERIFY(!window_->close());
-        QCOMPARE(*words, QString("Save"));
+        QCOMPARE(*words, QString("Save the Project"));
         QVERIFY(QFileInfo::exists(a->file));
     }
 
