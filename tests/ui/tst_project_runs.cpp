@@ -304,7 +304,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(compareView().maps().size() == 1 && compareView().maps()[0]->map().maximum() > 0, 10000);
         const QString path = QFileInfo(project_).absolutePath() + "/seen.png";
         chooseFile(path);
-        trigger("Save Picture");
+        trigger("Save Picture…");
         const QImage saved(path);
         const QImage seen = compareView().picture();
         QVERIFY(!saved.isNull());
@@ -312,7 +312,7 @@ private Q_SLOTS:
         QVERIFY(saved.size() != window_->viewport().picture().size());
         compareView().choose(playback().path(), false);
         const auto asked = answer(QMessageBox::Ok);
-        trigger("Save Picture");
+        trigger("Save Picture…");
         QTRY_VERIFY(*asked); // nothing is compared
     }
 

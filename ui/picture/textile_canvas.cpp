@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/picture/textile_canvas.h"
 
+#include <QElapsedTimer>
 #include <QPainter>
 
 #include <algorithm>
@@ -351,7 +352,10 @@ void TextileCanvas::paintGL()
         } else if (sample_due_) {
             drawSample();
         }
-        while (at_once_ && samples_.begun() && sampled_times_ < samplesWanted()) { drawSample(); }
+        QElapsedTimer since;
+        since.start();
+        constexpr qint64 longest_ms = 500; // a film has a hundred pictures
+        while (at_once_ && samples_.begun() && sampled_times_ < samplesWanted() && since.elapsed() < longest_ms) { drawSample(); }
         // nullptr is the context's own default; this widget has one of its own.
         auto* extra = context()->extraFunctions();
         extra->glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_picture_->handle());
