@@ -139,8 +139,7 @@ private Q_SLOTS:
         QVERIFY(!canvas.rests());
         QTRY_VERIFY_WITH_TIMEOUT(canvas.rests(), 60000);
         canvas.zoomBy(1 / 1.01);
-        const QImage saved = canvas.picture(); // with all samples, without waiting for them
-        QVERIFY(canvas.rests());
+        const QImage saved = canvas.picture(); // with a few samples, without waiting for more
         QVERIFY2(levelsAlongTheEdge(saved) > 12, qPrintable(QString::number(levelsAlongTheEdge(saved))));
         QVERIFY2(levelsAlongTheEdge(smooth) > 12, qPrintable(QString::number(levelsAlongTheEdge(smooth))));
     }

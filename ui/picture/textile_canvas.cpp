@@ -352,10 +352,8 @@ void TextileCanvas::paintGL()
         } else if (sample_due_) {
             drawSample();
         }
-        QElapsedTimer since;
-        since.start();
-        constexpr qint64 longest_ms = 500; // a film has a hundred pictures
-        while (at_once_ && samples_.begun() && sampled_times_ < samplesWanted() && since.elapsed() < longest_ms) { drawSample(); }
+        // As few on every machine: the same picture is the same, and a film has a hundred.
+        while (at_once_ && samples_.begun() && sampled_times_ < fewest_samples) { drawSample(); }
         // nullptr is the context's own default; this widget has one of its own.
         auto* extra = context()->extraFunctions();
         extra->glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_picture_->handle());
