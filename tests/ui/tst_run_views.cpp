@@ -108,7 +108,7 @@ private Q_SLOTS:
         QVERIFY(progress);
         QTRY_VERIFY_WITH_TIMEOUT(progress->value() >= 1, 10000);
         progress->cancel();
-        QTRY_COMPARE(saved.count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(saved.count(), 1, 60000);
         QVERIFY(saved.first().first().toString().startsWith("Cancelled after "));
         for (const QString& name : QDir(folder.path()).entryList(QDir::Files)) {
             QVERIFY(name.endsWith(".png") && !QImage(folder.filePath(name)).isNull());
