@@ -83,8 +83,7 @@ struct Fabric {
     bool operator==(const Fabric&) const = default;
 };
 
-/// The fabric's own warp or weft, or an extra yarn. Precondition: 0 <= yarn <= extra_yarns.size().
-/// Its warp, its weft, then its extra yarns.
+/// A fabric's warp, its weft, then its extra yarns.
 inline std::vector<Yarn*> yarns_of(Fabric& fabric)
 {
     std::vector<Yarn*> yarns{&fabric.warp, &fabric.weft};
@@ -92,6 +91,7 @@ inline std::vector<Yarn*> yarns_of(Fabric& fabric)
     return yarns;
 }
 
+/// The fabric's own warp or weft, or an extra yarn. Precondition: 0 <= yarn <= extra_yarns.size().
 inline const Yarn& yarn_in(const Fabric& fabric, bool warp, int yarn)
 {
     if (yarn > 0) return fabric.extra_yarns[static_cast<std::size_t>(yarn - 1)];

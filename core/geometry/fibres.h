@@ -21,6 +21,9 @@ double drawn_fibre_radius(const YarnType& type);
 /// Radius of the core in each single yarn, m; 0 without one. Where a yarn is flatter than its core is thick, less.
 double drawn_core_radius(const YarnType& type);
 
+/// Strands of a yarn that run through: its fibres, and a core in each single yarn of one that has cores.
+inline int running_strands(const YarnType& type) { return type.fibres + (type.core > 0 ? type.plies : 0); }
+
 /// Local packing at a squared share of the radius: 1 + core (1 - 2 rho2) times the mean, core at most 0.5 and so that no axis is denser
 /// than 0.9. Its mean over the section is the yarn's packing. Round a core, of the ring that the core leaves: 0 is the core's skin.
 double packing_at(const YarnType& type, double squared_radius);

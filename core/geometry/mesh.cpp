@@ -13,7 +13,6 @@
 namespace hygroloom {
 namespace {
 
-/// Crossings along one yarn.
 std::size_t rings_of(const Textile& textile, YarnKind kind, int samples)
 {
     return static_cast<std::size_t>(textile.crossings_along(kind)) * static_cast<std::size_t>(samples) + 1;

@@ -142,7 +142,7 @@ MeshSize stream_size(const Textile& textile, const MeshRequest& request, YarnKin
         const std::size_t caps = request.capped ? 2 : 0;
         return {(rings + caps) * (sides + 1), 2 * sides * (rings - 1) + caps * sides};
     }
-    const auto fibres = static_cast<std::size_t>(textile.type(kind, yarn).fibres);
+    const auto fibres = static_cast<std::size_t>(running_strands(textile.type(kind, yarn)));
     const std::size_t hairs = YarnFibres::count_hairs(textile, request.fibres(), kind, yarn, 0, textile.crossings_along(kind));
     const std::size_t caps = request.capped ? 2 * (sides - 2) : 0;
     return {sides * (fibres * rings + hairs * YarnFibres::hair_points),

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hygroloom {
@@ -24,12 +25,12 @@ double base_at(double volume, double angle, const LiquidAt& liquid)
 }
 
 /// Drops that may become one, and the rectangle about their middles. m, m3
-struct Company {
+struct JoinedDrops {
     std::array<double, 2> least{}, most{};
     double volume = 0, base = 0;
 };
 
-double gap(const Company& a, const Company& b)
+double gap(const JoinedDrops& a, const JoinedDrops& b)
 {
     double squared = 0;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -40,12 +41,12 @@ double gap(const Company& a, const Company& b)
 }
 
 /// Joins what can touch until nothing more can. base_of: of a volume.
-template <typename BaseOf> void join(std::vector<Company>& all, const BaseOf& base_of)
+template <typename BaseOf> void join(std::vector<JoinedDrops>& all, const BaseOf& base_of)
 {
     for (std::size_t i = 0; i < all.size(); ++i)
         for (std::size_t k = 0; k < all.size(); ++k) {
             if (i == k || gap(all[i], all[k]) > all[i].base + all[k].base) continue;
-            Company &into = all[i], &from = all[k];
+            JoinedDrops &into = all[i], &from = all[k];
             for (std::size_t axis = 0; axis < 2; ++axis) {
                 into.least[axis] = std::min(into.least[axis], from.least[axis]);
                 into.most[axis] = std::max(into.most[axis], from.most[axis]);
@@ -62,7 +63,9 @@ template <typename BaseOf> void join(std::vector<Company>& all, const BaseOf& ba
 double largest_cap_base(double volume, double advancing, const LiquidAt& liquid, double duration)
 {
     constexpr double step = 0.98; // of the angle
-    constexpr double ahead = 0.5; // s, at most, that lines which go on in steps of the yarns are ahead of those that slow down all the time
+    // A line that goes on in steps is ahead of one that slows down all the time by about half a step for each e-fold of its speed. A 32nd
+    // of a step of the yarns of 1 s at most, over 32 e-folds: half a second.
+    constexpr double ahead = 0.5; // s
     double angle = std::max(advancing, 0.5 * pi);
     for (double time = 0; angle > advancing && time <= duration + ahead;) {
         const double next = std::max(advancing, step * angle);
@@ -83,23 +86,23 @@ std::string why_no_cap(const Experiment& experiment, const Bounds& b)
 
     const double advancing = radian_from_degree(b.advancing_deg), tension = b.liquid.surface_tension, density = b.liquid.density;
     const auto base_of = [&](double volume) { return largest_cap_base(volume, advancing, b.liquid, experiment.duration_s); };
-    std::vector<Company> companies;
+    std::vector<JoinedDrops> groups;
     for (const Droplet& drop : drops) {
         const double volume = cubic_metre_from_ul(drop.volume_ul), ball = ball_of(volume);
         const double speed = std::sqrt(drop.speed_m_s * drop.speed_m_s + 2.0 * gravity_acceleration * metre_from_mm(drop.height_mm));
         if (splashes(tension, b.liquid.viscosity, density, ball, speed))
             return fmt::format("A drop lands with {:.3g} m/s and may splash.", speed);
         const std::array<double, 2> at{metre_from_mm(drop.at_mm[0]), metre_from_mm(drop.at_mm[1])};
-        companies.push_back({at, at, volume, std::max(base_of(volume), impact_base(tension, density, ball, speed))});
+        groups.push_back({at, at, volume, std::max(base_of(volume), impact_base(tension, density, ball, speed))});
     }
-    join(companies, base_of);
+    join(groups, base_of);
     const auto [width, height] = sample_extent_mm(experiment);
     const std::array<double, 2> half{metre_from_mm(0.5 * width), metre_from_mm(0.5 * height)};
-    for (const Company& company : companies) {
-        if (company.volume > cubic_metre_from_ul(most_volume_ul))
+    for (const JoinedDrops& group : groups) {
+        if (group.volume > cubic_metre_from_ul(most_volume_ul))
             return fmt::format("Drops of more than {:g} µl together are no cap.", most_volume_ul);
         for (std::size_t k = 0; k < 2; ++k)
-            if (company.most[k] + company.base > half[k] || company.least[k] - company.base < -half[k])
+            if (group.most[k] + group.base > half[k] || group.least[k] - group.base < -half[k])
                 return "A drop may reach over the sample's edge.";
     }
     return "";

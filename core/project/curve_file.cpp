@@ -130,9 +130,9 @@ CurveCount curve_count(const ExportJob& job, YarnKind kind, int yarn)
     middle.detail = MeshDetail::centreline;
     const std::size_t rings = stream_size(job.textile, middle, kind, yarn).vertices;
     if (job.options.mesh.detail != MeshDetail::fibre) return {1, rings};
-    const auto fibres = static_cast<std::size_t>(job.textile.type(kind, yarn).fibres);
-    const std::size_t hairs = YarnFibres::count_hairs(job.textile, job.options.mesh.fibres(), kind, yarn, 0,
-                                                      kind == YarnKind::warp ? job.textile.picks() : job.textile.ends());
+    const auto fibres = static_cast<std::size_t>(running_strands(job.textile.type(kind, yarn)));
+    const std::size_t hairs =
+        YarnFibres::count_hairs(job.textile, job.options.mesh.fibres(), kind, yarn, 0, job.textile.crossings_along(kind));
     return {fibres + hairs, fibres * rings + hairs * YarnFibres::hair_points};
 }
 

@@ -277,9 +277,20 @@ private Q_SLOTS:
         for (float value : mesh.positions) QVERIFY(std::isfinite(value));
         for (float value : mesh.normals) QVERIFY(std::isfinite(value));
     }
+    void streamIsAsLargeAsItSaysAndTheSameAsAWindow_data()
+    {
+        QTest::addColumn<bool>("cored");
+        QTest::newRow("fibres alone") << false;
+        QTest::newRow("two plies round cores") << true;
+    }
     void streamIsAsLargeAsItSaysAndTheSameAsAWindow()
     {
-        const Design design = textile_f();
+        QFETCH(bool, cored);
+        Design design = textile_f();
+        if (cored) {
+            design.fabrics[0].weft.plies = 2;
+            design.fabrics[0].weft.core = YarnCore{"elastane", 0.1};
+        }
         const Textile textile = part(design, {3, 5, 12, 14});
         for (const auto& [detail, capped] :
              {std::pair(MeshDetail::yarn, true), {MeshDetail::yarn, false}, {MeshDetail::fibre, true}, {MeshDetail::fibre, false}}) {

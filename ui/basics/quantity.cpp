@@ -61,11 +61,12 @@ QString inFull(double value) { return ungrouped().toString(value, 'g', 10); }
 UserUnit userUnit(const QString& unit)
 {
     const Preferences chosen = preferences();
-    if (unit == "°C" && chosen.degrees == 1) { return {"°F", 1.8, 32}; }
-    if (unit == "/cm" && chosen.sett == 1) { return {"/in", 2.54}; }
-    if (unit == "tex" && chosen.yarn == 1) { return {"Ne", ne_from_tex(1), 0, true}; }
-    if (unit == "tex" && chosen.yarn == 2) { return {"Nm", 1000, 0, true}; }
-    if (unit == "tex" && chosen.yarn == 3) { return {"den", 9}; }
+    const auto yarn = static_cast<YarnUnit>(chosen.yarn);
+    if (unit == "°C" && chosen.degrees == static_cast<int>(TemperatureUnit::fahrenheit)) { return {"°F", 1.8, 32}; }
+    if (unit == "/cm" && chosen.sett == static_cast<int>(SettUnit::per_inch)) { return {"/in", 2.54}; }
+    if (unit == "tex" && yarn == YarnUnit::ne) { return {"Ne", ne_from_tex(1), 0, true}; }
+    if (unit == "tex" && yarn == YarnUnit::nm) { return {"Nm", 1000, 0, true}; }
+    if (unit == "tex" && yarn == YarnUnit::denier) { return {"den", 9}; }
     const int length = chosen.length;
     if (length == 0 || (unit != "mm" && unit != "mm/s")) { return {unit, 1}; }
     const bool inches = static_cast<LengthUnit>(length) == LengthUnit::inch;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/picture/textile_canvas.h"
 
-#include <QElapsedTimer>
 #include <QPainter>
 
 #include <algorithm>

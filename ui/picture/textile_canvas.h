@@ -232,7 +232,7 @@ private:
     SampleSum samples_; ///< of the picture at rest
     int sampled_times_ = 0;
     bool sample_due_ = false;
-    bool at_once_ = false; ///< all samples in one go
+    bool at_once_ = false; ///< a few samples in one go
     std::unique_ptr<QOpenGLFramebufferObject> sampled_;
     std::unique_ptr<QOpenGLFramebufferObject> scene_picture_;
 };
