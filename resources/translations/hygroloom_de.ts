@@ -7643,7 +7643,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Save Picture Se&amp;quence…</source>
-        <translation>Bild&amp;folge speichern…</translation>
+        <translation>Bildfol&amp;ge speichern…</translation>
     </message>
     <message>
         <source>Save the picture at each time of the run that is shown, as numbered PNG files.</source>
@@ -8808,7 +8808,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>S&amp;hadow</source>
-        <translation>S&amp;chatten</translation>
+        <translation>Scha&amp;tten</translation>
     </message>
     <message>
         <source>Show the shadow of the fabric on the ground.</source>
