@@ -5,8 +5,7 @@
 #include "core/run/plan_run.h"
 #include "core/scene/scene.h"
 #include "core/solver/backend.h"
-#include "core/solver/cpu_executor.h"
-#include "core/solver/solver.h"
+#include "core/solver/cpu_solver.h"
 #include "core/verify/set_ups.h"
 #include "tests/support/drop_design.h"
 #include "tests/support/run.h"
@@ -103,8 +102,8 @@ private Q_SLOTS:
         const ModelPlan plan =
             plan_run(design, design.fabrics[0], experiment, Fidelity::draft, {{"sorption", true}, {"vapour", true}, {"heat", true}});
         const Textile textile = build_textile(design, design.fabrics[0], plan.region);
-        Solver<CpuExecutor> solver;
-        solver.executor().set_threads(2);
+        CpuSolver solver;
+        solver.set_threads(2);
         solver.load(build_scene(design, textile, experiment, plan, 1));
         int steps = 0;
         for (double time = 0; time < experiment.duration_s; ++steps) {
@@ -211,7 +210,7 @@ private Q_SLOTS:
         const Scene scene = scene_of(design);
         std::vector<double> in_pores;
         for (int frames : {1, 5, 100}) {
-            Solver<CpuExecutor> solver;
+            CpuSolver solver;
             solver.load(scene);
             for (int k = 1; k <= frames; ++k)
                 while (solver.advance(4.0 * k / frames, 1e9) < 4.0 * k / frames) {}
@@ -317,8 +316,8 @@ private Q_SLOTS:
         experiment.droplets = {{8, 0, {0, 0}, 0, 0}, {8, 0.5, {0, 0}, 0, 0}, {8, 1, {0.2, 0}, 0, 0}};
         const Scene scene = scene_of(design);
         const double spacing = std::cbrt(scene.supply.droplets[0].volume / scene.rules.particles_per_droplet);
-        Solver<CpuExecutor> solver;
-        solver.executor().set_threads(2);
+        CpuSolver solver;
+        solver.set_threads(2);
         solver.load(scene);
         for (std::size_t drop = 0; drop < 3; ++drop) {
             double highest = 0;
@@ -478,8 +477,8 @@ private Q_SLOTS:
             const ModelPlan plan = plan_run(design, design.fabrics[0], experiment, static_cast<Fidelity>(fidelity),
                                             {{"growth", growth}, {"sorption", true}, {"vapour", true}, {"heat", true}});
             const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
-            Solver<CpuExecutor> solver;
-            solver.executor().set_threads(2);
+            CpuSolver solver;
+            solver.set_threads(2);
             solver.load(scene);
             solver.advance(experiment.duration_s, 1e9);
             frames[growth] = solver.frame();

@@ -8,8 +8,8 @@
 #include "core/project/project_file.h"
 #include "core/run/plan_run.h"
 #include "core/scene/coarse_scene.h"
-#include "core/solver/cpu_executor.h"
-#include "core/solver/solver.h"
+#include "core/solver/cpu_solver.h"
+#include "core/solver/steps/yarn_lines.h"
 #include "tests/support/random_design.h"
 
 #include <QTest>
@@ -163,7 +163,7 @@ private:
                 return {};
             }
         const Experiment& experiment = design.experiments[0];
-        Solver<CpuExecutor> solver;
+        CpuSolver solver;
         Scene scene;
         try {
             const ModelPlan plan = plan_run(design, design.fabrics[0], experiment, Fidelity::draft, random_parts(index), few_particles);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The free liquid: drops in the air and over cloth, balances, and that nothing passes through yarn.
 #include "core/base/random.h"
-#include "core/solver/cpu_executor.h"
-#include "core/solver/solver.h"
+#include "core/solver/cpu_solver.h"
+#include "core/solver/steps/contact.h"
 #include "tests/solver/plate.h"
 
 #include <QTest>
@@ -82,7 +82,7 @@ private Q_SLOTS:
     }
     void aFallingDropKeepsItsLists()
     {
-        Solver<CpuExecutor> solver;
+        CpuSolver solver;
         solver.load(drop_over_plate(5e-9, 100e-3, 0, 800)); // steps begin after 0.1 s
         for (double time = 0; time < 0.12;) time = solver.advance(0.12, 1e9);
         const long steps = solver.liquid_steps(), listings = solver.listings();
@@ -133,8 +133,8 @@ private Q_SLOTS:
     {
         QFETCH(bool, box);
         const Scene scene = water_in_vessel(box);
-        Solver<CpuExecutor> whole, resumed;
-        const auto advance = [](Solver<CpuExecutor>& solver, double until) {
+        CpuSolver whole, resumed;
+        const auto advance = [](CpuSolver& solver, double until) {
             while (solver.advance(until, 10) < until) {}
         };
         whole.load(scene);
