@@ -172,18 +172,23 @@ HL_FN double line_begins_at(const Retention& pores, const HeldBefore& before)
     return before.saturation >= nearly_full && before.suction < pores.gives ? pores.gives : before.suction;
 }
 
+/// Where the line meets the curve of emptying is found by Halley's rounds, none more than twice Newton's.
 HL_FN PoreCourse course_from(const Retention& pores, const HeldBefore& before)
 {
     constexpr double never = 1e300;
     PoreCourse course{pores, before.saturation, line_begins_at(pores, before), never, 0};
+    if (before.saturation <= 0) return course; // the line lies below nothing from there on
+    const double power = 0.5 * pores.twice_shape + 1.0;
     double at = course.zero > pores.emptying ? course.zero : pores.emptying;
     for (int round = 0; round < 12; ++round) { // the curve is convex: from the left, or from a little beyond it to the left of it
         const Held held = held_emptying(pores, at);
-        if (!(held.fall > course.slope())) return course; // the line ends before it meets the curve
-        const double step = (held.saturation - course.on_line(at)) / (held.fall - course.slope());
-        if (!(std::abs(step) > 1e-12 * at)) {
-            course.empties = at;
-            course.bend = held.fall - course.slope();
+        const double steeper = held.fall - course.slope();
+        if (!(steeper > 0)) return course; // the line ends before it meets the curve
+        const double newton = (held.saturation - course.on_line(at)) / steeper;
+        const double bent = 1.0 - 0.5 * newton * held.fall * power / (at * steeper), step = newton / (bent > 0.5 ? bent : 0.5);
+        if (!(std::abs(step) > 1e-5 * at)) { // what is left goes as its cube
+            course.empties = at + step;
+            course.bend = held.fall * (1.0 - power * step / at) - course.slope();
             return course;
         }
         at += step;
