@@ -12,7 +12,11 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-bool contains(const Circle& c, const Point& p) { return std::hypot(p[0] - c.x, p[1] - c.y) <= c.radius * (1.0 + 1e-12) + 1e-15; }
+bool contains(const Circle& c, const Point& p)
+{
+    const double x = p[0] - c.x, y = p[1] - c.y, reach = c.radius * (1.0 + 1e-12) + 1e-15;
+    return x * x + y * y <= reach * reach;
+}
 
 Circle circle_through(const Point& a, const Point& b)
 {

@@ -15,33 +15,59 @@
 namespace hygroloom {
 namespace {
 
-/// Calls visit(segment, x, y, on_top) for every wet segment.
-template <typename Visit> void each_wet_segment(const Textile& textile, const Frame& frame, const Visit& visit)
+/// The wet segments of one face.
+struct WetFace {
+    std::vector<std::array<double, 2>> outline;     ///< m, of each end the first and the last; all others lie between
+    double count = 0, x = 0, y = 0, xx = 0, yy = 0; ///< sums over all
+
+    void add(double at_x, double at_y)
+    {
+        count += 1;
+        x += at_x;
+        y += at_y;
+        xx += at_x * at_x;
+        yy += at_y * at_y;
+    }
+};
+
+/// Top and bottom.
+std::array<WetFace, 2> wet_faces(const Textile& textile, const Frame& frame)
 {
-    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
-        for (int end = 0; end < textile.ends(); ++end)
-            for (int pick = 0; pick < textile.picks(); ++pick) {
-                const int i = textile.segment(kind, end, pick);
-                if (frame.saturation[static_cast<std::size_t>(i)] >= wet_saturation)
-                    visit(i, textile.x_of_end(end), textile.y_of_pick(pick), textile.warp_up(end, pick) == (kind == YarnKind::warp));
+    std::array<WetFace, 2> faces;
+    const auto wet = [&](YarnKind kind, int end, int pick) {
+        return frame.saturation[static_cast<std::size_t>(textile.segment(kind, end, pick))] >= wet_saturation;
+    };
+    for (int end = 0; end < textile.ends(); ++end) {
+        const double x = textile.x_of_end(end);
+        std::array<int, 2> first{-1, -1}, last{-1, -1};
+        for (int pick = 0; pick < textile.picks(); ++pick) {
+            const bool warp = wet(YarnKind::warp, end, pick), weft = wet(YarnKind::weft, end, pick);
+            if (!warp && !weft) continue;
+            const bool up = textile.warp_up(end, pick);
+            for (std::size_t face = 0; face < 2; ++face) {
+                if (!(up == (face == 0) ? warp : weft)) continue;
+                faces[face].add(x, textile.y_of_pick(pick));
+                if (first[face] < 0) first[face] = pick;
+                last[face] = pick;
             }
+        }
+        for (std::size_t face = 0; face < 2; ++face) {
+            if (first[face] < 0) continue;
+            faces[face].outline.push_back({x, textile.y_of_pick(first[face])});
+            if (last[face] > first[face]) faces[face].outline.push_back({x, textile.y_of_pick(last[face])});
+        }
+    }
+    return faces;
 }
 
 /// Semi-axes of the ellipse with the wet points' second moments: a filled ellipse's are twice their standard deviations.
-std::array<double, 2> wetted_ellipse(const Textile& textile, const Frame& frame)
+std::array<double, 2> wetted_ellipse(const WetFace& face)
 {
-    double n = 0, sx = 0, sy = 0, sxx = 0, syy = 0;
-    each_wet_segment(textile, frame, [&](int, double x, double y, bool on_top) {
-        if (!on_top) return;
-        n += 1;
-        sx += x;
-        sy += y;
-        sxx += x * x;
-        syy += y * y;
-    });
-    if (n < 1) return {0, 0};
-    const auto semi_axis = [&](double sum, double squares) { return 2.0 * std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n))); };
-    return {semi_axis(sx, sxx), semi_axis(sy, syy)};
+    if (face.count < 1) return {0, 0};
+    const auto semi_axis = [n = face.count](double sum, double squares) {
+        return 2.0 * std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)));
+    };
+    return {semi_axis(face.x, face.xx), semi_axis(face.y, face.yy)};
 }
 
 /// How far a yarn along a strip is wet from the strip's lower end on, in crossings. The front lies where the saturation falls to
@@ -120,13 +146,21 @@ double water_of_face(double water, const Frame& frame)
 }
 
 /// Takes in the segments that are wet; whether any had not been before.
-bool spreads(std::vector<bool>& was_wet, const Frame& frame)
+bool spreads(std::vector<std::uint8_t>& was_wet, const Frame& frame)
 {
-    was_wet.resize(frame.saturation.size(), false);
-    bool any = false;
-    for (std::size_t i = 0; i < was_wet.size(); ++i)
-        if (!was_wet[i] && frame.saturation[i] >= wet_saturation) any = was_wet[i] = true;
-    return any;
+    was_wet.resize(frame.saturation.size(), 0);
+    std::uint8_t any = 0;
+    for (std::size_t i = 0; i < was_wet.size(); ++i) {
+        const std::uint8_t wet = frame.saturation[i] >= wet_saturation ? 1 : 0;
+        any |= wet & (was_wet[i] ^ 1);
+        was_wet[i] |= wet;
+    }
+    return any != 0;
+}
+
+double mean_of(const std::vector<float>& values)
+{
+    return std::reduce(values.begin(), values.end(), 0.0, std::plus<double>()) / static_cast<double>(values.size());
 }
 
 constexpr double rest = 10; // s, without a newly wet segment
@@ -135,11 +169,7 @@ constexpr double rest = 10; // s, without a newly wet segment
 
 Circle wetted_circle(const Textile& textile, const Frame& frame, Face face)
 {
-    std::vector<std::array<double, 2>> points;
-    each_wet_segment(textile, frame, [&](int, double x, double y, bool on_top) {
-        if (on_top == (face == Face::top)) points.push_back({x, y});
-    });
-    return smallest_enclosing_circle(points);
+    return smallest_enclosing_circle(wet_faces(textile, frame)[face == Face::top ? 0 : 1].outline);
 }
 
 void MetricsCollector::start(const RunRecord& run)
@@ -164,8 +194,9 @@ void MetricsCollector::start(const RunRecord& run)
 void MetricsCollector::add(const Frame& frame)
 {
     Series& s = metrics_.series;
-    const double top = std::max(0.0, wetted_circle(textile_, frame, Face::top).radius);
-    const double bottom = std::max(0.0, wetted_circle(textile_, frame, Face::bottom).radius);
+    const std::array<WetFace, 2> wet = wet_faces(textile_, frame);
+    const double top = std::max(0.0, smallest_enclosing_circle(wet[0].outline).radius);
+    const double bottom = std::max(0.0, smallest_enclosing_circle(wet[1].outline).radius);
     s.time.push_back(frame.time);
     s.radius_top.push_back(top);
     s.radius_bottom.push_back(bottom);
@@ -177,14 +208,10 @@ void MetricsCollector::add(const Frame& frame)
     s.evaporated.push_back(frame.ledger.water_evaporated);
     s.dripped.push_back(frame.ledger.water_dripped);
     const auto [coldest, hottest] = std::minmax_element(frame.temperature.begin(), frame.temperature.end());
-    double temperature = 0, regain = 0;
-    for (float t : frame.temperature) temperature += t;
-    for (float r : frame.regain) regain += r;
-    const double n = static_cast<double>(frame.temperature.size());
-    s.temperature_mean.push_back(temperature / n);
+    s.temperature_mean.push_back(mean_of(frame.temperature));
     s.temperature_min.push_back(*coldest);
     s.temperature_max.push_back(*hottest);
-    s.regain_mean.push_back(regain / n);
+    s.regain_mean.push_back(mean_of(frame.regain));
     s.air_temperature.push_back(kelvin_from_celsius(climate_at(experiment_, frame.time).temperature_c));
     if (regain_at_start_.empty()) regain_at_start_ = frame.regain;
     if (is_strip(experiment_.type)) s.wick_height.push_back(wick_height(textile_, frame, experiment_, crossings_per_cell_));
@@ -196,7 +223,7 @@ void MetricsCollector::add(const Frame& frame)
 
     metrics_.maximum_wetted_radius_top = std::max(metrics_.maximum_wetted_radius_top, top);
     metrics_.maximum_wetted_radius_bottom = std::max(metrics_.maximum_wetted_radius_bottom, bottom);
-    const std::array<double, 2> axes = wetted_ellipse(textile_, frame);
+    const std::array<double, 2> axes = wetted_ellipse(wet[0]);
     metrics_.wetted_area_ellipse_weft = axes[0];
     metrics_.wetted_area_ellipse_warp = axes[1];
     metrics_.ledger = frame.ledger;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace hygroloom::inline HL_PRECISION {
 namespace {
@@ -124,7 +125,11 @@ void show_segment(const Stock& stock, const Scene& scene, const Yarns& yarns, co
                          s.vapour[i],
                          scene.climate.temperature + s.warmth[i],
                          s.between.empty() ? 0.0 : clings(yarns, line.is_warp, crossing, warp_up) * s.between[crossing]};
-    for (const FrameFormula& formula : frame_formulas) (f.*formula.values)[i] = static_cast<float>(formula.of(now));
+    [&]<std::size_t... k>(std::index_sequence<k...>)
+    { // called by name, which a loop over pointers is not
+        (((f.*frame_formulas[k].values)[i] = static_cast<float>(frame_formulas[k].of(now))), ...);
+    }
+    (std::make_index_sequence<std::size(frame_formulas)>());
     (on_top ? f.water_top : f.water_bottom) += now.liquid + now.between + now.bound - line.yarn.initial_regain * now.fibres;
 }
 
