@@ -19,4 +19,4 @@ target_sources(hygroloom_core PRIVATE $<TARGET_OBJECTS:hygroloom_core_double>)
 
 # Compiled alone whatever HYGROLOOM_UNITY says: what is inlined into stages decides which products are added unrounded.
 set_source_files_properties(solver/cap_shapes.cpp solver/caps.cpp solver/cpu_backend.cpp solver/drop_shapes.cpp ${solver_sources}
-  PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")
