@@ -83,8 +83,10 @@ struct Block {
     __device__ void add(std::int64_t* total, std::int64_t own) const { add_from_warp(total, own, 1); }
 };
 
-constexpr int least_team = 32, most_team = 512; ///< threads
-/// Of the largest teams, on a processor. What solves pairs has so many numbers under way that two would leave each too few registers.
+constexpr int least_team = 32; ///< threads
+/// What solves pairs has so many numbers under way that more threads would have too few registers.
+template <typename Stage> constexpr int most_team = columns_of<Stage> > 0 ? 256 : 512;
+/// Of the largest teams, on a processor.
 template <typename Stage> constexpr int teams_beside = columns_of<Stage> > 0 ? 1 : 2;
 /// For a thread to go through. What solves pairs has so much to do at each that a thread for each pays off.
 template <typename Stage> constexpr int places_each = columns_of<Stage> > 0 ? 1 : 4;
@@ -96,7 +98,7 @@ struct LineRoom {
 };
 
 /// A line after the other for each block.
-template <typename Stage> __global__ void __launch_bounds__(most_team, teams_beside<Stage>) run_lines(int lines, LineRoom room, Stage stage)
+template <typename Stage> __global__ void __launch_bounds__(most_team<Stage>, teams_beside<Stage>) run_lines(int lines, LineRoom room, Stage stage)
 {
     extern __shared__ double shared[];
     using BlockTeam = Team<Block>;
@@ -177,7 +179,7 @@ public:
     {
         if (lines <= 0) return;
         int threads = least_team;
-        while (threads < most_team && threads * places_each<Stage> < longest) threads *= 2;
+        while (threads < most_team<Stage> && threads * places_each<Stage> < longest) threads *= 2;
         const std::size_t columns = Team<Block>::template room<Stage>(longest, threads);
         std::size_t bytes = sizeof(double) * static_cast<std::size_t>(Team<Block>::template per_thread<Stage> * threads);
         LineRoom room{nullptr, longest};
