@@ -40,7 +40,7 @@ inline std::vector<Garment> rich_garments(const std::string& one, const std::str
     tee.built_in = {"tee", 1010.5, 690, 1.0 / 3.0, 210};
     tee.panels = {{"front", {one, 12.5, true}}, {"*", {other, 0, false}}};
     tee.seams = {{"default", 0.5}, {"front|back", 0}};
-    tee.wearer = {33.5, {{"default", 2.5}, {"upper arm", 0.1 + 0.2}}, "taylor-2013 rest"};
+    tee.wearer = {33.5, {{"default", 2.5}, {"upper arm", 0.1 + 0.2}}, "taylor-2013 rest", {}};
     Garment leggings = tee;
     leggings.name = "leggings";
     leggings.source = "worn/leggings.glb";

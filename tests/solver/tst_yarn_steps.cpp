@@ -31,7 +31,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < 5; ++i) yarns[i].pore_area = static_cast<double>(i);
         std::vector<CrossingParameters> crossings(6);
         for (std::size_t i = 0; i < 6; ++i) crossings[i].heat_conductance = static_cast<double>(10 * (i / 3) + i % 3 + 2);
-        const Yarns y{3, 4, 2, 3, type.data(), yarns.data(), crossings.data(), {}};
+        const Yarns y{3, 4, 2, 3, type.data(), yarns.data(), crossings.data(), {}, {}};
         for (int end = 0; end < 3; ++end)
             for (int pick = 0; pick < 4; ++pick) {
                 const double warp = type[static_cast<std::size_t>(end)], weft = type[static_cast<std::size_t>(3 + pick)];
