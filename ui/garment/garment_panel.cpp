@@ -243,7 +243,9 @@ void GarmentPanel::refresh()
     setChoices(garments_, names, garment ? choice_.garmentIndex() : -1);
     rename_->setEnabled(garment != nullptr);
     remove_->setEnabled(garment != nullptr);
+    rename_->setToolTip(garment ? tr("Rename the garment") : tr("There is no garment to rename."));
     for (QWidget* part : {static_cast<QWidget*>(skin_), static_cast<QWidget*>(gap_), static_cast<QWidget*>(sweat_),
+    remove_->setToolTip(garment ? tr("Remove the garment and its experiments") : tr("There is no garment to remove."));
                           static_cast<QWidget*>(panels_), static_cast<QWidget*>(garments_)}) {
         part->setEnabled(garment != nullptr);
     }
