@@ -108,6 +108,7 @@ public:
     /// Shortens or lengthens the distance, about the middle.
     void zoomBy(double factor);
     void turnBy(const QPointF& pixels);
+    void zoomAt(double factor, const QPointF& at);
     const Camera& camera() const { return camera_; }
     void setCamera(const Camera& camera);
     /// Presses the mouse's button there without moving it.
