@@ -2,6 +2,7 @@
 // What a run shows besides water: temperature and humidity on maps and in 3D, charts and reports in the user's units, its pictures as
 // files. Needs a display: xvfb-run.
 #include "ui/basics/preferences.h"
+#include "ui/basics/quantity.h"
 #include "ui/picture/viewport.h"
 #include "ui/results/chart.h"
 #include "ui/results/results_panel.h"
@@ -86,7 +87,7 @@ private Q_SLOTS:
         const int frames = playback().frames(), shown = playback().current();
         QVERIFY(frames > 2);
         auto* film = new RunFilm(
-            playback(), [this] { return window_->viewport().picture(); }, "run", window_.get());
+            playback(), [this](const QString& clock) { return window_->viewport().picture(clock); }, "run", window_.get());
         QSignalSpy saved(film, &RunFilm::saved);
         film->savePictures(folder.path());
         QTRY_VERIFY_WITH_TIMEOUT(saved.count() == 1, 60000);
@@ -96,14 +97,43 @@ private Q_SLOTS:
         const QImage first(folder.filePath(names.first())), last(folder.filePath(names.last()));
         QCOMPARE(first.size(), window_->viewport().picture().size());
         QVERIFY(first != last); // the drop falls
+        // Each has its own time in the upper left corner, and a picture that is no film's has none.
+        const auto corner = [](const QImage& picture) { return picture.copy(10, 12, 90, 24); };
+        for (int k = 1; k < names.size(); ++k) {
+            const QImage before(folder.filePath(names[k - 1])), now(folder.filePath(names[k]));
+            QVERIFY2(corner(before) != corner(now), qPrintable(names[k]));
+        }
+        QVERIFY(window_->viewport().picture("0 s") != window_->viewport().picture());
         QTRY_COMPARE(playback().current(), shown);
+    }
+
+    void theClockOfAPictureIsReadOnAnyCloth()
+    {
+        QVERIFY(run("one-drop-on-cotton", 0.2));
+        const QString words = momentText(0.1, 0.2);
+        for (const Appearance look : {Appearance::light, Appearance::dark}) {
+            applyAppearance(look);
+            const QImage bare = window_->viewport().picture(), timed = window_->viewport().picture(words);
+            int changed = 0, low = 255, high = 0;
+            for (int y = 12; y < 38; ++y) {
+                for (int x = 12; x < 60; ++x) {
+                    const int gray = qGray(timed.pixel(x, y));
+                    low = std::min(low, gray);
+                    high = std::max(high, gray);
+                    changed += timed.pixel(x, y) != bare.pixel(x, y) ? 1 : 0;
+                }
+            }
+            QVERIFY(changed > 100);
+            QVERIFY2(high - low > 150, qPrintable(QString("%1 to %2").arg(low).arg(high))); // ink on its plate
+        }
+        applyAppearance(Appearance::light);
     }
 
     void aCancelledSequenceLeavesWholePicturesOnly()
     {
         QTemporaryDir folder;
         auto* film = new RunFilm(
-            playback(), [this] { return window_->viewport().picture(); }, "run", window_.get());
+            playback(), [this](const QString& clock) { return window_->viewport().picture(clock); }, "run", window_.get());
         QSignalSpy saved(film, &RunFilm::saved);
         film->savePictures(folder.path());
         auto* progress = window_->findChild<QProgressDialog*>();
@@ -135,7 +165,7 @@ private Q_SLOTS:
         window_->simulate().refreshActions();
         QVERIFY(action->isEnabled());
         auto* film = new RunFilm(
-            playback(), [this] { return window_->viewport().picture(); }, "run", window_.get());
+            playback(), [this](const QString& clock) { return window_->viewport().picture(clock); }, "run", window_.get());
         QSignalSpy saved(film, &RunFilm::saved);
         film->saveMovie(folder.filePath("run.mp4"));
         qputenv("PATH", path);
