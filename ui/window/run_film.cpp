@@ -26,11 +26,7 @@ RunFilm::RunFilm(Playback& playback, std::function<QImage(const QString& clock)>
     progress_.setMinimumDuration(0);
     timer_.setInterval(look_again_ms);
     connect(&timer_, &QTimer::timeout, this, &RunFilm::step);
-    connect(&progress_, &QProgressDialog::canceled, this, [this] {
-        film_.cancel();
-        Q_EMIT saved(tr("Cancelled after %1 of %2 pictures.").arg(film_.pictures()).arg(playback_.frames()));
-        end();
-    });
+    connect(&progress_, &QProgressDialog::canceled, this, &RunFilm::leave);
     connect(&film_, &Film::finished, this, [this](const QString& sentence) {
         Q_EMIT saved(sentence);
         end();
@@ -50,6 +46,13 @@ void RunFilm::savePictures(const QString& folder)
 void RunFilm::saveMovie(const QString& path)
 {
     if (film_.startMovie(path)) { start(); }
+}
+
+void RunFilm::leave()
+{
+    film_.cancel();
+    Q_EMIT saved(tr("Cancelled after %1 of %2 pictures.").arg(film_.pictures()).arg(playback_.frames()));
+    end();
 }
 
 void RunFilm::start()

@@ -22,6 +22,8 @@ public:
 
     void savePictures(const QString& folder);
     void saveMovie(const QString& path);
+    /// Ends it as Cancel does.
+    void leave();
 
 Q_SIGNALS:
     /// A sentence: what was saved, or how far it came.
