@@ -145,9 +145,9 @@ void LivePanel::askFiner()
 void LivePanel::take(const std::shared_ptr<const Answer>& answer)
 {
     shown_ = answer;
-    const double most = roundedUp(std::max(1000 * answer->top.cells.maximum(), 0.1)) / 1000;
-    if (most > range_ || most < 0.4 * range_) { range_ = most; } // it stays while it serves, so that maps can be told apart
-    map_->setRange(range_, colors_);
+    // As of the maps in Simulate, so that the same water has the same colour in both. Of dry cloth there is no scale.
+    range_ = answer->most > 0 ? roundedUp(answer->most) : 0;
+    map_->setRange(range_ > 0 ? range_ : 1, colors_);
     map_->setMap(answer->top.cells, answer->top.stain, answer->top.size);
     showNumbers(answer->numbers);
     const QString name = QString::fromStdString(answer->run->experiment);

@@ -26,6 +26,8 @@ public:
     /// To the design as it is; nullptr where there is none.
     const std::shared_ptr<const Answer>& answer() const { return shown_; }
     QString status() const;
+    /// Where the colours end, kg/m2.
+    double range() const { return range_; }
     void setWaterColors(WaterColors colors);
 
 Q_SIGNALS:
