@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The garment in 3D under the pointer: the nearest cloth is found from every side, a fabric is dropped on it, the wheel keeps it in sight.
+#include "ui/basics/elided_combo.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
 #include "ui/garment/garment_view.h"
+#include "ui/garment/panel_table.h"
 #include "ui/garment/shape_view.h"
 #include "window_test.h"
 
@@ -118,6 +120,27 @@ private Q_SLOTS:
         };
         zoom(shape());
         zoom(flat);
+    }
+
+    /// The fault that was seen: "Cottor".
+    void theNamesOfFabricsAreReadWhole()
+    {
+        const auto boxes = window_->garment().panel().panels().findChildren<QComboBox*>();
+        int seen = 0;
+        for (QComboBox* box : boxes) {
+            auto* fabric = dynamic_cast<ElidedCombo*>(box);
+            if (!fabric) { continue; }
+            ++seen;
+            for (int i = 0; i < fabric->count(); ++i) {
+                fabric->setCurrentIndex(i);
+                QCOMPARE(fabric->shownText(), fabric->itemText(i));
+            }
+            const QImage drawn = fabric->grab().toImage();
+            fabric->setItemText(fabric->currentIndex(), QString(80, 'm'));
+            QVERIFY(fabric->shownText().endsWith(QChar(0x2026))); // and none is cut through a letter
+            QVERIFY(fabric->grab().toImage() != drawn);
+        }
+        QCOMPARE(seen, static_cast<int>(panels().size()));
     }
 
     void whatIsNoFabricIsNotTaken()

@@ -37,10 +37,13 @@ protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     QSize sizeHint() const override { return {310, 300}; }
 
 private:
     void build();
+    void say(const QString& sentence);
+    void keepStatusWhole();
     void ask();
     void askFiner();
     void take(const std::shared_ptr<const Answer>& answer);
