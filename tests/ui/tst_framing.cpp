@@ -133,6 +133,40 @@ private Q_SLOTS:
         QVERIFY(!millimetre_per_pixel(camera, *fabric, {}, picture));
     }
 
+    /// The fault that was seen: the wheel beside the cloth ended in an empty view.
+    void zoomingBesideTheClothKeepsItInSight()
+    {
+        const auto fabric = cloth(20);
+        for (const double lift : {90.0, 48.0, -60.0}) {
+            for (const bool parallel : {false, true}) {
+                for (const QPointF& at : {QPointF(2, 2), QPointF(898, 320), QPointF(450, 638), QPointF(30, 600)}) {
+                    Camera camera;
+                    camera.setParallel(parallel);
+                    camera.lookFrom(-28, lift);
+                    camera = framed(camera, *fabric, Framing::whole, picture);
+                    for (int turn = 0; turn < 12; ++turn) { camera.zoom(1 / 1.2, {450, 320}, picture); } // all of it in the middle
+                    QVERIFY(!isCloth(camera, *fabric, at));
+                    for (int turn = 0; turn < 40; ++turn) {
+                        camera = zoomed_to_cloth(camera, *fabric, {}, 1.2, at, picture);
+                        if (turn > 14) { QVERIFY2(showsCloth(camera, *fabric), qPrintable(QString("%1 at lift %2").arg(turn).arg(lift))); }
+                    }
+                    QVERIFY(isOutside(camera, *fabric));
+                }
+            }
+        }
+    }
+
+    void clothThatWasMovedAwayComesBackWithTheWheel()
+    {
+        const auto fabric = cloth(20);
+        Camera camera;
+        camera.lookFrom(0, 60);
+        camera = framed(camera, *fabric, Framing::whole, picture);
+        camera.pan({4000, 0}, picture);
+        QVERIFY(!showsCloth(camera, *fabric));
+        QVERIFY(showsCloth(zoomed_to_cloth(camera, *fabric, {}, 1.2, {450, 320}, picture), *fabric));
+    }
+
     void withoutClothInThePictureNoScaleIsShown()
     {
         const auto fabric = cloth(5);
@@ -157,6 +191,24 @@ private:
         const QVector3D eye = camera.eye(), low = fabric.low(), high = fabric.high();
         return eye.x() < low.x() || eye.x() > high.x() || eye.y() < low.y() || eye.y() > high.y() || eye.z() < low.z() ||
                eye.z() > high.z();
+    }
+    /// Whether a point of the picture lies on the face that is looked at.
+    static bool isCloth(const Camera& camera, const PreviewFabric& fabric, const QPointF& at)
+    {
+        const Ray ray = camera.ray(at, picture);
+        const QVector3D low = fabric.low(), high = fabric.high();
+        const float along = ((camera.direction().z() > 0 ? high.z() : low.z()) - ray.from.z()) / ray.direction.z();
+        const QVector3D point = ray.from + along * ray.direction;
+        return along > 0 && point.x() > low.x() && point.x() < high.x() && point.y() > low.y() && point.y() < high.y();
+    }
+    static bool showsCloth(const Camera& camera, const PreviewFabric& fabric)
+    {
+        for (double x = 5; x < picture.width(); x += 10) {
+            for (double y = 5; y < picture.height(); y += 10) {
+                if (isCloth(camera, fabric, {x, y})) { return true; }
+            }
+        }
+        return false;
     }
     /// Points of the faces and edges that lie in the picture.
     static std::vector<QVector3D> seen(const Camera& camera, const PreviewFabric& fabric)

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The garment in 3D under the pointer: the nearest cloth is found from every side, and a fabric is dropped on it.
+// The garment in 3D under the pointer: the nearest cloth is found from every side, a fabric is dropped on it, the wheel keeps it in sight.
+#include "ui/basics/elided_combo.h"
+#include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
 #include "ui/garment/garment_view.h"
+#include "ui/garment/panel_table.h"
 #include "ui/garment/shape_view.h"
 #include "window_test.h"
 
 #include <QDropEvent>
 #include <QMimeData>
+#include <QWheelEvent>
 
 #include <cmath>
 
@@ -88,6 +92,55 @@ private Q_SLOTS:
         QCOMPARE(nearestFabric(pixel(shape().picture(), at.toPoint())), std::size_t{1}); // and no longer marked
         window_->document().history()->undo();
         QCOMPARE(garment().cut_of("back")->fabric, window_->document().design()->fabrics[0].name);
+    }
+
+    /// The fault that was seen: the wheel beside the garment ended in an empty view.
+    void zoomingBesideTheGarmentKeepsItInSight()
+    {
+        const auto shows = [](auto& view) {
+            for (int x = 2; x < view.width(); x += 11) {
+                for (int y = 2; y < view.height(); y += 11) {
+                    if (view.spotAt(QPointF(x, y)).panel >= 0) { return true; }
+                }
+            }
+            return false;
+        };
+        FlatView& flat = window_->garment().view().flat();
+        const auto zoom = [&](auto& view) {
+            for (const QPointF& at : {QPointF(3, 3), QPointF(view.width() - 3, view.height() / 2)}) {
+                view.fit();
+                QVERIFY(view.spotAt(at).panel < 0 && shows(view));
+                for (int turn = 0; turn < 30; ++turn) {
+                    QWheelEvent wheel(at, view.mapToGlobal(at), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+                    QCoreApplication::sendEvent(&view, &wheel);
+                    if (turn % 5 < 4) { continue; }
+                    QVERIFY2(shows(view), qPrintable(QString("%1 after %2").arg(view.metaObject()->className()).arg(turn)));
+                }
+            }
+        };
+        zoom(shape());
+        zoom(flat);
+    }
+
+    /// The fault that was seen: "Cottor".
+    void theNamesOfFabricsAreReadWhole()
+    {
+        const auto boxes = window_->garment().panel().panels().findChildren<QComboBox*>();
+        int seen = 0;
+        for (QComboBox* box : boxes) {
+            auto* fabric = dynamic_cast<ElidedCombo*>(box);
+            if (!fabric) { continue; }
+            ++seen;
+            for (int i = 0; i < fabric->count(); ++i) {
+                fabric->setCurrentIndex(i);
+                QCOMPARE(fabric->shownText(), fabric->itemText(i));
+            }
+            const QImage drawn = fabric->grab().toImage();
+            fabric->setItemText(fabric->currentIndex(), QString(80, 'm'));
+            QVERIFY(fabric->shownText().endsWith(QChar(0x2026))); // and none is cut through a letter
+            QVERIFY(fabric->grab().toImage() != drawn);
+        }
+        QCOMPARE(seen, static_cast<int>(panels().size()));
     }
 
     void whatIsNoFabricIsNotTaken()

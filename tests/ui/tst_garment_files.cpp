@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Files that the Garment workspace takes beside patterns: rates over time for the experiment, and recordings of other projects.
+// Files that the Garment workspace takes beside patterns: rates over time for the experiment, and recordings of other projects; and its
+// commands without a garment.
 #include "ui/basics/quantity_edit.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
@@ -16,6 +17,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QToolButton>
 
 using namespace hygroloom;
 
@@ -71,6 +73,33 @@ private Q_SLOTS:
         QTRY_VERIFY(rates.said().contains("line 3"));
         window_->document().history()->undo();
         QVERIFY(wear().activity_file.empty());
+    }
+
+    void commandsThatNeedAGarmentSayWhyTheyWait()
+    {
+        QVERIFY(window_->document().design()->garments.empty());
+        QAction* run = window_->garment().actions().start;
+        QAction* remove = nullptr;
+        for (QAction* action : window_->findChildren<QAction*>()) {
+            if (action->text().remove('&') == "Remove Garment") { remove = action; }
+        }
+        QVERIFY(remove);
+        const auto waits = [](const QAction* action, const char* why) {
+            return !action->isEnabled() && action->toolTip().contains(why) && action->statusTip().contains(why);
+        };
+        QVERIFY(waits(run, "Add a garment.") && waits(remove, "There is no garment to remove."));
+        for (const char* name : {"Remove the garment and its experiments", "Rename the garment"}) {
+            for (const QToolButton* button : window_->garment().panel().findChildren<QToolButton*>()) {
+                if (button->accessibleName() != name) { continue; }
+                QVERIFY2(!button->isEnabled() && button->toolTip().startsWith("There is no garment"), name);
+            }
+        }
+        addTee();
+        QTRY_VERIFY(run->isEnabled() && remove->isEnabled());
+        QCOMPARE(remove->toolTip(), QString("Remove Garment"));
+        QVERIFY(!run->statusTip().isEmpty() && !remove->statusTip().isEmpty());
+        remove->trigger();
+        QVERIFY(waits(run, "Add a garment.") && waits(remove, "There is no garment to remove."));
     }
 
     void aRecordingBringsItsDesignToAnUntouchedProject()

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The wet map that follows edits: it is of the design as it is, short enough for a moment, and costs nothing when nobody looks.
+#include "core/run/runner.h"
+#include "gpu/backends.h"
 #include "tests/support/drop_design.h"
 #include "ui/document/document.h"
 #include "ui/results/live_panel.h"
+#include "ui/results/water_map_view.h"
 
 #include <QCheckBox>
 #include <QDir>
@@ -73,6 +76,34 @@ private Q_SLOTS:
         document.setFabricIndex(1);
         QTRY_VERIFY_WITH_TIMEOUT(panel.answer(), patience);
         QCOMPARE(panel.answer()->run->fabric, std::string("other"));
+    }
+
+    /// The same run in Simulate.
+    void itsColoursReachAsFarAsThoseOfSimulate()
+    {
+        Document document;
+        document.take(two_cloths(), "drops");
+        LivePanel panel(document);
+        panel.setVisible(true);
+        QTemporaryDir folder;
+        for (const double volume : {2.0, 0.3, 5.0, 4.0}) { // the range follows each, whatever was before
+            document.edit("drop", "drop", [&](Design& design) { design.experiments[0].droplets[0].volume_ul = volume; });
+            QTRY_VERIFY_WITH_TIMEOUT(panel.answer() && panel.answer()->simulated >= panel.answer()->duration, patience);
+            RunOptions options;
+            options.fidelity = Fidelity::live;
+            options.threads = 1;
+            options.recording = folder.filePath(QString("%1.hygrorec").arg(volume)).toStdString();
+            RunControl control;
+            const auto backend = make_backend("cpu");
+            const Design& design = *document.design();
+            run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, *backend, control, {});
+            Playback playback;
+            WaterMapView maps(playback);
+            playback.open(QString::fromStdString(options.recording.string()));
+            QTRY_VERIFY_WITH_TIMEOUT(playback.whole(), patience);
+            QTRY_COMPARE_WITH_TIMEOUT(maps.range(), panel.range(), patience);
+            QVERIFY(panel.range() > 0);
+        }
     }
 
     void ofManyEditsTheLastIsAnsweredAndStaleOnesEnd()

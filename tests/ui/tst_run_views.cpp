@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a run shows besides water: temperature and humidity on maps and in 3D, charts and reports in the user's units, its pictures as
 // files. Needs a display: xvfb-run.
+#include "ui/basics/film.h"
+#include "ui/basics/film_end.h"
 #include "ui/basics/preferences.h"
+#include "ui/basics/quantity.h"
 #include "ui/picture/viewport.h"
 #include "ui/results/chart.h"
 #include "ui/results/results_panel.h"
@@ -11,9 +14,11 @@
 
 #include <QComboBox>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QStandardItemModel>
+#include <QTimer>
 
 using namespace hygroloom;
 
@@ -86,7 +91,7 @@ private Q_SLOTS:
         const int frames = playback().frames(), shown = playback().current();
         QVERIFY(frames > 2);
         auto* film = new RunFilm(
-            playback(), [this] { return window_->viewport().picture(); }, "run", window_.get());
+            playback(), [this](const QString& clock) { return window_->viewport().picture(clock); }, "run", window_.get());
         QSignalSpy saved(film, &RunFilm::saved);
         film->savePictures(folder.path());
         QTRY_VERIFY_WITH_TIMEOUT(saved.count() == 1, 60000);
@@ -96,14 +101,43 @@ private Q_SLOTS:
         const QImage first(folder.filePath(names.first())), last(folder.filePath(names.last()));
         QCOMPARE(first.size(), window_->viewport().picture().size());
         QVERIFY(first != last); // the drop falls
+        // Each has its own time in the upper left corner, and a picture that is no film's has none.
+        const auto corner = [](const QImage& picture) { return picture.copy(10, 12, 90, 24); };
+        for (int k = 1; k < names.size(); ++k) {
+            const QImage before(folder.filePath(names[k - 1])), now(folder.filePath(names[k]));
+            QVERIFY2(corner(before) != corner(now), qPrintable(names[k]));
+        }
+        QVERIFY(window_->viewport().picture("0 s") != window_->viewport().picture());
         QTRY_COMPARE(playback().current(), shown);
+    }
+
+    void theClockOfAPictureIsReadOnAnyCloth()
+    {
+        QVERIFY(run("one-drop-on-cotton", 0.2));
+        const QString words = momentText(0.1, 0.2);
+        for (const Appearance look : {Appearance::light, Appearance::dark}) {
+            applyAppearance(look);
+            const QImage bare = window_->viewport().picture(), timed = window_->viewport().picture(words);
+            int changed = 0, low = 255, high = 0;
+            for (int y = 12; y < 38; ++y) {
+                for (int x = 12; x < 60; ++x) {
+                    const int gray = qGray(timed.pixel(x, y));
+                    low = std::min(low, gray);
+                    high = std::max(high, gray);
+                    changed += timed.pixel(x, y) != bare.pixel(x, y) ? 1 : 0;
+                }
+            }
+            QVERIFY(changed > 100);
+            QVERIFY2(high - low > 150, qPrintable(QString("%1 to %2").arg(low).arg(high))); // ink on its plate
+        }
+        applyAppearance(Appearance::light);
     }
 
     void aCancelledSequenceLeavesWholePicturesOnly()
     {
         QTemporaryDir folder;
         auto* film = new RunFilm(
-            playback(), [this] { return window_->viewport().picture(); }, "run", window_.get());
+            playback(), [this](const QString& clock) { return window_->viewport().picture(clock); }, "run", window_.get());
         QSignalSpy saved(film, &RunFilm::saved);
         film->savePictures(folder.path());
         auto* progress = window_->findChild<QProgressDialog*>();
@@ -126,16 +160,11 @@ private Q_SLOTS:
         const QAction* action = window_->simulate().actions().save_film;
         QVERIFY(!action->isEnabled());
         QVERIFY2(action->text().remove('&').endsWith("ffmpeg Is Not Installed"), qPrintable(action->text()));
-        // What stands in for it keeps what it is given.
-        QFile program(folder.filePath("ffmpeg"));
-        QVERIFY(program.open(QIODevice::WriteOnly));
-        program.write("#!/bin/sh\nfor last; do :; done\n/bin/cat > \"$last\"\n");
-        program.close();
-        QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::ExeOwner | QFile::WriteOwner));
+        makeFfmpeg(folder, ""); // what stands in for it keeps what it is given
         window_->simulate().refreshActions();
         QVERIFY(action->isEnabled());
         auto* film = new RunFilm(
-            playback(), [this] { return window_->viewport().picture(); }, "run", window_.get());
+            playback(), [this](const QString& clock) { return window_->viewport().picture(clock); }, "run", window_.get());
         QSignalSpy saved(film, &RunFilm::saved);
         film->saveMovie(folder.filePath("run.mp4"));
         qputenv("PATH", path);
@@ -146,7 +175,97 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(folder.filePath("run.mp4.part")));
     }
 
+    /// The fault that was seen: the program waited for ffmpeg with nothing on screen.
+    void closingOverAFilmAsksAndShowsWhatItWaitsFor_data() { ends(); }
+    void closingOverAFilmAsksAndShowsWhatItWaitsFor()
+    {
+        QFETCH(QByteArray, end);
+        QFETCH(bool, kept);
+        QVERIFY(run("one-drop-on-cotton", 0.2));
+        QTemporaryDir folder;
+        const QString file = folder.filePath("run.mp4");
+        const QByteArray path = qgetenv("PATH");
+        makeFfmpeg(folder, end);
+        qputenv("PATH", folder.path().toUtf8() + ":" + path);
+        auto* film = new RunFilm(
+            playback(), [this](const QString& clock) { return window_->viewport().picture(clock); }, "run", window_.get());
+        film->saveMovie(file);
+        qputenv("PATH", path);
+        const auto* progress = window_->findChild<QProgressDialog*>();
+        QTRY_COMPARE_WITH_TIMEOUT(progress->value(), playback().frames(), 60000); // ffmpeg alone is still at work
+        window_->document().history()->setClean();
+        QString asked;
+        QTimer answers;
+        connect(&answers, &QTimer::timeout, this, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (!box) { return; }
+            for (QAbstractButton* button : box->buttons()) {
+                const QString text = button->text().remove('&');
+                if (!text.startsWith("Delete the Run") && text != (kept ? "Finish the Film" : "Leave without It")) { continue; }
+                asked = box->text();
+                button->click();
+                return;
+            }
+        });
+        answers.start(50);
+        QElapsedTimer taken;
+        taken.start();
+        QVERIFY(window_->close());
+        QVERIFY2(taken.elapsed() < 20000, qPrintable(QString::number(taken.elapsed())));
+        QCOMPARE(asked, QString("Finish the film before Hygroloom closes?"));
+        QCOMPARE(QFile::exists(file), kept);
+        QVERIFY(!QFile::exists(file + ".part"));
+    }
+
+    void theEndOfAFilmIsShownAndCanBeLeft_data() { ends(); }
+    void theEndOfAFilmIsShownAndCanBeLeft()
+    {
+        QFETCH(QByteArray, end);
+        QFETCH(bool, kept);
+        QTemporaryDir folder;
+        const QString file = folder.filePath("film.mp4");
+        const QByteArray path = qgetenv("PATH");
+        makeFfmpeg(folder, end);
+        qputenv("PATH", folder.path().toUtf8() + ":" + path);
+        Film film("film");
+        QVERIFY(film.startMovie(file));
+        QImage picture(40, 30, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        film.add(picture);
+        qputenv("PATH", path);
+        bool seen = false;
+        QTimer::singleShot(300, this, [&] {
+            auto* box = qobject_cast<QProgressDialog*>(QApplication::activeModalWidget());
+            seen = box && box->isVisible() && box->labelText() == "The film is being written.";
+            if (seen && !kept) { box->findChild<QPushButton*>()->click(); }
+        });
+        QElapsedTimer taken;
+        taken.start();
+        endInDialog(film, window_.get());
+        QVERIFY(seen && !film.busy() && taken.elapsed() < 20000);
+        QCOMPARE(QFile::exists(file), kept);
+        QVERIFY(!QFile::exists(file + ".part"));
+        endInDialog(film, window_.get()); // there is nothing to wait for
+    }
+
 private:
+    /// What ffmpeg does after the last picture, and whether its film is kept then.
+    static void ends()
+    {
+        QTest::addColumn<QByteArray>("end");
+        QTest::addColumn<bool>("kept");
+        QTest::newRow("finished") << QByteArray("exec sleep 1") << true;
+        QTest::newRow("left") << QByteArray("exec sleep 60") << false;
+    }
+    /// A script that stands in for it.
+    static void makeFfmpeg(const QTemporaryDir& folder, const QByteArray& end)
+    {
+        QFile program(folder.filePath("ffmpeg"));
+        QVERIFY(program.open(QIODevice::WriteOnly));
+        program.write("#!/bin/sh\nfor last; do :; done\n/bin/cat > \"$last\"\n" + end + "\n");
+        program.close();
+        QVERIFY(program.setPermissions(QFile::ReadOwner | QFile::ExeOwner | QFile::WriteOwner));
+    }
     /// A short run of an example's experiment of a type, to its end.
     bool run(const QString& project, double duration_s, ExperimentType type = ExperimentType::droplet)
     {

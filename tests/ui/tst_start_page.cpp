@@ -106,6 +106,27 @@ private Q_SLOTS:
         }
     }
 
+    void rowsOfCardsAreSeenWholeAtAnySize()
+    {
+        for (const QSize& size : {page_->size(), QSize(980, 560), QSize(1100, 623), QSize(1200, 760)}) {
+            page_->resize(size);
+            QCoreApplication::processEvents();
+            for (const char* name : {"Examples", "New project with a fabric of the library"}) {
+                QListWidget* cards = list(name);
+                const int height = cards->viewport()->height(), row = cards->gridSize().height();
+                QVERIFY2(height >= row && height % row == 0, qPrintable(QString("%1: %2 of %3").arg(name).arg(height).arg(row)));
+                QVERIFY(cards->height() - height < row + 4); // as many rows as there is room for
+                for (int i = 0; i < cards->count(); ++i) {
+                    const QListWidgetItem* card = cards->item(i);
+                    const QRect given = cards->visualItemRect(card);
+                    const QRect room(0, 0, given.width() - 4, 1000); // in which the name is wrapped
+                    const int lines = cards->fontMetrics().boundingRect(room, Qt::TextWordWrap | Qt::AlignHCenter, card->text()).height();
+                    QVERIFY2(cards->iconSize().height() + lines <= given.height() && given.height() <= row, qPrintable(card->text()));
+                }
+            }
+        }
+    }
+
     void theBoxSaysWhetherItComesAtTheStart()
     {
         auto* box = page_->findChild<QCheckBox*>();

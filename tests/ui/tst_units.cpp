@@ -60,6 +60,29 @@ private Q_SLOTS:
         QVERIFY(std::abs(*diameter.parse(diameter.text(0.2123)) - 0.2123) < 1e-4);
     }
 
+    void convertedLengthsHaveThreeDigitsAndAllWhenPointedAt()
+    {
+        QuantityEdit edit(Quantity::length(0.01, 508));
+        edit.setValue(20);
+        QVERIFY2(!edit.toolTip().contains("In full"), qPrintable(edit.toolTip()));
+        prefer(&Preferences::length, 2);
+        QCOMPARE(plain(edit.text()), QString("0.787 in"));
+        QVERIFY2(plain(edit.toolTip()).contains("In full: 0.787401574"), qPrintable(edit.toolTip()));
+        QCOMPARE(edit.typed(nullptr), std::optional(20.0)); // what is shown short is not lost
+        edit.setModified(true);                             // typed over and back
+        QTest::keyClick(&edit, Qt::Key_Return);
+        QCOMPARE(edit.value(), std::optional(20.0));
+        edit.setText("0.7875"); // as it was typed
+        edit.setModified(true);
+        QTest::keyClick(&edit, Qt::Key_Return);
+        QCOMPARE(plain(edit.text()), QString("0.7875 in"));
+        QVERIFY2(!edit.toolTip().contains("In full"), qPrintable(edit.toolTip()));
+        QCOMPARE(plain(Quantity::length(0.01, 10).text(0.2123)), QString("0.00836 in"));
+        QVERIFY2(plain(edit.toolTip()).contains("Allowed: 0.000394 to 20 in."), qPrintable(edit.toolTip()));
+        prefer(&Preferences::length, 1);
+        QCOMPARE(plain(Quantity::length(0.01, 508).text(12.345)), QString("1.2345 cm"));
+    }
+
     void calculatedNumbersTakeThePreferredUnit()
     {
         QCOMPARE(userUnit("°C").of(20), 20.0);

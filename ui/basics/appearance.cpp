@@ -42,6 +42,7 @@ public:
         const auto role = mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::WindowText;
         const QColor color = severity_ ? severityColor(*severity_, palette) : palette.color(group, role);
         QSvgRenderer renderer(QByteArray(drawing_).replace("#000", color.name().toLatin1()));
+        if (mode == QIcon::Disabled) { painter->setOpacity(0.55); } // quiet lines alone look as if it could be pressed
         renderer.render(painter, QRectF(rect));
     }
 

@@ -18,14 +18,15 @@ void ElidedLabel::setFullText(const QString& text)
     setToolTip(text);
 }
 
-QString ElidedLabel::shownText() const { return fontMetrics().elidedText(text(), Qt::ElideMiddle, room().width()); }
+QString ElidedLabel::shownText() const { return fontMetrics().elidedText(text(), mode_, room().width()); }
 
 QRect ElidedLabel::room() const { return contentsRect().adjusted(margin(), margin(), -margin(), -margin()); }
 
 void ElidedLabel::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    style()->drawItemText(&painter, room(), Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(), shownText(), foregroundRole());
+    style()->drawItemText(&painter, room(), static_cast<int>(alignment() | Qt::AlignVCenter), palette(), isEnabled(), shownText(),
+                          foregroundRole());
 }
 
 } // namespace hygroloom

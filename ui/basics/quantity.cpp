@@ -272,7 +272,19 @@ int Quantity::shownDecimals(double stored) const
     return decimals + static_cast<int>(std::ceil(std::log10(stored / preferred()->shown(stored))));
 }
 
-QString Quantity::number(double stored) const { return shownNumber(toShown(stored), shownDecimals(stored)); }
+bool Quantity::shortens(double stored) const
+{
+    if (measure != Measure::length || !preferred()) { return false; }
+    const double shown = toShown(stored), scale = std::pow(10.0, shownDecimals(stored));
+    return std::abs(std::round(shown * scale) / scale - shown) > 1e-9 * std::abs(shown);
+}
+
+/// A length that was typed in the unit that is shown keeps its digits; converted from another one it has endlessly many, of which three are
+/// shown.
+QString Quantity::number(double stored) const
+{
+    return shortens(stored) ? significant(toShown(stored)) : shownNumber(toShown(stored), shownDecimals(stored));
+}
 
 QString Quantity::text(double stored) const { return withUnit(number(stored), shownUnit()); }
 

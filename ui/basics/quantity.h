@@ -54,6 +54,7 @@ struct Quantity {
     QString shownUnit() const;              ///< unit, or the preferred one
     QString number(double stored) const;    ///< "35"
     QString text(double stored) const;      ///< "35 /cm"
+    bool shortens(double stored) const;     ///< whether text() has fewer digits than the number
     QString shortText(double stored) const; ///< of a calculated number: three significant digits
     QString fullText(double stored) const;  ///< of the same, as it was computed
     QString range() const;                  ///< "Allowed: 1 to 200 /cm."

@@ -36,10 +36,15 @@ QuantityEdit::QuantityEdit(Quantity quantity, QWidget* parent) : QLineEdit(paren
     updateMarks();
 }
 
+std::optional<double> QuantityEdit::read(QString* complaint) const
+{
+    return value_ && text() == quantity_.text(*value_) ? value_ : quantity_.parse(text(), complaint);
+}
+
 std::optional<double> QuantityEdit::typed(QString* complaint) const
 {
     if (optional_ && text().trimmed().isEmpty()) { return {}; }
-    const std::optional<double> value = quantity_.parse(text(), complaint);
+    const std::optional<double> value = read(complaint);
     if (value && (*value < quantity_.minimum || *value > quantity_.maximum)) {
         if (complaint) { *complaint = tr("%1 is out of range. %2").arg(text().trimmed(), quantity_.range()); }
         return {};
@@ -158,7 +163,7 @@ void QuantityEdit::commit()
     if (!isModified()) { return; }
     std::optional<double> typed;
     if (!(optional_ && text().trimmed().isEmpty())) {
-        typed = quantity_.parse(text(), &complaint_);
+        typed = read(&complaint_);
         if (!typed) {
             updateMarks();
             QToolTip::showText(mapToGlobal(QPoint(0, height())), "<p>" + complaint_.toHtmlEscaped() + "</p>", this);
@@ -207,6 +212,7 @@ void QuantityEdit::updateMarks()
     if (!complaint_.isEmpty()) { lines << complaint_; }
     lines << sentences_;
     if (!help_.isEmpty()) { lines << help_; }
+    if (value_ && quantity_.shortens(*value_)) { lines << tr("In full: %1.").arg(quantity_.fullText(*value_)); }
     if (derived_ && !value_) { lines << tr("Calculated: %1.").arg(quantity_.fullText(*derived_)); }
     lines << quantity_.range();
     setAccessibleDescription(lines.join(' '));

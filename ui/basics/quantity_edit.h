@@ -48,6 +48,8 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    /// The text's value; of a text that shows the value, that one with all its digits.
+    std::optional<double> read(QString* complaint) const;
     void commit();
     void step(double steps);
     void restoreText();

@@ -31,6 +31,29 @@ void drawGrain(QPainter& painter, const QPointF& middle, double half, double gra
     for (const double side : {-0.5, 0.5}) { painter.drawLine(tip, tip + 8 * QPointF(std::sin(grain + side), std::cos(grain + side))); }
 }
 
+/// The place on the outlines of the panels that is nearest to a place of the sheet.
+QPointF nearestOutline(const GarmentDrawing& drawing, const QPointF& place)
+{
+    QPointF found;
+    double least = -1;
+    for (const DrawnPanel& panel : drawing.panels) {
+        const QPointF shift(panel.on_sheet[0], panel.on_sheet[1]);
+        for (std::size_t k = 0; k < panel.outline.size(); ++k) {
+            const FlatPlace &a = panel.outline[k], &b = panel.outline[(k + 1) % panel.outline.size()];
+            const QPointF from = QPointF(a[0], a[1]) + shift, along(b[0] - a[0], b[1] - a[1]);
+            const double length = QPointF::dotProduct(along, along);
+            const double share = length > 0 ? std::clamp(QPointF::dotProduct(place - from, along) / length, 0.0, 1.0) : 0;
+            const QPointF at = from + share * along;
+            const double far = std::hypot(place.x() - at.x(), place.y() - at.y());
+            if (least < 0 || far < least) {
+                least = far;
+                found = at;
+            }
+        }
+    }
+    return found;
+}
+
 } // namespace
 
 FlatView::FlatView(QWidget* parent)
@@ -135,12 +158,18 @@ QTransform FlatView::toPixels() const
     return view;
 }
 
+/// Beside the panels at the nearest outline, which comes into the picture, so that zooming ends on no empty sheet.
 void FlatView::zoomAt(double factor, const QPointF& pixel)
 {
     const QTransform before = toPixels();
-    const QPointF place = before.inverted().map(pixel);
+    QPointF place = before.inverted().map(pixel), stays = pixel;
+    if (drawing_ && !drawing_->panels.empty() && drawing_->panelAt(place) < 0) {
+        place = nearestOutline(*drawing_, place);
+        const QPointF at = before.map(place);
+        stays = {std::clamp(at.x(), 0.05 * width(), 0.95 * width()), std::clamp(at.y(), 0.05 * height(), 0.95 * height())};
+    }
     scale_ = std::clamp(before.m11() * factor, least_scale, largest_scale);
-    const QPointF aside = pixel - QPointF(0.5 * width(), 0.5 * height());
+    const QPointF aside = stays - QPointF(0.5 * width(), 0.5 * height());
     middle_ = place - QPointF(aside.x(), -aside.y()) / scale_;
     update();
 }

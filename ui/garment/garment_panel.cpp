@@ -2,6 +2,7 @@
 #include "ui/garment/garment_panel.h"
 
 #include "ui/basics/core_words.h"
+#include "ui/basics/elided_combo.h"
 #include "ui/basics/icon_button.h"
 #include "ui/basics/language.h"
 #include "ui/basics/name_dialog.h"
@@ -89,7 +90,7 @@ QSize GarmentPanel::minimumSizeHint() const
 
 QWidget* GarmentPanel::makeHead()
 {
-    garments_ = new QComboBox;
+    garments_ = new ElidedCombo;
     garments_->setAccessibleName(tr("Garment"));
     garments_->setMinimumContentsLength(8);
     garments_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -166,7 +167,7 @@ QWidget* GarmentPanel::makeWearer()
                     [&](Garment& garment) { garment.wearer.gap_mm["default"] = value; });
     });
     gap_->setHelp(tr("Air between skin and cloth, where the project names no other gap for a zone; 0: they touch."));
-    sweat_ = new QComboBox;
+    sweat_ = new ElidedCombo;
     sweat_->setAccessibleName(tr("Sweat rates of the zones"));
     sweat_->setMinimumContentsLength(8);
     sweat_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -242,7 +243,9 @@ void GarmentPanel::refresh()
     const Garment* garment = choice_.garment();
     setChoices(garments_, names, garment ? choice_.garmentIndex() : -1);
     rename_->setEnabled(garment != nullptr);
+    rename_->setToolTip(garment ? tr("Rename the garment") : tr("There is no garment to rename."));
     remove_->setEnabled(garment != nullptr);
+    remove_->setToolTip(garment ? tr("Remove the garment and its experiments") : tr("There is no garment to remove."));
     for (QWidget* part : {static_cast<QWidget*>(skin_), static_cast<QWidget*>(gap_), static_cast<QWidget*>(sweat_),
                           static_cast<QWidget*>(panels_), static_cast<QWidget*>(garments_)}) {
         part->setEnabled(garment != nullptr);

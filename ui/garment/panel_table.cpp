@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/panel_table.h"
 
+#include "ui/basics/elided_combo.h"
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
 
@@ -16,13 +17,15 @@ PanelTable::PanelTable(GarmentChoice& choice, QWidget* parent) : QTableWidget(0,
     horizontalHeaderItem(2)->setToolTip(tr("Angle of the warp from the pattern's upward direction, counter-clockwise seen from outside."));
     horizontalHeaderItem(3)->setToolTip(tr("Where the fabric's top face lies."));
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::Interactive);
-    horizontalHeader()->resizeSection(0, fontMetrics().horizontalAdvance(tr("left sleeve")) + 8);
+    int longest = horizontalHeader()->fontMetrics().horizontalAdvance(horizontalHeaderItem(0)->text());
+    for (const QString& word : tr("left sleeve").split(' ')) { longest = std::max(longest, fontMetrics().horizontalAdvance(word)); }
+    horizontalHeader()->resizeSection(0, longest + 10); // names in two lines leave room for those of fabrics
     horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(2, QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(3, QHeaderView::Fixed);
     horizontalHeader()->setMinimumSectionSize(40);
-    horizontalHeader()->resizeSection(2, fontMetrics().horizontalAdvance("−360 °") + 12);
-    horizontalHeader()->resizeSection(3, fontMetrics().horizontalAdvance(tr("outside")) + 30);
+    horizontalHeader()->resizeSection(2, fontMetrics().horizontalAdvance("−360°") + 8);
+    horizontalHeader()->resizeSection(3, fontMetrics().horizontalAdvance(tr("outside")) + 27);
     verticalHeader()->hide();
     setEditTriggers(NoEditTriggers);
     setSelectionBehavior(SelectRows);
@@ -67,9 +70,10 @@ void PanelTable::addRow(const std::string& panel)
     auto* item = new QTableWidgetItem(name);
     item->setToolTip(name);
     setItem(row, 0, item);
-    Row made{panel, new QComboBox, nullptr, new QComboBox};
+    Row made{panel, new ElidedCombo, nullptr, new QComboBox};
     made.fabric->setAccessibleName(tr("Fabric of %1").arg(name));
     made.fabric->setMinimumContentsLength(4);
+    made.fabric->setIconSize({12, 12});
     made.fabric->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     connect(made.fabric, &QComboBox::activated, this, [this, panel, name](int index) {
         const std::string fabric = choice_.document().design()->fabrics[static_cast<std::size_t>(index)].name;

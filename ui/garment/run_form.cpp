@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/elided_combo.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/garment/worn_run.h"
@@ -21,7 +22,7 @@
 namespace hygroloom {
 
 RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
-    : QWidget(parent), choice_(choice), run_(run), fidelities_(new QButtonGroup(this)), expected_(new QLabel), device_(new QComboBox),
+    : QWidget(parent), choice_(choice), run_(run), fidelities_(new QButtonGroup(this)), expected_(new QLabel), device_(new ElidedCombo),
       start_(new QPushButton(themedIcon("run"), tr("Run"))), pause_(new QPushButton(themedIcon("pause"), tr("Pause"))),
       stop_(new QPushButton(themedIcon("stop"), tr("Stop"))), bar_(new QProgressBar), state_(new QLabel)
 {

@@ -140,9 +140,29 @@ void ShapeView::lookFrom(double turn)
     fit();
 }
 
-void ShapeView::zoomBy(double factor)
+void ShapeView::zoomBy(double factor) { zoomAt(factor, QPointF(0.5 * width(), 0.5 * height())); }
+
+/// Beside the cloth to the place of it that is nearest in the picture, so that zooming ends in no empty view.
+void ShapeView::zoomAt(double factor, const QPointF& at)
 {
-    camera_.zoom(factor, QPointF(0.5 * width(), 0.5 * height()), QSizeF(size()));
+    const QSizeF picture(size());
+    const QVector3D* nearest = nullptr;
+    if (spotAt(at).panel < 0) {
+        double least = 0;
+        for (const QVector3D& place : places_) {
+            if (camera_.depth(place) <= 0) { continue; }
+            const QPointF away = camera_.project(place, picture) - at;
+            if (const double far = std::hypot(away.x(), away.y()); !nearest || far < least) {
+                nearest = &place;
+                least = far;
+            }
+        }
+    }
+    if (nearest) {
+        camera_.zoomInSight(factor, *nearest, picture);
+    } else {
+        camera_.zoom(factor, at, picture);
+    }
     moved();
 }
 
@@ -400,10 +420,6 @@ void ShapeView::leaveEvent(QEvent* event)
     Q_EMIT hovered({});
 }
 
-void ShapeView::wheelEvent(QWheelEvent* event)
-{
-    camera_.zoom(wheelZoom(event->angleDelta().y()), zoomedAt(event->position(), QSizeF(size())), QSizeF(size()));
-    moved();
-}
+void ShapeView::wheelEvent(QWheelEvent* event) { zoomAt(wheelZoom(event->angleDelta().y()), zoomedAt(event->position(), QSizeF(size()))); }
 
 } // namespace hygroloom

@@ -31,6 +31,7 @@ public:
     /// 0: the front, 90: the wearer's left side, 180: the back.
     void lookFrom(double turn);
     void zoomBy(double factor);
+    void zoomAt(double factor, const QPointF& at);
     /// Of the nearest cloth under a pixel.
     GarmentSpot spotAt(const QPointF& pixel) const;
     /// Whether fabrics may be dropped.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/wear_form.h"
 
+#include "ui/basics/elided_combo.h"
 #include "ui/basics/icon_button.h"
 #include "ui/basics/language.h"
 #include "ui/basics/name_dialog.h"
@@ -64,7 +65,7 @@ WearForm::WearForm(GarmentChoice& choice, QWidget* parent)
 
 QWidget* WearForm::makeHead()
 {
-    wears_ = new QComboBox;
+    wears_ = new ElidedCombo;
     wears_->setAccessibleName(tr("Wear experiment"));
     wears_->setMinimumContentsLength(8);
     wears_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

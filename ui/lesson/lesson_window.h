@@ -41,6 +41,10 @@ public:
     /// Without asking.
     void reset();
     QString clockText() const;
+    /// A film is being taken or written.
+    bool filming() const { return film_.busy(); }
+    /// Ends it. It is waited for, in a dialog, where it is kept.
+    void leaveFilm(bool keep);
 
 Q_SIGNALS:
     void failed(const QString& sentence);

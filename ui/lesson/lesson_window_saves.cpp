@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a lesson leaves behind: recordings of its cloths and films of its table, which are whole before it closes.
 #include "ui/basics/ask.h"
+#include "ui/basics/film_end.h"
 #include "ui/lesson/lesson_scene.h"
 #include "ui/lesson/lesson_window.h"
 
@@ -101,6 +102,17 @@ void LessonWindow::endFilm()
     pictures_.stop();
     film_.finish();
     if (film_.busy()) { say(tr("The film is being written…")); }
+}
+
+void LessonWindow::leaveFilm(bool keep)
+{
+    pictures_.stop();
+    closing_ = false; // who ends the film closes what is to be closed
+    if (keep) {
+        endInDialog(film_, this);
+    } else {
+        film_.cancel();
+    }
 }
 
 void LessonWindow::filmEnded(const QString& sentence)

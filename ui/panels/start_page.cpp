@@ -19,6 +19,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QSaveFile>
+#include <QScreen>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -79,6 +80,37 @@ QIcon blank(const QPalette& palette)
     return QIcon(pixmap);
 }
 
+/// Pictures with their names in rows that are seen whole: what is left of the height stays free.
+class CardList : public QListWidget {
+public:
+    CardList()
+    {
+        setViewMode(QListView::IconMode);
+        setResizeMode(QListView::Adjust);
+        setMovement(QListView::Static);
+        setIconSize({side, side});
+        setGridSize({side + 28, side + 20 + 2 * fontMetrics().lineSpacing()}); // two lines, and what the list keeps round them
+        setWordWrap(true);                 // without uniform sizes: those of the first, of one line, would cut names of two
+        setBackgroundRole(QPalette::Base); // below the rows, too
+        setAutoFillBackground(true);
+    }
+
+    QSize sizeHint() const override { return {QListWidget::sizeHint().width(), heightOf(2)}; }
+    QSize minimumSizeHint() const override { return {QListWidget::minimumSizeHint().width(), heightOf(1)}; }
+
+protected:
+    void resizeEvent(QResizeEvent* event) override
+    {
+        QListWidget::resizeEvent(event);
+        const int room = height() - 2 * frameWidth(), row = gridSize().height();
+        const int rest = room > row ? room % row : 0;
+        if (viewportMargins().bottom() != rest) { setViewportMargins(0, 0, 0, rest); }
+    }
+
+private:
+    int heightOf(int rows) const { return rows * gridSize().height() + 2 * frameWidth(); }
+};
+
 } // namespace
 
 StartPage::StartPage(const QStringList& examples, const QStringList& recent, QWidget* parent) : QDialog(parent)
@@ -87,21 +119,12 @@ StartPage::StartPage(const QStringList& examples, const QStringList& recent, QWi
     auto* left = new QVBoxLayout;
     addButtons(*left);
     left->addSpacing(12);
-    recent_ = addList(*left, tr("Recent"));
+    recent_ = addList(*left, tr("Recent"), new QListWidget);
     recent_->setIconSize({32, 32});
     recent_->setTextElideMode(Qt::ElideMiddle);
     auto* right = new QVBoxLayout;
-    examples_ = addList(*right, tr("Examples"));
-    fabrics_ = addList(*right, tr("New project with a fabric of the library"));
-    for (QListWidget* list : {examples_, fabrics_}) {
-        list->setViewMode(QListView::IconMode);
-        list->setResizeMode(QListView::Adjust);
-        list->setMovement(QListView::Static);
-        list->setIconSize({side, side});
-        list->setGridSize({side + 28, side + 44});
-        list->setWordWrap(true);
-        list->setUniformItemSizes(true);
-    }
+    examples_ = addList(*right, tr("Examples"), new CardList);
+    fabrics_ = addList(*right, tr("New project with a fabric of the library"), new CardList);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(16);
     columns->addLayout(left, 1);
@@ -125,7 +148,7 @@ StartPage::StartPage(const QStringList& examples, const QStringList& recent, QWi
     layout->setSpacing(12);
     layout->addLayout(columns, 1);
     layout->addLayout(bottom);
-    resize(980, 600);
+    resize(980, std::clamp(sizeHint().height(), 500, std::max(500, screen()->availableSize().height() - 48))); // with its frame
     fill(examples, recent);
 }
 
@@ -148,13 +171,12 @@ void StartPage::addButtons(QVBoxLayout& into)
     add({}, tr("User's &Guide"), tr("How to design a fabric and to run an experiment."), &StartPage::guideWanted);
 }
 
-QListWidget* StartPage::addList(QVBoxLayout& into, const QString& title)
+QListWidget* StartPage::addList(QVBoxLayout& into, const QString& title, QListWidget* list)
 {
     auto* heading = new QLabel(title);
     QFont bold = heading->font();
     bold.setBold(true);
     heading->setFont(bold);
-    auto* list = new QListWidget;
     list->setAccessibleName(title);
     into.addWidget(heading);
     into.addWidget(list, 1);

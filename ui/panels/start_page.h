@@ -33,7 +33,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    QListWidget* addList(QVBoxLayout& into, const QString& title);
+    QListWidget* addList(QVBoxLayout& into, const QString& title, QListWidget* list);
     void addButtons(QVBoxLayout& into);
     void fill(const QStringList& examples, const QStringList& recent);
     void choose(const QListWidgetItem& item);

@@ -128,6 +128,21 @@ void Camera::zoomTo(double factor, const QVector3D& point)
     target_ = point + static_cast<float>(distance_ / before) * (target_ - point);
 }
 
+void Camera::zoomInSight(double factor, const QVector3D& point, const QSizeF& size)
+{
+    constexpr double rim = 0.05; // of the picture
+    zoomTo(factor, point);
+    const double away = depth(point);
+    if (away < 0.02 * distance_) { // beside or behind the eye, so that it has no place in the picture
+        target_ = point;
+        return;
+    }
+    const QPointF at = project(point, size);
+    const QPointF seen(std::clamp(at.x(), rim * size.width(), (1 - rim) * size.width()),
+                       std::clamp(at.y(), rim * size.height(), (1 - rim) * size.height()));
+    if (seen != at) { pan(away / distance_ * (seen - at), size); }
+}
+
 void Camera::fit(const QVector3D& low, const QVector3D& high, const QSizeF& size)
 {
     target_ = 0.5F * (low + high);

@@ -48,6 +48,8 @@ public:
     void zoom(double factor, const QPointF& at, const QSizeF& size);
     /// Towards a point, which stays where it is in the picture and is never passed.
     void zoomTo(double factor, const QVector3D& point);
+    /// The same, and a point that lies beside the picture comes into it.
+    void zoomInSight(double factor, const QVector3D& point, const QSizeF& size);
     /// At a point in the middle of the picture, which stays as it is.
     void aimAt(const QVector3D& point);
     void centreOn(const QVector3D& point) { target_ = point; }

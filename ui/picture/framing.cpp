@@ -24,6 +24,12 @@ struct Box {
         }
         return true;
     }
+
+    QVector3D clamped(QVector3D point) const
+    {
+        for (int axis = 0; axis < 3; ++axis) { point[axis] = std::clamp(point[axis], low[axis], std::max(low[axis], high[axis])); }
+        return point;
+    }
 };
 
 /// What a cut leaves of the fabric.
@@ -55,6 +61,17 @@ std::optional<QVector3D> entry(const Box& box, const Ray& ray)
         last = std::min(last, std::max(a, b));
     }
     return first < last ? std::optional(ray.from + first * ray.direction) : std::nullopt;
+}
+
+/// The point of the box that is nearest to the ray, by projecting from one onto the other and back.
+QVector3D nearest(const Box& box, const Ray& ray)
+{
+    QVector3D point = 0.5F * (box.low + box.high);
+    for (int turn = 0; turn < 64; ++turn) {
+        const float along = std::max(0.0F, QVector3D::dotProduct(point - ray.from, ray.direction));
+        point = box.clamped(ray.from + along * ray.direction);
+    }
+    return point;
 }
 
 int edge_axis(const QVector3D& towards) { return std::abs(towards.x()) > std::abs(towards.y()) ? 0 : 1; }
@@ -105,12 +122,28 @@ Camera looking_from(Camera camera, const PreviewFabric& fabric, double turn, dou
     if (middle && !box.holds(camera.eye())) { camera.aimAt(*middle); }
     camera.lookFrom(turn, lift);
     const QVector3D towards = camera.direction();
-    QVector3D target = camera.target();
-    for (int axis = 0; axis < 3; ++axis) { target[axis] = std::clamp(target[axis], box.low[axis], box.high[axis]); }
+    QVector3D target = box.clamped(camera.target());
     // On the side that is looked at: the eye is then outside, however near it is.
     const int side = camera.looksAlong() ? edge_axis(towards) : 2;
     target[side] = towards[side] > 0 ? box.high[side] : box.low[side];
     camera.centreOn(target);
+    return camera;
+}
+
+Camera zoomed_to_cloth(Camera camera, const PreviewFabric& fabric, const std::optional<CutPlane>& cut, double factor, const QPointF& at,
+                       const QSizeF& size)
+{
+    const Box box = box_of(fabric, cut);
+    const Ray ray = camera.ray(at, size);
+    const QVector3D from_low = entry(box, ray).value_or(nearest(box, ray)) - fabric.low();
+    const Textile& textile = fabric.textile;
+    const int end = std::clamp(static_cast<int>(from_low.x() / fabric.pitch().x()), 0, textile.ends() - 1);
+    const int pick = std::clamp(static_cast<int>(from_low.y() / fabric.pitch().y()), 0, textile.picks() - 1);
+    // Where two yarns cross there is cloth, right under the face that is seen.
+    const QVector3D crossing(static_cast<float>(mm_from_metre(textile.x_of_end(end))),
+                             static_cast<float>(mm_from_metre(textile.y_of_pick(pick))),
+                             camera.direction().z() >= 0 ? box.high.z() : box.low.z());
+    camera.zoomInSight(factor, box.clamped(crossing), size);
     return camera;
 }
 

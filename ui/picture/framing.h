@@ -17,6 +17,11 @@ Camera framed(Camera camera, const PreviewFabric& fabric, Framing framing, const
 /// The same picture from another side: what is in its middle stays there as large, and the eye stays outside the fabric.
 Camera looking_from(Camera camera, const PreviewFabric& fabric, double turn, double lift, const QSizeF& size);
 
+/// Comes nearer to the crossing that is nearest to a point of the picture. That one is in the picture afterwards, so that zooming ends in
+/// no empty view, wherever the pointer is.
+Camera zoomed_to_cloth(Camera camera, const PreviewFabric& fabric, const std::optional<CutPlane>& cut, double factor, const QPointF& at,
+                       const QSizeF& size);
+
 /// Millimetres that a pixel covers, across the line of sight, where the fabric is in the middle of the picture. Nothing where there is no
 /// fabric, where the eye is within it, and where some of what is seen is more than scale_holds_within times larger or smaller.
 constexpr double scale_holds_within = 1.6;

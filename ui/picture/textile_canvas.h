@@ -17,6 +17,7 @@ namespace hygroloom {
 /// What the overlay says; empty texts are left out.
 struct PictureCaption {
     QString title;  ///< top left: what is shown
+    QString clock;  ///< above it and larger, in pictures of a film; empty: none
     QString notice; ///< a state that must not be overlooked: "Results of an earlier design."
     QString legend; ///< what the colours mean; empty: no legend
     QString unit;
@@ -107,6 +108,7 @@ public:
     void zoomToSelection();
     /// Shortens or lengthens the distance, about the middle.
     void zoomBy(double factor);
+    void zoomAt(double factor, const QPointF& at);
     void turnBy(const QPointF& pixels);
     const Camera& camera() const { return camera_; }
     void setCamera(const Camera& camera);
@@ -160,6 +162,7 @@ private:
     void drawSample();
     int samplesWanted() const;
     void drawOverlay(QPainter& painter);
+    double drawClock(QPainter& painter, const QColor& ink);
     void drawTitle(QPainter& painter, const QColor& ink);
     void drawAxes(QPainter& painter, const QColor& ink);
     void drawHover(QPainter& painter, const QColor& ink);

@@ -63,10 +63,28 @@ void TextileCanvas::drawOverlay(QPainter& painter)
     drawHover(painter, ink);
 }
 
+/// The time of a film's picture, on a plate of its own so that it is read over any cloth. Returns the plate's lower edge.
+double TextileCanvas::drawClock(QPainter& painter, const QColor& ink)
+{
+    if (caption_.clock.isEmpty()) { return margin - 8; }
+    painter.save();
+    QFont large = painter.font();
+    large.setBold(true);
+    large.setPointSizeF(1.4 * large.pointSizeF());
+    painter.setFont(large);
+    const QFontMetricsF metrics(large);
+    const QRectF plate(margin - 6, margin - 4, metrics.horizontalAdvance(caption_.clock) + 12, metrics.height() + 8);
+    drawPlate(painter, plate, palette());
+    painter.setPen(ink);
+    painter.drawText(plate.adjusted(6, 4, -2, -2), Qt::AlignLeft | Qt::AlignVCenter, caption_.clock);
+    painter.restore();
+    return plate.bottom();
+}
+
 void TextileCanvas::drawTitle(QPainter& painter, const QColor& ink)
 {
+    double top = drawClock(painter, ink) + 8;
     const QFontMetricsF metrics(painter.font());
-    double top = margin;
     const auto line = [&](const QString& text, const QColor& edge) {
         if (text.isEmpty()) { return; }
         const double room = width() - 2 * margin - (caption_.legend.isEmpty() ? 0 : 120);

@@ -2,6 +2,7 @@
 // What the pointer and the keys do in the picture: turning, moving, choosing, measuring, cutting open.
 #include "core/base/units.h"
 #include "ui/basics/preferences.h"
+#include "ui/picture/framing.h"
 #include "ui/picture/textile_canvas.h"
 
 #include <QMouseEvent>
@@ -93,21 +94,22 @@ void TextileCanvas::mouseDoubleClickEvent(QMouseEvent* event)
 
 void TextileCanvas::wheelEvent(QWheelEvent* event)
 {
+    zoomAt(wheelZoom(event->angleDelta().y()), zoomedAt(event->position(), QSizeF(size())));
+}
+
+void TextileCanvas::zoomBy(double factor) { zoomAt(factor, QPointF(0.5 * width(), 0.5 * height())); }
+
+/// To what is there; beside the cloth, and through its gaps, to the cloth nearest to it.
+void TextileCanvas::zoomAt(double factor, const QPointF& at)
+{
     moved_by_hand_ = true;
-    const double factor = wheelZoom(event->angleDelta().y());
-    const QPointF at = zoomedAt(event->position(), QSizeF(size()));
     if (const auto found = hit(at)) {
         camera_.zoomTo(factor, millimetres(found->point));
+    } else if (fabric()) {
+        camera_ = zoomed_to_cloth(camera_, *fabric(), cut(), factor, at, QSizeF(size()));
     } else {
         camera_.zoom(factor, at, QSizeF(size()));
     }
-    redraw(true);
-}
-
-void TextileCanvas::zoomBy(double factor)
-{
-    moved_by_hand_ = true;
-    camera_.zoom(factor, QPointF(0.5 * width(), 0.5 * height()), QSizeF(size()));
     redraw(true);
 }
 

@@ -313,14 +313,19 @@ void Viewport::lookFrom(double turn, double lift)
 
 bool Viewport::pressKey(int key) { return bar_->pressKey(key); }
 
-QImage Viewport::picture()
+QImage Viewport::picture(const QString& clock)
 {
     if (!canvas_) { return {}; }
     if (frame_ && subject_ == Subject::run && surfacer_.busy()) { // the free liquid of this frame, not of the one before
         surfacer_.drop();
         canvas_->setLiquid(surfaceOf(*frame_, run_.get()));
     }
-    return canvas_->picture();
+    caption_.clock = clock;
+    canvas_->setCaption(caption_);
+    const QImage made = canvas_->picture();
+    caption_.clock.clear();
+    canvas_->setCaption(caption_);
+    return made;
 }
 
 } // namespace hygroloom

@@ -48,8 +48,8 @@ public:
     void lookFrom(double turn, double lift);
     /// What a single key does here; false when it does nothing.
     bool pressKey(int key);
-    /// Of the frame that is shown, whole. Null where there is no OpenGL.
-    QImage picture();
+    /// Of the frame that is shown, whole, with its time in a corner unless that is empty. Null where there is no OpenGL.
+    QImage picture(const QString& clock = {});
     /// Null until there is one.
     const std::shared_ptr<const PreviewFabric>& shown() const { return fabric_; }
     /// nullptr where there is no OpenGL.

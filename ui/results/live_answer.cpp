@@ -57,12 +57,22 @@ std::shared_ptr<const Answer> answerTo(const Design& design, Fidelity fidelity, 
     options.threads = 1;
     MetricsCollector collector;
     std::shared_ptr<const Frame> first, last;
+    std::optional<RunRecord> record;
+    std::optional<Frame> start; // of the maps
+    double most = 0;
     RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& run) { collector.start(run); };
+    callbacks.started = [&](const RunRecord& run) {
+        collector.start(run);
+        record = run;
+    };
     callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) {
         collector.add(*frame);
-        if (!first) { first = frame; }
+        if (!first) {
+            first = frame;
+            start = start_of_maps(*record, *first);
+        }
         last = frame;
+        most = std::max(most, mostOnFaces(record->textile, *frame, *start, cells_across));
     };
     callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
     const auto backend = make_backend("cpu");
@@ -71,6 +81,7 @@ std::shared_ptr<const Answer> answerTo(const Design& design, Fidelity fidelity, 
         run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, *backend, control, callbacks));
     answer->top = faceMap(*answer->run, *last, *first, MapSide::top, cells_across);
     answer->bottom = faceMap(*answer->run, *last, *first, MapSide::bottom, cells_across);
+    answer->most = most;
     answer->numbers = resultsOf(*answer->run, collector.metrics());
     answer->simulated = design.experiments[0].duration_s;
     answer->duration = duration;

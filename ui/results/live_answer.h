@@ -14,6 +14,7 @@ namespace hygroloom {
 struct Answer {
     std::shared_ptr<const RunRecord> run; ///< with its plan
     FaceMap top, bottom;
+    double most = 0;             ///< mostOnFaces() of all its frames, kg/m2
     std::vector<Result> numbers; ///< those by which fabrics are compared come first
     double simulated = 0;        ///< s
     double duration = 0;         ///< s, of the whole experiment

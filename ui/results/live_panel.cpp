@@ -2,6 +2,7 @@
 #include "ui/results/live_panel.h"
 
 #include "core/base/text.h"
+#include "ui/basics/elided_label.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/document/document.h"
@@ -76,8 +77,8 @@ void LivePanel::build()
     numbers_->setVerticalSpacing(2);
     numbers_->setColumnStretch(0, 1);
     for (int row = 0; row < leading_numbers; ++row) {
-        auto* name = new QLabel;
-        name->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        auto* name = new ElidedLabel;
+        name->setElideMode(Qt::ElideRight);
         auto* value = new QLabel;
         value->setAlignment(Qt::AlignRight);
         numbers_->addWidget(name, row, 0);
@@ -100,6 +101,25 @@ void LivePanel::build()
 }
 
 QString LivePanel::status() const { return status_->text(); }
+
+void LivePanel::say(const QString& sentence)
+{
+    status_->setText(sentence);
+    keepStatusWhole();
+}
+
+/// A dock asks for no height that depends on the width: without room of its own the sentence would lose its last line.
+void LivePanel::keepStatusWhole()
+{
+    const int room = width() - 16;                                                           // within the margins
+    if (room > 0) { status_->setMinimumHeight(std::max(0, status_->heightForWidth(room))); } // less than 0 while there is no text
+}
+
+void LivePanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    keepStatusWhole();
+}
 
 void LivePanel::setWaterColors(WaterColors colors)
 {
@@ -136,27 +156,27 @@ void LivePanel::askFiner()
     if (!cut && !refine_->isChecked()) { return; }
     const Fidelity next = cut ? Fidelity::live : live ? Fidelity::draft : Fidelity::standard;
     live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex(), next, true);
-    status_->setText(status_->text() + " " +
-                     (cut    ? tr("The whole follows.")
-                      : live ? tr("Draft is being computed.")
-                             : tr("Standard is being computed.")));
+    say(status_->text() + " " +
+        (cut    ? tr("The whole follows.")
+         : live ? tr("Draft is being computed.")
+                : tr("Standard is being computed.")));
 }
 
 void LivePanel::take(const std::shared_ptr<const Answer>& answer)
 {
     shown_ = answer;
-    const double most = roundedUp(std::max(1000 * answer->top.cells.maximum(), 0.1)) / 1000;
-    if (most > range_ || most < 0.4 * range_) { range_ = most; } // it stays while it serves, so that maps can be told apart
-    map_->setRange(range_, colors_);
+    // As of the maps in Simulate, so that the same water has the same colour in both. Of dry cloth there is no scale.
+    range_ = answer->most > 0 ? roundedUp(answer->most) : 0;
+    map_->setRange(range_ > 0 ? range_ : 1, colors_);
     map_->setMap(answer->top.cells, answer->top.stain, answer->top.size);
     showNumbers(answer->numbers);
     const QString name = QString::fromStdString(answer->run->experiment);
     const bool whole = answer->simulated >= answer->duration;
-    status_->setText(tr("%1: %2, %3; %4.")
-                         .arg(fidelityName(answer->run->plan.fidelity), name,
-                              whole ? tr("after %1").arg(secondsText(answer->simulated))
-                                    : tr("after %1 of %2").arg(secondsText(answer->simulated), secondsText(answer->duration)),
-                              expectedError(answer->run->plan)));
+    say(tr("%1: %2, %3; %4.")
+            .arg(fidelityName(answer->run->plan.fidelity), name,
+                 whole ? tr("after %1").arg(secondsText(answer->simulated))
+                       : tr("after %1 of %2").arg(secondsText(answer->simulated), secondsText(answer->duration)),
+                 expectedError(answer->run->plan)));
     if (!whole) {
         pause_.start(short_pause_ms); // numbers of the whole can be told apart from those after another edit
     } else if (refine_->isChecked() && answer->run->plan.fidelity != Fidelity::standard) {
@@ -175,9 +195,10 @@ void LivePanel::showNumbers(const std::vector<Result>& numbers)
                               : numbers[at].bottom.isEmpty() || numbers[at].bottom == numbers[at].value
                                   ? numbers[at].value
                                   : tr("%1 / %2").arg(numbers[at].value, numbers[at].bottom);
-        static_cast<QLabel*>(numbers_->itemAtPosition(row, 0)->widget())->setText(is ? numbers[at].name : QString());
+        static_cast<ElidedLabel*>(numbers_->itemAtPosition(row, 0)->widget())->setFullText(is ? numbers[at].name : QString());
         static_cast<QLabel*>(numbers_->itemAtPosition(row, 1)->widget())->setText(value);
     }
+    layout()->activate(); // with room for the values at once: names give way
 }
 
 /// Nothing is shown of a cloth that is not computed.
@@ -189,7 +210,7 @@ void LivePanel::refuse(const QString& sentence)
     showNumbers({});
     range_ = 0;
     update();
-    status_->setText(sentence);
+    say(sentence);
     Q_EMIT changed();
 }
 

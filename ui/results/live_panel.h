@@ -26,6 +26,8 @@ public:
     /// To the design as it is; nullptr where there is none.
     const std::shared_ptr<const Answer>& answer() const { return shown_; }
     QString status() const;
+    /// Where the colours end, kg/m2.
+    double range() const { return range_; }
     void setWaterColors(WaterColors colors);
 
 Q_SIGNALS:
@@ -35,10 +37,13 @@ protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     QSize sizeHint() const override { return {310, 300}; }
 
 private:
     void build();
+    void say(const QString& sentence);
+    void keepStatusWhole();
     void ask();
     void askFiner();
     void take(const std::shared_ptr<const Answer>& answer);

@@ -7,6 +7,8 @@
 #include "core/run/plan_run.h"
 #include "gpu/backends.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/elided_combo.h"
+#include "ui/basics/elided_label.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/device_choice.h"
 #include "ui/results/plan_dialog.h"
@@ -38,7 +40,7 @@ int widthOf(QPushButton* button, const QString& text)
 } // namespace
 
 SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget* parent)
-    : QWidget(parent), document_(document), run_(run), fidelities_(new QButtonGroup(this)), device_(new QComboBox),
+    : QWidget(parent), document_(document), run_(run), fidelities_(new QButtonGroup(this)), device_(new ElidedCombo),
       start_(new QPushButton(themedIcon("run"), tr("Run"))), pause_(new QPushButton(themedIcon("pause"), tr("Pause"))),
       stop_(new QPushButton(themedIcon("stop"), tr("Stop"))),
       why_(new QPushButton(themedIcon("plan"), tr("What will be modelled, and why…"))), bar_(new QProgressBar), state_(new QLabel)
@@ -106,12 +108,15 @@ void SimulationPanel::addFidelities()
         auto* button = new QRadioButton(fidelityName(all_fidelities[i]));
         button->setAccessibleName(tr("Fidelity: %1").arg(button->text()));
         fidelities_->addButton(button, static_cast<int>(i));
-        expected_[i] = new QLabel;
+        auto* expected = new ElidedLabel;
+        expected->setElideMode(Qt::ElideRight);
+        expected_[i] = expected;
         expected_[i]->setForegroundRole(QPalette::PlaceholderText);
         expected_[i]->setAccessibleName(tr("Expected for %1").arg(button->text()));
         expected_[i]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        // What is expected comes late, and must not widen the panel then: room for it is kept.
-        expected_[i]->setMinimumWidth(expected_[i]->fontMetrics().horizontalAdvance(tr("about 4 min, 38 MB, error ≈ 14 %")));
+        // What is expected comes late, and must not widen the panel then: room for it is kept, also for longer numbers.
+        const QString longest = tr("about 4 min, 38 MB, error ≈ 14 %") + QStringLiteral("000");
+        expected_[i]->setMinimumWidth(expected_[i]->fontMetrics().horizontalAdvance(longest));
         expected_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
         grid->addWidget(button, static_cast<int>(i), 0);
         grid->addWidget(expected_[i], static_cast<int>(i), 1);

@@ -45,6 +45,12 @@ FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, Ma
     return made;
 }
 
+double mostOnFaces(const Textile& textile, const Frame& frame, const Frame& start, int crossings_per_cell)
+{
+    return std::max(cell_map(textile, frame, start, MapSide::top, crossings_per_cell).maximum(),
+                    cell_map(textile, frame, start, MapSide::bottom, crossings_per_cell).maximum());
+}
+
 WaterMap::WaterMap(const QString& title, QWidget* parent) : QWidget(parent), title_(title)
 {
     setMouseTracking(true);

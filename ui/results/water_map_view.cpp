@@ -158,9 +158,7 @@ void WaterMapView::refresh()
         // Cloth that is wet at the start sets the scale, whatever time is shown first.
         double atStart = 0;
         if (shown == ShownQuantity::water && experiment && starts_wet(experiment->type)) {
-            for (MapSide side : {MapSide::top, MapSide::bottom}) {
-                atStart = std::max(atStart, cell_map(run->textile, *first, start, side, cells).maximum());
-            }
+            atStart = mostOnFaces(run->textile, *first, start, cells);
         }
         turn.deliver([this, of, cells, shown, atStart, top, bottom, values = range_of_values(*frame, shown)] {
             if (of != playback_.generation() || cells != cells_->value() || shown != quantity()) { return; }
@@ -188,9 +186,7 @@ void WaterMapView::scan()
                 const ValueRange range = range_of_values(frame, shown);
                 values = values ? united(*values, range) : range;
                 if (shown != ShownQuantity::water) { return !turn.outdated(); }
-                for (MapSide side : {MapSide::top, MapSide::bottom}) {
-                    most = std::max(most, cell_map(run->textile, frame, start, side, cells).maximum());
-                }
+                most = std::max(most, mostOnFaces(run->textile, frame, start, cells));
                 return !turn.outdated();
             });
             turn.deliver([this, of, cells, shown, most, values] {

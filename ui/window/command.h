@@ -18,4 +18,13 @@ inline QAction* addCommand(QMenu* menu, const QString& icon, const QString& text
     return action;
 }
 
+/// Whether a command can be chosen now; why_not: the sentence that says why it cannot, else empty. tip: as of addCommand().
+inline void offerCommand(QAction* action, bool can, const QString& tip, const QString& why_not)
+{
+    const QString why = can ? QString() : why_not;
+    action->setEnabled(can);
+    action->setStatusTip(why.isEmpty() ? tip : why);
+    action->setToolTip(why.isEmpty() ? QString() : "<p>" + why.toHtmlEscaped() + "</p>"); // else its text, and in menus none
+}
+
 } // namespace hygroloom

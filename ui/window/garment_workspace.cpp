@@ -72,11 +72,11 @@ void GarmentWorkspace::fillMenu(QMenu* menu)
     }
     connect(addCommand(menu, {}, tr("Add Garment from a &File…"), {}, tr("Add a sewing pattern, or a mesh with flat coordinates.")),
             &QAction::triggered, garment_, &GarmentPanel::addFile);
-    connect(addCommand(menu, "delete", tr("Remove &Garment"), {}, tr("Remove the chosen garment and its experiments.")),
-            &QAction::triggered, garment_, &GarmentPanel::removeChosen);
+    remove_ = addCommand(menu, "delete", tr("Remove &Garment"), {}, {});
+    connect(remove_, &QAction::triggered, garment_, &GarmentPanel::removeChosen);
     menu->addSeparator();
-    actions_.start =
-        addCommand(menu, "run", tr("&Run the Wear Experiment"), QKeySequence("Ctrl+R"), tr("Run the experiment on this garment."));
+    menu->setToolTipsVisible(true); // why a command cannot be chosen
+    actions_.start = addCommand(menu, "run", tr("&Run the Wear Experiment"), QKeySequence("Ctrl+R"), {});
     connect(actions_.start, &QAction::triggered, this, [this] {
         commitTypedValue(window_);
         form_->start();
@@ -124,7 +124,11 @@ void GarmentWorkspace::refreshActions()
 {
     if (!actions_.start) { return; }
     const bool running = run_.running(), any = playback_.frame() != nullptr;
-    actions_.start->setEnabled(form_->canRun());
+    QString why_not;
+    const bool can = form_->canRun(&why_not);
+    offerCommand(actions_.start, can, tr("Run the experiment on this garment."), why_not);
+    offerCommand(remove_, choice_.garment() != nullptr, tr("Remove the chosen garment and its experiments."),
+                 tr("There is no garment to remove."));
     actions_.pause->setEnabled(run_.computing());
     actions_.pause->setText(run_.paused() ? tr("Resume the Wear Ex&periment") : tr("&Pause the Wear Experiment"));
     actions_.pause->setIcon(themedIcon(run_.paused() ? "run" : "pause"));

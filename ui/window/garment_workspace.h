@@ -133,6 +133,7 @@ private:
     GarmentView* view_;
     Docks docks_;
     Actions actions_;
+    QAction* remove_ = nullptr;
     QAction* open_ = nullptr;
     QAction* save_run_ = nullptr;
     QAction* save_a_ = nullptr;

@@ -129,6 +129,8 @@ private:
     /// Waits until runs have been copied to their project. False when the user does not wait.
     bool copiesAreDone();
     bool agreesToStopExport();
+    bool agreesToEndFilms();
+    void endFilms();
     void stopExport();
 
     Document document_;
@@ -146,7 +148,8 @@ private:
     QByteArray first_states_[5];
     int water_colors_ = 0; ///< that are shown
     bool asking_room_ = false;
-    bool closing_ = false; ///< a question is open, or an export is ending
+    bool closing_ = false;    ///< a question is open, or an export is ending
+    bool keeps_film_ = false; ///< as the user said when asked
 
     Viewport* viewport_ = nullptr;
     QStackedWidget* middle_ = nullptr; ///< the fabric with its maps, runs side by side, a garment, or a study

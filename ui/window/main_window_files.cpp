@@ -8,6 +8,7 @@
 #include "ui/document/run_folder.h"
 #include "ui/export/export_dialog.h"
 #include "ui/garment/garment_view.h"
+#include "ui/lesson/lesson_window.h"
 #include "ui/panels/candidates_panel.h"
 #include "ui/study/study_page.h"
 #include "ui/weave/import_dialog.h"
@@ -16,6 +17,7 @@
 #include "ui/window/file_names.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recent_files.h"
+#include "ui/window/run_film.h"
 
 #include <QCloseEvent>
 #include <QDir>
@@ -335,6 +337,37 @@ void MainWindow::stopExport()
     end.exec(QEventLoop::ExcludeUserInputEvents);
 }
 
+/// Of a run, or of a lesson: one at a time can be waited for by its dialog.
+bool MainWindow::agreesToEndFilms()
+{
+    keeps_film_ = true;
+    const bool of_lesson = lesson_ && lesson_->filming();
+    if (!of_lesson && !findChild<RunFilm*>()) { return true; }
+    const Question question{tr("A film is being written"),
+                            tr("Finish the film before Hygroloom closes?"),
+                            tr("Without that, what was filmed is lost."),
+                            {{Reply::save, tr("&Finish the Film")}, {Reply::lose, tr("&Leave without It")}, {Reply::cancel, tr("Cancel")}},
+                            Reply::save};
+    const Reply answer = ask(of_lesson ? static_cast<QWidget*>(lesson_) : this, question);
+    keeps_film_ = answer != Reply::lose;
+    return answer == Reply::save || answer == Reply::lose;
+}
+
+/// What it waits for shows its progress, and can be cancelled.
+void MainWindow::endFilms()
+{
+    for (RunFilm* film : findChildren<RunFilm*>()) { // they may have ended while questions were open
+        if (keeps_film_) {
+            QEventLoop end;
+            connect(film, &QObject::destroyed, &end, &QEventLoop::quit);
+            end.exec();
+        } else {
+            film->leave();
+        }
+    }
+    if (lesson_) { lesson_->leaveFilm(keeps_film_); }
+}
+
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     if (closing_) {
@@ -342,11 +375,12 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     const QScopedValueRollback asking(closing_, true);
-    if (!agreesToLeave() || !agreesToStopExport()) {
+    if (!agreesToLeave() || !agreesToStopExport() || !agreesToEndFilms()) {
         compare_->project().stay();
         event->ignore();
         return;
     }
+    endFilms();
     stopExport();
     simulate_->stopRun();
     garment_->stopRun();

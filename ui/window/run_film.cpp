@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/window/run_film.h"
 
+#include "ui/basics/quantity.h"
 #include "ui/results/playback.h"
 
 #include <utility>
@@ -13,7 +14,7 @@ constexpr int look_again_ms = 10;
 
 } // namespace
 
-RunFilm::RunFilm(Playback& playback, std::function<QImage()> picture, const QString& stem, QWidget* window)
+RunFilm::RunFilm(Playback& playback, std::function<QImage(const QString& clock)> picture, const QString& stem, QWidget* window)
     : QObject(window), playback_(playback), picture_(std::move(picture)), film_(stem),
       progress_(tr("Saving pictures of the run"), tr("&Cancel"), 0, playback.frames(), window), generation_(playback.generation()),
       before_(playback.current())
@@ -25,11 +26,7 @@ RunFilm::RunFilm(Playback& playback, std::function<QImage()> picture, const QStr
     progress_.setMinimumDuration(0);
     timer_.setInterval(look_again_ms);
     connect(&timer_, &QTimer::timeout, this, &RunFilm::step);
-    connect(&progress_, &QProgressDialog::canceled, this, [this] {
-        film_.cancel();
-        Q_EMIT saved(tr("Cancelled after %1 of %2 pictures.").arg(film_.pictures()).arg(playback_.frames()));
-        end();
-    });
+    connect(&progress_, &QProgressDialog::canceled, this, &RunFilm::leave);
     connect(&film_, &Film::finished, this, [this](const QString& sentence) {
         Q_EMIT saved(sentence);
         end();
@@ -49,6 +46,13 @@ void RunFilm::savePictures(const QString& folder)
 void RunFilm::saveMovie(const QString& path)
 {
     if (film_.startMovie(path)) { start(); }
+}
+
+void RunFilm::leave()
+{
+    film_.cancel();
+    Q_EMIT saved(tr("Cancelled after %1 of %2 pictures.").arg(film_.pictures()).arg(playback_.frames()));
+    end();
 }
 
 void RunFilm::start()
@@ -78,7 +82,7 @@ void RunFilm::step()
         return;
     }
     if (!playback_.frame() || playback_.frame()->time != playback_.timeOf(next_)) { return; }
-    film_.add(picture_());
+    film_.add(picture_(momentText(playback_.frame()->time, playback_.duration())));
     ++next_;
     asked_ = false;
     progress_.setMaximum(playback_.frames());

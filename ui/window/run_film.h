@@ -17,11 +17,13 @@ class Playback;
 class RunFilm : public QObject {
     Q_OBJECT
 public:
-    /// picture: of the frame that the playback shows. stem: of the pictures' names.
-    RunFilm(Playback& playback, std::function<QImage()> picture, const QString& stem, QWidget* window);
+    /// picture: of the frame that the playback shows, with its time in a corner. stem: of the pictures' names.
+    RunFilm(Playback& playback, std::function<QImage(const QString& clock)> picture, const QString& stem, QWidget* window);
 
     void savePictures(const QString& folder);
     void saveMovie(const QString& path);
+    /// Ends it as Cancel does.
+    void leave();
 
 Q_SIGNALS:
     /// A sentence: what was saved, or how far it came.
@@ -34,7 +36,7 @@ private:
     void end();
 
     Playback& playback_;
-    std::function<QImage()> picture_;
+    std::function<QImage(const QString& clock)> picture_;
     Film film_;
     QProgressDialog progress_;
     QTimer timer_;

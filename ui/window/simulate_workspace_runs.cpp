@@ -228,7 +228,7 @@ RunFilm* SimulateWorkspace::makeFilm()
 {
     Q_EMIT wanted(); // what is filmed is on screen
     auto* film = new RunFilm(
-        playback_, [this] { return viewport_.picture(); }, film_stem, &window_);
+        playback_, [this](const QString& clock) { return viewport_.picture(clock); }, film_stem, &window_);
     connect(film, &RunFilm::saved, this, [this](const QString& sentence) { Q_EMIT messageShown(sentence, 8000); });
     connect(film, &RunFilm::failed, this, &SimulateWorkspace::problemFound);
     return film;
