@@ -21,9 +21,11 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
+#include <QTextDocumentFragment>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
@@ -145,7 +147,8 @@ QStringList originInFull(const RunRecord& run, bool live)
 }
 
 ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
-    : QScrollArea(parent), playback_(playback), table_(new QWidget), grid_(new QGridLayout(table_)), notes_(new QLabel), origin_(new QLabel)
+    : QScrollArea(parent), playback_(playback), table_(new QWidget), grid_(new QGridLayout(table_)), notes_(new QLabel), kept_(new QLabel),
+      origin_(new QLabel)
 {
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setHorizontalSpacing(8);
@@ -155,6 +158,11 @@ ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     notes_->setTextFormat(Qt::PlainText);
     notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     notes_->setAccessibleName(tr("About the results"));
+    kept_->setWordWrap(true);
+    kept_->setTextFormat(Qt::RichText);
+    kept_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    kept_->setAccessibleName(tr("Runs that are kept"));
+    connect(kept_, &QLabel::linkActivated, this, &ResultsPanel::newestRequested);
     origin_->setWordWrap(true);
     origin_->setForegroundRole(QPalette::PlaceholderText);
     origin_->setTextFormat(Qt::RichText);
@@ -167,6 +175,7 @@ ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     layout->setContentsMargins(8, 4, 8, 8);
     layout->addWidget(origin_);
     layout->addWidget(notes_);
+    layout->addWidget(kept_);
     layout->addWidget(table_);
     layout->addStretch();
     setWidget(content);
@@ -196,9 +205,12 @@ void ResultsPanel::refresh()
             results.insert(results.begin(),
                            {QString(), grades ? tr("top (grade)") : tr("top"), grades ? tr("bottom (grade)") : tr("bottom")});
         }
-    } else {
-        notes << (playback_.run() ? tr("No results yet.") : tr("Run the experiment to see its results here."));
+    } else if (playback_.run()) {
+        notes << tr("No results yet.");
+    } else if (kept_runs_ == 0) {
+        notes << tr("Run the experiment to see its results here.");
     }
+    showKept();
     while (rows_.size() < results.size()) {
         const int row = static_cast<int>(rows_.size());
         std::array<QLabel*, 3> labels{new QLabel, new QLabel, new QLabel};
@@ -240,6 +252,23 @@ void ResultsPanel::refresh()
     notes_->setVisible(!notes.isEmpty());
 }
 
+void ResultsPanel::setKept(int runs)
+{
+    if (std::exchange(kept_runs_, runs) != runs) { refresh(); }
+}
+
+void ResultsPanel::showKept()
+{
+    const bool any_kept = !playback_.run() && kept_runs_ > 0;
+    kept_->setVisible(any_kept);
+    kept_->setText(!any_kept ? QString()
+                   : kept_runs_ == 1
+                       ? tr("1 run is kept. <a href='newest'>Open it</a>, or run the experiment.")
+                       : tr("%1 runs are kept. <a href='newest'>Open the newest</a>, choose one in Compare under All Runs, or "
+                            "run the experiment.")
+                             .arg(kept_runs_));
+}
+
 QString ResultsPanel::report() const
 {
     const auto run = playback_.run();
@@ -271,7 +300,7 @@ QString ResultsPanel::text() const
         }
     }
     if (playback_.run()) { lines << originInFull(*playback_.run(), playback_.live()); }
-    return (lines << notes_->text()).join('\n').trimmed();
+    return (lines << notes_->text() << QTextDocumentFragment::fromHtml(kept_->text()).toPlainText()).join('\n').trimmed();
 }
 
 } // namespace hygroloom
