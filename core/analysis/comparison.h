@@ -81,9 +81,13 @@ std::vector<double> places_of_pair(const Candidate& candidate, const Candidate& 
 /// none: both have the number, or neither, or one of their runs failed or is missing.
 std::optional<LoneNumber> lone_number(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates);
 
-/// Intervals, ranks and verdicts from the runs that there are. A candidate's rank is one more than the number of candidates that are better
-/// or probably better; the order is by rank, then by number; those without the number come after them, those that failed last.
+/// Intervals, ranks and verdicts from the runs that there are. A candidate stands before another where fewer are better or probably better
+/// than it; its rank is one more than the number of candidates before it, so that of three that share the first the next is the fourth.
+/// The order is by rank, then by number; those without the number come after them, those that failed last.
 void judge(Comparison& comparison);
+
+/// "2", or "2=" where others share the rank; empty: it has none.
+std::string rank_text(const Candidate& candidate);
 
 /// nullptr: there is none.
 const Compared* verdict_of(const Comparison& comparison, const std::string& fabric, const std::string& metric);

@@ -64,7 +64,7 @@ std::string numbers_table(const Comparison& comparison)
     units.push_back("s");
     std::vector<Row> rows{titles, units};
     for (const Candidate& c : comparison.candidates) {
-        const std::string rank = c.rank > 0 ? std::to_string(c.rank) + (c.tied ? "=" : " ") : "- ";
+        const std::string rank = c.rank == 0 ? "- " : rank_text(c) + (c.tied ? "" : " ");
         const std::string name = fmt::format("{:>3} {}", rank, c.fabric);
         if (!c.failure.empty()) {
             rows.push_back({name, c.failure});

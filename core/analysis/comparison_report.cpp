@@ -23,11 +23,6 @@ const Experiment* experiment_of(const Candidate& candidate)
     return candidate.run ? find_experiment(candidate.run->design, candidate.run->experiment) : nullptr;
 }
 
-std::string rank_of(const Candidate& candidate)
-{
-    return candidate.rank == 0 ? "–" : std::to_string(candidate.rank) + (candidate.tied ? " =" : "");
-}
-
 std::string question(const Comparison& comparison)
 {
     const bool more = comparison.ranked_by.better == Better::more;
@@ -63,7 +58,8 @@ std::string results(const Comparison& comparison, const ReaderUnits& units)
     }
     rows += "</tr>\n";
     for (const Candidate& candidate : comparison.candidates) {
-        rows += fmt::format("<tr><td>{}</td><th>{}</th>", rank_of(candidate), escaped_markup(candidate.fabric));
+        rows +=
+            fmt::format("<tr><td>{}</td><th>{}</th>", candidate.rank == 0 ? "–" : rank_text(candidate), escaped_markup(candidate.fabric));
         if (!candidate.failure.empty())
             rows += fmt::format("<td colspan=\"{}\">{}</td>", comparison.criteria.size(), escaped_markup(candidate.failure));
         else

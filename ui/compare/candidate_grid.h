@@ -39,7 +39,7 @@ struct GridCell {
 
 struct GridRow {
     std::string name;
-    QString rank; ///< "1", "2 ="; empty: none
+    QString rank; ///< "1", "2="; empty: none
     int place = 0;
     bool baseline = false;
     bool candidate = true; ///< a fabric of the project
