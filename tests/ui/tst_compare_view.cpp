@@ -34,6 +34,10 @@ private Q_SLOTS:
         design.fabrics[0].contact_angle_deg = 55;
         design.fabrics[0].warp.packing_factor = design.fabrics[0].weft.packing_factor = 0.6;
         thin_ = ran(design, "thin");
+        Design open = design;
+        open.fabrics[0].name = "open";
+        open.fabrics[0].ends_per_cm *= 0.8;
+        open_ = ran(open, "open");
         design.experiments[0].climate.temperature_c = 35;
         hot_ = ran(design, "hot");
         cut_short_ = thick_;
@@ -112,6 +116,36 @@ private Q_SLOTS:
         }));
         view.setBaseline(thin_.path);
         QTRY_VERIFY_WITH_TIMEOUT(view.maps().size() == 2 && view.maps()[0]->isVisible() && !view.maps()[1]->isVisible(), 10000);
+    }
+
+    void anEmptyDifferenceSaysOnlyWhyItIsEmpty()
+    {
+        Workplace place;
+        CompareView& view = place.view;
+        view.resize(900, 700);
+        view.show();
+        place.history.keep(thick_);
+        place.history.keep(open_);
+        QTRY_VERIFY_WITH_TIMEOUT(view.maps().size() == 2 && view.maps()[1]->map().maximum() > 0, 10000);
+        QSignalSpy mapped(&view, &CompareView::mapsChanged);
+        auto* maps = view.findChild<CompareMaps*>();
+        maps->show(CompareMaps::Shown::differences);
+        QTRY_VERIFY_WITH_TIMEOUT(mapped.count() > 0, 10000);
+        const auto said = [maps] {
+            QStringList texts;
+            for (const QLabel* label : maps->findChildren<QLabel*>()) { texts << (label->isVisible() ? label->text() : QString()); }
+            return texts.join('\n');
+        };
+        QVERIFY2(said().contains("There is no difference map of open: its setts differ from the baseline’s"), qPrintable(said()));
+        QVERIFY2(!said().contains("error") && !said().contains("Water less that"), qPrintable(said()));
+        // Beside one that there is, whose error the table knows.
+        const QString knows = view.table()->cellText(rowOf(view, open_.run->fabric), 0);
+        QVERIFY2(knows.contains(QChar(0x00b1)), qPrintable(knows));
+        mapped.clear();
+        place.history.keep(thin_);
+        QTRY_VERIFY_WITH_TIMEOUT(mapped.count() > 0, 10000);
+        QVERIFY2(said().contains("There is no difference map of open") && said().contains("% of the wetter one"), qPrintable(said()));
+        QVERIFY2(!said().contains("not known"), qPrintable(said()));
     }
 
     void theNewestRunsThatGoTogetherAreProposed()
@@ -254,7 +288,7 @@ private:
     }
 
     QTemporaryDir folder_;
-    KeptRun thick_, thin_, hot_, cut_short_;
+    KeptRun thick_, thin_, open_, hot_, cut_short_;
 };
 
 QTEST_MAIN(TestCompareView)
