@@ -24,6 +24,9 @@ private Q_SLOTS:
     void initTestCase()
     {
         QLocale::setDefault(QLocale::c());
+        qputenv("XDG_DATA_HOME", folder_.path().toUtf8()); // unsaved work
+        three_ = read_project(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/three-candidates.hygro");
+        three_.experiments.resize(1);
         Design design = read_project(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/one-drop-on-cotton.hygro");
         Experiment& drop = design.experiments[0];
         drop.duration_s = 0.2;
@@ -159,6 +162,43 @@ private Q_SLOTS:
         QCOMPARE(view.chosen(), QStringList{thick_.path}); // from now on it is the user who chooses
     }
 
+    void anExperimentThatIsChangedStaysOnScreen()
+    {
+        const QString path = folder_.filePath("changed.hygro");
+        write_project(three_, path.toStdString());
+        Workplace place;
+        QVERIFY(place.document.open(path));
+        CompareView& view = place.view;
+        view.resize(900, 700);
+        view.show();
+        for (const std::size_t fabric : {std::size_t{0}, std::size_t{1}}) {
+            KeptRun run = runOf(three_, fabric, Fidelity::draft, 3.0 + static_cast<double>(fabric));
+            run.own = true;
+            place.history.keep(run);
+        }
+        QCOMPARE(view.chosen().size(), 2);
+        QCOMPARE(view.bar()->experiment(), 1);
+        place.document.edit("longer", {}, [](Design& design) { design.experiments[0].duration_s += 1; });
+        QCOMPARE(view.bar()->experiment(), 1); // not the runs as they were
+        QCOMPARE(view.comparison().experiment, three_.experiments[0].name);
+        QVERIFY(view.chosen().isEmpty());
+        QCOMPARE(view.table()->cellText(rowOf(view, three_.fabrics[0].name), 0), QString("outdated"));
+        QCOMPARE(view.table()->cellText(rowOf(view, three_.fabrics[2].name), 0), QString("not run"));
+        const auto labels = view.findChildren<QLabel*>();
+        const QString names = QString::fromStdString(three_.fabrics[0].name + ", " + three_.fabrics[1].name);
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+            return label->isVisible() && label->text().contains("Outdated, as the design has changed since they were run: " + names + ".");
+        }));
+        place.document.edit("another name", {}, [](Design& design) { design.experiments[0].name = "renamed"; });
+        QCOMPARE(view.bar()->experiment(), 1);
+        for (int i = 0; i < 2; ++i) { place.document.history()->undo(); }
+        QCOMPARE(view.bar()->experiment(), 1);
+        QCOMPARE(view.chosen().size(), 2);
+        view.choose(view.chosen().first(), false); // the user's own choice
+        place.document.edit("longer", {}, [](Design& design) { design.experiments[0].duration_s += 1; });
+        QCOMPARE(view.bar()->experiment(), 1);
+    }
+
     void onlyRunsOfTheSameExperimentThatEndedAreTaken()
     {
         Workplace place;
@@ -289,6 +329,7 @@ private:
 
     QTemporaryDir folder_;
     KeptRun thick_, thin_, open_, hot_, cut_short_;
+    Design three_;
 };
 
 QTEST_MAIN(TestCompareView)

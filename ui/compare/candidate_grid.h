@@ -34,7 +34,8 @@ struct GridCell {
     double low = 0, value = 0, high = 0; ///< in the shown unit
     QString path;                        ///< of the run behind it
     std::vector<StudyJob> missing;
-    bool failed = false; ///< the last run of what is missing; the tip says why
+    bool failed = false;   ///< the last run of what is missing; the tip says why
+    bool outdated = false; ///< what is missing was run, on an older design
 };
 
 struct GridRow {

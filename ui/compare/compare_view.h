@@ -74,10 +74,14 @@ private:
         Design conditions; ///< see conditionsOf()
     };
     void connectParts();
+    void connectBar();
     void refresh();
     void findEntries();
     void propose();
+    void dropOutdated();
     int entryOf(const KeptRun& run) const;
+    int homeOf(const KeptRun& run) const;
+    bool isOnScreen(const KeptRun& run) const;
     const Entry* entry() const { return selected_ < 0 ? nullptr : &entries_[static_cast<std::size_t>(selected_)]; }
     StudyChoice choiceOf(const Entry& entry) const;
     std::vector<StudyRow> rowsOf(const Entry& entry) const;
@@ -88,6 +92,9 @@ private:
     void refreshTable();
     Grid overview();
     void markMissing(Grid& grid) const;
+    /// Whether it was run, on an older design.
+    bool isOutdated(const std::string& fabric, const std::string& experiment) const;
+    QString outdatedText() const;
     void refreshMissing();
     void refreshLower();
     void refreshHint();
