@@ -6,6 +6,7 @@
 #include "core/run/runner.h"
 #include "gpu/backends.h"
 #include "ui/compare/compare_maps.h"
+#include "ui/document/run_folder.h"
 
 #include <QLabel>
 #include <QSignalSpy>
@@ -197,6 +198,43 @@ private Q_SLOTS:
         view.choose(view.chosen().first(), false); // the user's own choice
         place.document.edit("longer", {}, [](Design& design) { design.experiments[0].duration_s += 1; });
         QCOMPARE(view.bar()->experiment(), 1);
+    }
+
+    void theReplicatesThatAreKeptAreChosen()
+    {
+        const QString path = folder_.filePath("k/cloth.hygro");
+        QVERIFY(QDir().mkpath(runFolderOf(path)));
+        Design one = three_;
+        one.fabrics.resize(1);
+        write_project(one, path.toStdString());
+        QFile file(replicatesIn(runFolderOf(path)));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QVERIFY(file.write(QByteArray::fromStdString(format_replicates({setOf(one, 8), setOf(one, 4)}))) > 0);
+        file.close();
+        KeptRun run = runOf(one, 0, Fidelity::draft, 3);
+        run.own = true;
+        {
+            Workplace place;
+            QVERIFY(place.document.open(path));
+            place.view.show();
+            QCOMPARE(place.view.bar()->replicates(), 1); // the run of the project is missing
+            place.history.keep(run);
+            QCOMPARE(place.view.bar()->replicates(), 8);
+            QCOMPARE(place.view.comparison().replicates, 8);
+            QVERIFY(place.view.comparison().complete);
+            place.document.edit("an angle", {}, [](Design& design) { design.fabrics[0].contact_angle_deg = 50; });
+            QCOMPARE(place.view.bar()->replicates(), 8); // what is missing now is to be run again
+            place.document.history()->undo();
+            place.view.bar()->setReplicates(4);
+            place.history.setMarked(run.path, true);
+            QCOMPARE(place.view.bar()->replicates(), 4); // it is the user's from now on
+        }
+        Workplace place;
+        QVERIFY(place.document.open(path));
+        place.document.edit("two fabrics", {}, [this](Design& design) { design.fabrics.push_back(three_.fabrics[1]); });
+        place.view.show();
+        place.history.keep(run);
+        QCOMPARE(place.view.bar()->replicates(), 1); // of the other there is nothing
     }
 
     void onlyRunsOfTheSameExperimentThatEndedAreTaken()

@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
@@ -94,7 +95,9 @@ void CompareView::connectParts()
     connect(&history_, &RunHistory::changed, this, &CompareView::refresh);
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &CompareView::refresh);
     connect(&document_, &Document::replaced, this, [this] {
-        proposing_ = selecting_ = fidelity_follows_ = true;
+        proposing_ = selecting_ = fidelity_follows_ = replicates_follow_ = true;
+        replicates_of_.clear();
+        bar_->showReplicates(1);
         selected_ = -1;
         baseline_.clear();
         chosen_.clear();
@@ -117,7 +120,10 @@ void CompareView::connectBar()
         fidelity_follows_ = false;
         refresh();
     });
-    connect(bar_, &CompareBar::replicatesChosen, this, &CompareView::refresh);
+    connect(bar_, &CompareBar::replicatesChosen, this, [this] {
+        replicates_follow_ = false;
+        refresh();
+    });
     connect(bar_, &CompareBar::filterChanged, table_, &CandidateTable::setFilter);
     connect(bar_, &CompareBar::saveRequested, this, &CompareView::saveTable);
     connect(bar_, &CompareBar::reportRequested, this, &CompareView::saveReport);
@@ -289,12 +295,23 @@ void CompareView::dropOutdated()
     if (chosen_.isEmpty() && before > 0 && entry()) { proposing_ = true; }
 }
 
+/// As many as the kept results have, until the user chooses: an edit takes none away.
+void CompareView::followReplicates()
+{
+    const Entry* shown = entry();
+    if (!shown || !shown->own || document_.hasError()) { return; }
+    const int kept = keptReplicates(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(*shown), bar_->replicateChoices());
+    const bool another = std::exchange(replicates_of_, shown->name) != shown->name;
+    if (another || kept > bar_->replicates()) { bar_->showReplicates(kept); }
+}
+
 void CompareView::refresh()
 {
     soon_.stop();
     findEntries();
     dropOutdated();
     if (proposing_) { propose(); }
+    if (replicates_follow_) { followReplicates(); }
     QStringList names{tr("All experiments")};
     for (const Entry& each : entries_) {
         const QString name = QString::fromStdString(each.name);

@@ -79,6 +79,7 @@ private:
     void findEntries();
     void propose();
     void dropOutdated();
+    void followReplicates();
     int entryOf(const KeptRun& run) const;
     int homeOf(const KeptRun& run) const;
     bool isOnScreen(const KeptRun& run) const;
@@ -126,6 +127,8 @@ private:
     bool proposing_ = true;                                                               ///< until the user chooses
     bool selecting_ = true;                                                               ///< the same of the experiment
     bool fidelity_follows_ = true;                                                        ///< the same of the fidelity
+    bool replicates_follow_ = true;                                                       ///< the same of the replicates
+    std::string replicates_of_;                                                           ///< the experiment for which they were set
     std::map<std::pair<std::string, std::pair<std::string, Fidelity>>, double> expected_; ///< s, of a run of planned_
     std::shared_ptr<const Design> planned_;
     CompareBar* bar_;
