@@ -27,13 +27,20 @@ std::string row_of(const ReaderUnits& units, const std::string& name, double val
     return row(name, rounded_text(own.of(value), digits), own.unit);
 }
 
+/// Which of the stain's sizes is which.
+constexpr const char* sizes_of_stain = "The wetted radius is that of the smallest circle around all wet crossings of a face. The ellipse "
+                                       "of equal moments is the filled one that "
+                                       "spreads as widely as the wet crossings on top; single fingers count little in it.";
+
 std::string results(const RunRecord& run, const Metrics& metrics, const ReaderUnits& units)
 {
     std::string rows;
     std::vector<std::string> notes = metrics.notes;
+    bool ellipse = false;
     const std::map<std::string, Interval> intervals = numerical_intervals(run, metrics);
     for (const Outcome& outcome : outcomes_of(run, metrics)) {
         if (!is_shown(outcome)) continue;
+        ellipse = ellipse || outcome.key.starts_with("wetted_area_ellipse");
         const ShownValue value = shown(outcome, outcome.value.value_or(0));
         const auto found = intervals.find(outcome.key);
         const ReaderUnit own = reader_unit(units, value.unit);
@@ -45,6 +52,7 @@ std::string results(const RunRecord& run, const Metrics& metrics, const ReaderUn
         for (const std::string& note : {outcome.missing, outcome.remark})
             if (!note.empty()) notes.push_back(full_title(outcome) + ": " + note + ".");
     }
+    if (ellipse) notes.insert(notes.begin(), sizes_of_stain);
     const std::string assumed = metrics.assumed.empty() ? "" : "<p>Assumed of the tester:</p>\n" + list(metrics.assumed);
     const std::string about = "<p>After ±: the numerical error, as measured on runs of this kind.</p>\n";
     return table(rows) + (intervals.empty() ? "" : about) + list(notes) + assumed;

@@ -54,6 +54,21 @@ QString fullOf(const Outcome& outcome)
     return valueText(value.value, QString::fromStdString(value.unit), true);
 }
 
+/// The stain's sizes by which nobody should take one for the other; empty: its name says it.
+QString aboutOf(const Outcome& outcome)
+{
+    if (outcome.in_rings) { return {}; }
+    if (outcome.key.starts_with("maximum_wetted_radius")) {
+        return ResultsPanel::tr("Radius of the smallest circle around all wet crossings of the face: it reaches the outermost.");
+    }
+    if (outcome.key.starts_with("wetted_area_ellipse")) {
+        return ResultsPanel::tr(
+            "Half length of the filled ellipse that spreads as widely as the wet crossings on top (equal second moments). "
+            "Single fingers count little in it.");
+    }
+    return {};
+}
+
 /// The numbers by which fabrics are compared come first; top and bottom stand on one line.
 void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outcomes)
 {
@@ -72,7 +87,7 @@ void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outco
             lines.back().result.full_bottom = fullOf(outcome);
             lines.back().rank = std::min(lines.back().rank, rank);
         } else {
-            lines.push_back({{name, textOf(outcome), {}, fullOf(outcome)}, rank});
+            lines.push_back({{name, textOf(outcome), {}, fullOf(outcome), {}, aboutOf(outcome)}, rank});
         }
     }
     std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.rank < b.rank; });
@@ -220,11 +235,12 @@ void ResultsPanel::refresh()
             grid_->addWidget(labels[static_cast<std::size_t>(column)], row, column);
         }
         labels[0]->setForegroundRole(QPalette::PlaceholderText);
+        labels[0]->setWordWrap(true);
         rows_.push_back(labels);
     }
     for (std::size_t row = 0; row < rows_.size(); ++row) {
         const Result result = row < results.size() ? results[row] : Result{};
-        const QString texts[] = {result.name, result.value, result.bottom}, fulls[] = {{}, result.full, result.full_bottom};
+        const QString texts[] = {result.name, result.value, result.bottom}, fulls[] = {result.about, result.full, result.full_bottom};
         for (std::size_t column = 0; column < 3; ++column) {
             rows_[row][column]->setText(texts[column]);
             rows_[row][column]->setToolTip(fulls[column].isEmpty() ? QString() : "<p>" + fulls[column].toHtmlEscaped() + "</p>");

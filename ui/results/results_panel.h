@@ -17,6 +17,7 @@ struct Result {
     QString value;
     QString bottom = {};
     QString full = {}, full_bottom = {}; ///< the numbers as they were computed
+    QString about = {};                  ///< what is measured, where another number could be taken for it
 };
 
 /// The numbers of the run's type of experiment, then the water balance.
