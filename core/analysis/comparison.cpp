@@ -172,6 +172,7 @@ Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<con
     candidate.fabric = run->fabric;
     candidate.notes = metrics->notes;
     candidate.wall = run->wall;
+    candidate.timed = run->wall > 0 ? 1 : 0;
     ReplicateRun first;
     for (const Outcome& outcome : outcomes_of(*run, *metrics)) {
         if (!outcome.value) continue;
@@ -197,6 +198,7 @@ void add_replicate(Candidate& candidate, const Candidate& run, int number)
     const auto at = static_cast<std::size_t>(number);
     std::vector<std::optional<ReplicateRun>> replicates = std::move(candidate.replicates);
     const double wall = candidate.wall + run.wall;
+    const int timed = candidate.timed + run.timed;
     std::vector<std::string> notes = std::move(candidate.notes);
     if (number == 0) {
         candidate = run;
@@ -207,6 +209,7 @@ void add_replicate(Candidate& candidate, const Candidate& run, int number)
     candidate.fabric = run.fabric;
     candidate.notes = std::move(notes);
     candidate.wall = wall;
+    candidate.timed = timed;
     if (run.failure.empty()) candidate.unknowns = run.unknowns;
     candidate.replicates = std::move(replicates);
     candidate.replicates.resize(std::max(candidate.replicates.size(), at + 1));
@@ -276,6 +279,12 @@ std::vector<std::string> all_notes(const Comparison& comparison, const Candidate
                                     "sample changes their numbers.",
                                     at_edge, runs, first));
     return notes;
+}
+
+int runs_of(const Candidate& candidate)
+{
+    return static_cast<int>(std::count_if(candidate.replicates.begin(), candidate.replicates.end(),
+                                          [](const std::optional<ReplicateRun>& run) { return run.has_value(); }));
 }
 
 std::string rank_text(const Candidate& candidate)

@@ -226,17 +226,28 @@ std::string differences(const Comparison& comparison)
         for (const std::string& value : values) body += "<td>" + escaped_markup(value.empty() ? "–" : value) + "</td>";
         body += "</tr>\n";
     }
-    return any ? table(body) : "<p>Nothing: the descriptions are the same.</p>\n";
+    return any ? keys_of_project + table(body) : "<p>Nothing: the descriptions are the same.</p>\n";
+}
+
+/// Whose time it is.
+std::string time_words(const Candidate& candidate)
+{
+    const int runs = runs_of(candidate);
+    if (candidate.timed == 0) return "not known";
+    if (candidate.timed < runs)
+        return fmt::format("{:.3g} s for the run of the cloth as given; no times of its {} replicates are kept", candidate.wall, runs);
+    return candidate.timed == 1 ? fmt::format("{:.3g} s for 1 run", candidate.wall)
+                                : fmt::format("{:.3g} s for {} runs together", candidate.wall, candidate.timed);
 }
 
 std::string computation(const Comparison& comparison)
 {
-    std::string rows;
+    std::string rows = "<tr><th>fabric</th><th>fidelity and backend</th><th>device</th><th>computing time</th></tr>\n";
     std::vector<std::string> notes;
     for (const Candidate& candidate : comparison.candidates) {
         if (candidate.run)
             rows += row(candidate.fabric, fmt::format("{}, {}", name_of(candidate.run->plan.fidelity), candidate.run->backend),
-                        candidate.run->device, fmt::format("{:.3g} s for {} run(s)", candidate.wall, candidate.replicates.size()));
+                        candidate.run->device, time_words(candidate));
         for (const std::string& note : all_notes(comparison, candidate)) notes.push_back(candidate.fabric + ": " + note);
     }
     return table(rows) + list(notes) +

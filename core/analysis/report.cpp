@@ -133,6 +133,7 @@ std::string input(const RunRecord& run, const ReaderUnits& units)
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     if (!fabric || !experiment) return body;
     const Json project = json_from_design(with_what_was_used(run, *fabric, *experiment));
+    body += keys_of_project;
     constexpr std::pair<const char*, const char*> parts[] = {
         {"fabrics", "Fabric"}, {"materials", "Fibres"}, {"experiments", "Experiment"}, {"liquids", "Liquid"}};
     for (const auto& [key, name] : parts)
@@ -161,8 +162,10 @@ std::string knobs(const ModelPlan& plan)
     std::string rows;
     for (const KnobInfo& knob : knob_table()) {
         const double value = plan.knobs.*knob.value;
+        const std::string meaning = knob.meaning; // its first part, before what is said of single values
         if (value != usual.*knob.value)
-            rows += row(knob.name, text_of(knob, value), fmt::format("(instead of {})", text_of(knob, usual.*knob.value)));
+            rows += row(meaning.substr(0, meaning.find(';')), text_of(knob, value),
+                        fmt::format("(instead of {})", text_of(knob, usual.*knob.value)));
     }
     return rows.empty() ? "" : "<p>Knobs that differ from this fidelity:</p>\n" + table(rows);
 }
@@ -173,7 +176,7 @@ std::string origin(const RunRecord& run, const Ledger& ledger, bool finished)
                        row("fabric", run.fabric, "") + row("experiment", run.experiment, "") + row("backend", run.backend, "") +
                        row("device", run.device, "") + row("fidelity", name_of(run.plan.fidelity), "") +
                        row("seed", std::to_string(run.seed), "");
-    if (finished) rows += row("run time", fmt::format("{:.4g}", run.wall), "s");
+    if (finished) rows += row("computing time", fmt::format("{:.4g}", run.wall), "s");
     rows += row("simulated time", fmt::format("{:.4g}", ledger.time), "s");
     if (run.plan.expected_error) rows += row("largest numerical error", rounded_text(100 * *run.plan.expected_error, 2), "%");
     if (!run.date.empty()) rows += row("started", run.date, "");

@@ -223,6 +223,38 @@ private Q_SLOTS:
             QCOMPARE(in_json[i].toObject()["tied"].toBool(), i < 3);
         }
     }
+    void theReportSaysWhoseTimeItIs()
+    {
+        Comparison c = of_drops({{"a", 3.0}, {"b", 9.0}});
+        for (Candidate& candidate : c.candidates) {
+            auto run = std::make_shared<RunRecord>();
+            run->design = drop_design();
+            run->fabric = run->design.fabrics[0].name;
+            run->experiment = run->design.experiments[0].name;
+            candidate.run = run;
+        }
+        c.candidates[0].wall = c.candidates[1].wall = 1.5;
+        c.candidates[0].timed = 1;
+        const auto page = [&c] { return comparison_report_html(c, {}); };
+        QVERIFY2(page().find("<td>1.5 s for 1 run</td>") != std::string::npos, page().c_str());
+        QVERIFY2(page().find("<td>not known</td>") != std::string::npos, page().c_str());
+        QVERIFY(comparison_csv(c).find("# wall_s=") == std::string::npos);
+        const Candidate single = c.candidates[0];
+        add_replicate(c.candidates[0], single, 1);
+        QVERIFY2(page().find("<td>3 s for 2 runs together</td>") != std::string::npos, page().c_str());
+        c.candidates[0].timed = 1; // as where only the recorded run keeps its time
+        QVERIFY2(page().find("for the run of the cloth as given; no times of its 2 replicates are kept") != std::string::npos,
+                 page().c_str());
+        QVERIFY(comparison_csv(c).find("# wall_s=of the run of the cloth as given") != std::string::npos);
+        Design other = drop_design();
+        other.fabrics[0].ends_per_cm += 1;
+        auto run = std::make_shared<RunRecord>(*c.candidates[0].run);
+        run->design = other;
+        c.candidates[1].run = run;
+        const std::string differs = page();
+        QVERIFY2(differs.find("ends_per_cm") != std::string::npos, differs.c_str());
+        QVERIFY2(differs.find("keys of the project file") < differs.find("ends_per_cm"), differs.c_str());
+    }
     void withoutAKnownErrorNothingIsClaimed()
     {
         Comparison c = of_drops({{"a", 3.0}, {"b", 9.0}});
