@@ -282,7 +282,7 @@ std::string comparison_report_html(const Comparison& comparison, const std::vect
     return page("Comparison: " + comparison.experiment,
                 "<p>All numbers are simulated, except those marked as measured.</p>\n" + question(comparison) +
                     section("Results", results(comparison, units)) + section("Intervals", intervals) +
-                    section("Why", comparison.why ? why_html(*comparison.why) : std::string()) +
+                    section("Why", comparison.why ? why_html(*comparison.why, units) : std::string()) +
                     section("Maps", maps_of(comparison, maps)) + section("Over time", curves(comparison, units)) +
                     section("What differs in the descriptions", differences(comparison)) + section("Computation", computation(comparison)) +
                     section("What is not known", unknown(comparison)));

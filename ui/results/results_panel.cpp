@@ -292,7 +292,7 @@ QString ResultsPanel::report() const
     const auto metrics = playback_.metrics();
     if (!run || !frame || !first || !metrics) { return {}; }
     constexpr int crossings_per_cell = 2;
-    const auto pictures = pictures_of_faces(*run, *frame, start_of_maps(*run, *first), crossings_per_cell);
+    const auto pictures = pictures_of_faces(*run, *frame, start_of_maps(*run, *first), crossings_per_cell, unitsOfReader());
     return QString::fromStdString(report_html(*run, *metrics, pictures, playback_.whole() && run->wall > 0, unitsOfReader()));
 }
 
