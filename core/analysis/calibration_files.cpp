@@ -3,6 +3,7 @@
 #include "core/analysis/calibration.h"
 #include "core/analysis/intervals.h"
 #include "core/analysis/line_chart.h"
+#include "core/analysis/outcomes.h"
 #include "core/analysis/report_parts.h"
 #include "core/analysis/series_keys.h"
 #include "core/analysis/svg.h"
@@ -31,6 +32,16 @@ std::string range_text(const FreeInput& input) { return fmt::format("{:.4g} to {
 std::string name_of(const Calibration& calibration, const MeasuredNumber& number)
 {
     return calibration.data.is_curve() ? fmt::format("{} at {:.4g} s", number.key, number.time) : number.key;
+}
+
+/// The same in words: "Height at 4 s", "wetted radius, top".
+std::string title_of(const Calibration& calibration, const MeasuredNumber& number)
+{
+    if (calibration.data.is_curve()) return fmt::format("{} at {:.4g} s", title_of_series(number.key), number.time);
+    for (int type = 0; type < experiment_types; ++type)
+        for (const OutcomeInfo& info : reported_by(static_cast<ExperimentType>(type)))
+            if (info.key == number.key) return full_title(info);
+    return number.key;
 }
 
 /// Of the curve, or that the residuals are in spreads.
@@ -99,7 +110,7 @@ std::string numbers_html(const Calibration& calibration)
         const MeasuredNumber& number = calibration.data.numbers[i];
         rows += fmt::format("<tr><th>{}</th><td class=\"number\">{:.4g}{}</td><td class=\"number\">{:.4g}</td><td class=\"number\">{:.4g}"
                             "</td><td class=\"number\">{:.2g}</td><td>{}</td></tr>\n",
-                            escaped_markup(name_of(calibration, number)), number.value,
+                            escaped_markup(title_of(calibration, number)), number.value,
                             number.spread ? fmt::format(" ± {:.2g}", *number.spread) : "", calibration.before[i], calibration.fitted[i],
                             number.value - calibration.fitted[i], escaped_markup(number.unit));
     }

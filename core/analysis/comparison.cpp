@@ -126,15 +126,21 @@ void rank(Comparison& comparison)
 {
     const OutcomeInfo& by = comparison.ranked_by;
     std::vector<Candidate>& all = comparison.candidates;
-    for (Candidate& candidate : all) {
-        candidate.rank = has_number(candidate, by.key) ? 1 : 0;
-        if (candidate.rank > 0)
-            for (const Candidate& other : all)
-                if (&other != &candidate && shows_better(compared(other, candidate, by, comparison.replicates))) ++candidate.rank;
+    std::vector<std::optional<int>> better; // how many are, of those that have the number
+    for (const Candidate& candidate : all) {
+        better.emplace_back();
+        if (!has_number(candidate, by.key)) continue;
+        better.back() = static_cast<int>(std::count_if(all.begin(), all.end(), [&](const Candidate& other) {
+            return &other != &candidate && shows_better(compared(other, candidate, by, comparison.replicates));
+        }));
     }
-    for (Candidate& candidate : all)
-        candidate.tied = candidate.rank > 0 &&
-                         std::count_if(all.begin(), all.end(), [&](const Candidate& other) { return other.rank == candidate.rank; }) > 1;
+    // Not one more than are better: what one of three at the top is better than is the fourth, though the others are not shown to be.
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto own = better[i];
+        const auto count = [&](auto&& holds) { return std::count_if(better.begin(), better.end(), holds); };
+        all[i].rank = own ? 1 + static_cast<int>(count([&](const auto& other) { return other && *other < *own; })) : 0;
+        all[i].tied = own && count([&](const auto& other) { return other == own; }) > 1;
+    }
     std::stable_sort(all.begin(), all.end(), [&](const Candidate& a, const Candidate& b) {
         const int last = std::numeric_limits<int>::max();
         return std::pair(a.rank > 0 ? a.rank : last, place(a, by)) < std::pair(b.rank > 0 ? b.rank : last, place(b, by));
@@ -166,6 +172,7 @@ Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<con
     candidate.fabric = run->fabric;
     candidate.notes = metrics->notes;
     candidate.wall = run->wall;
+    candidate.timed = run->wall > 0 ? 1 : 0;
     ReplicateRun first;
     for (const Outcome& outcome : outcomes_of(*run, *metrics)) {
         if (!outcome.value) continue;
@@ -191,6 +198,7 @@ void add_replicate(Candidate& candidate, const Candidate& run, int number)
     const auto at = static_cast<std::size_t>(number);
     std::vector<std::optional<ReplicateRun>> replicates = std::move(candidate.replicates);
     const double wall = candidate.wall + run.wall;
+    const int timed = candidate.timed + run.timed;
     std::vector<std::string> notes = std::move(candidate.notes);
     if (number == 0) {
         candidate = run;
@@ -201,6 +209,7 @@ void add_replicate(Candidate& candidate, const Candidate& run, int number)
     candidate.fabric = run.fabric;
     candidate.notes = std::move(notes);
     candidate.wall = wall;
+    candidate.timed = timed;
     if (run.failure.empty()) candidate.unknowns = run.unknowns;
     candidate.replicates = std::move(replicates);
     candidate.replicates.resize(std::max(candidate.replicates.size(), at + 1));
@@ -270,6 +279,17 @@ std::vector<std::string> all_notes(const Comparison& comparison, const Candidate
                                     "sample changes their numbers.",
                                     at_edge, runs, first));
     return notes;
+}
+
+int runs_of(const Candidate& candidate)
+{
+    return static_cast<int>(std::count_if(candidate.replicates.begin(), candidate.replicates.end(),
+                                          [](const std::optional<ReplicateRun>& run) { return run.has_value(); }));
+}
+
+std::string rank_text(const Candidate& candidate)
+{
+    return candidate.rank == 0 ? std::string() : std::to_string(candidate.rank) + (candidate.tied ? "=" : "");
 }
 
 void judge(Comparison& comparison)

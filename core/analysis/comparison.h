@@ -32,8 +32,9 @@ struct Candidate {
     std::vector<std::string> unknowns;                   ///< names of the inputs that were drawn
     std::map<std::string, Interval> intervals;           ///< by key
     std::vector<std::string> notes;                      ///< what limits the numbers, in sentences
-    double wall = 0;                                     ///< s, of all runs
-    int rank = 0;                                        ///< from 1; the same where nothing shows which is better; 0: no number to rank by
+    double wall = 0;                                     ///< s, of the runs whose time is known
+    int timed = 0;                                       ///< how many those are
+    int rank = 0;                                        ///< from 1; see judge(); 0: no number to rank by
     bool tied = false;
 };
 
@@ -81,9 +82,13 @@ std::vector<double> places_of_pair(const Candidate& candidate, const Candidate& 
 /// none: both have the number, or neither, or one of their runs failed or is missing.
 std::optional<LoneNumber> lone_number(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates);
 
-/// Intervals, ranks and verdicts from the runs that there are. A candidate's rank is one more than the number of candidates that are better
-/// or probably better; the order is by rank, then by number; those without the number come after them, those that failed last.
+/// Intervals, ranks and verdicts from the runs that there are. A candidate stands before another where fewer are better or probably better
+/// than it; its rank is one more than the number of candidates before it, so that of three that share the first the next is the fourth.
+/// The order is by rank, then by number; those without the number come after them, those that failed last.
 void judge(Comparison& comparison);
+
+/// "2", or "2=" where others share the rank; empty: it has none.
+std::string rank_text(const Candidate& candidate);
 
 /// nullptr: there is none.
 const Compared* verdict_of(const Comparison& comparison, const std::string& fabric, const std::string& metric);
@@ -92,6 +97,9 @@ const LaboratoryValue* measured_of(const Comparison& comparison, const std::stri
 
 /// What limits a candidate's numbers, in sentences: its notes, and in how many replicates water reached the edge.
 std::vector<std::string> all_notes(const Comparison& comparison, const Candidate& candidate);
+
+/// How many of its runs have come to their end.
+int runs_of(const Candidate& candidate);
 
 /// "3.25 ± 0.04", in the unit that people read, or in the reader's own.
 std::string with_interval(const OutcomeInfo& criterion, const Interval& interval, const ReaderUnits& units = {});

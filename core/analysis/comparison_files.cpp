@@ -60,11 +60,11 @@ std::string numbers_table(const Comparison& comparison)
         titles.push_back(full_title(criterion));
         units.push_back(shown(criterion, 0).unit);
     }
-    titles.push_back("run time");
+    titles.push_back(comparison.replicates > 1 ? "time of all runs" : "run time");
     units.push_back("s");
     std::vector<Row> rows{titles, units};
     for (const Candidate& c : comparison.candidates) {
-        const std::string rank = c.rank > 0 ? std::to_string(c.rank) + (c.tied ? "=" : " ") : "- ";
+        const std::string rank = c.rank == 0 ? "- " : rank_text(c) + (c.tied ? "" : " ");
         const std::string name = fmt::format("{:>3} {}", rank, c.fabric);
         if (!c.failure.empty()) {
             rows.push_back({name, c.failure});
@@ -223,9 +223,13 @@ std::string comparison_json(const Comparison& comparison)
 
 std::string comparison_csv(const Comparison& comparison)
 {
-    std::string text = fmt::format("# experiment={}\n# ranked_by={}\n# baseline={}\n# replicates={}\n# complete={}\nrank,fabric",
+    std::string text = fmt::format("# experiment={}\n# ranked_by={}\n# baseline={}\n# replicates={}\n# complete={}\n",
                                    one_line(comparison.experiment), comparison.ranked_by.key + ", " + order_words(comparison.ranked_by),
                                    one_line(comparison.baseline), comparison.replicates, comparison.complete ? "yes" : "no");
+    const auto& all = comparison.candidates;
+    if (std::any_of(all.begin(), all.end(), [](const Candidate& c) { return c.timed > 0 && c.timed < runs_of(c); }))
+        text += "# wall_s=of the run of the cloth as given; no times of the replicates are kept\n";
+    text += "rank,fabric";
     const bool measured = !comparison.measured.empty();
     for (const OutcomeInfo& criterion : comparison.criteria) {
         text += fmt::format(",{0},{0}_low,{0}_high,{0}_verdict", criterion.key);

@@ -23,11 +23,6 @@ const Experiment* experiment_of(const Candidate& candidate)
     return candidate.run ? find_experiment(candidate.run->design, candidate.run->experiment) : nullptr;
 }
 
-std::string rank_of(const Candidate& candidate)
-{
-    return candidate.rank == 0 ? "–" : std::to_string(candidate.rank) + (candidate.tied ? " =" : "");
-}
-
 std::string question(const Comparison& comparison)
 {
     const bool more = comparison.ranked_by.better == Better::more;
@@ -63,7 +58,8 @@ std::string results(const Comparison& comparison, const ReaderUnits& units)
     }
     rows += "</tr>\n";
     for (const Candidate& candidate : comparison.candidates) {
-        rows += fmt::format("<tr><td>{}</td><th>{}</th>", rank_of(candidate), escaped_markup(candidate.fabric));
+        rows +=
+            fmt::format("<tr><td>{}</td><th>{}</th>", candidate.rank == 0 ? "–" : rank_text(candidate), escaped_markup(candidate.fabric));
         if (!candidate.failure.empty())
             rows += fmt::format("<td colspan=\"{}\">{}</td>", comparison.criteria.size(), escaped_markup(candidate.failure));
         else
@@ -230,17 +226,28 @@ std::string differences(const Comparison& comparison)
         for (const std::string& value : values) body += "<td>" + escaped_markup(value.empty() ? "–" : value) + "</td>";
         body += "</tr>\n";
     }
-    return any ? table(body) : "<p>Nothing: the descriptions are the same.</p>\n";
+    return any ? keys_of_project + table(body) : "<p>Nothing: the descriptions are the same.</p>\n";
+}
+
+/// Whose time it is.
+std::string time_words(const Candidate& candidate)
+{
+    const int runs = runs_of(candidate);
+    if (candidate.timed == 0) return "not known";
+    if (candidate.timed < runs)
+        return fmt::format("{:.3g} s for the run of the cloth as given; no times of its {} replicates are kept", candidate.wall, runs);
+    return candidate.timed == 1 ? fmt::format("{:.3g} s for 1 run", candidate.wall)
+                                : fmt::format("{:.3g} s for {} runs together", candidate.wall, candidate.timed);
 }
 
 std::string computation(const Comparison& comparison)
 {
-    std::string rows;
+    std::string rows = "<tr><th>fabric</th><th>fidelity and backend</th><th>device</th><th>computing time</th></tr>\n";
     std::vector<std::string> notes;
     for (const Candidate& candidate : comparison.candidates) {
         if (candidate.run)
             rows += row(candidate.fabric, fmt::format("{}, {}", name_of(candidate.run->plan.fidelity), candidate.run->backend),
-                        candidate.run->device, fmt::format("{:.3g} s for {} run(s)", candidate.wall, candidate.replicates.size()));
+                        candidate.run->device, time_words(candidate));
         for (const std::string& note : all_notes(comparison, candidate)) notes.push_back(candidate.fabric + ": " + note);
     }
     return table(rows) + list(notes) +
@@ -275,7 +282,7 @@ std::string comparison_report_html(const Comparison& comparison, const std::vect
     return page("Comparison: " + comparison.experiment,
                 "<p>All numbers are simulated, except those marked as measured.</p>\n" + question(comparison) +
                     section("Results", results(comparison, units)) + section("Intervals", intervals) +
-                    section("Why", comparison.why ? why_html(*comparison.why) : std::string()) +
+                    section("Why", comparison.why ? why_html(*comparison.why, units) : std::string()) +
                     section("Maps", maps_of(comparison, maps)) + section("Over time", curves(comparison, units)) +
                     section("What differs in the descriptions", differences(comparison)) + section("Computation", computation(comparison)) +
                     section("What is not known", unknown(comparison)));

@@ -132,18 +132,23 @@ struct Scale {
         if (quantity == ShownQuantity::water && (range.high <= 0 || value < 0.01 * range.high)) return dry;
         return colour_of(quantity, (value - range.low) / (range.high - range.low));
     }
-    const char* unit() const { return quantity == ShownQuantity::water ? "g/m²" : quantity == ShownQuantity::temperature ? "°C" : "%"; }
+    ReaderUnit degrees; ///< of temperatures
+    std::string unit() const
+    {
+        return quantity == ShownQuantity::water ? "g/m²" : quantity == ShownQuantity::temperature ? degrees.unit : "%";
+    }
     std::string number(double value) const
     {
-        if (quantity == ShownQuantity::temperature) return fmt::format("{:.1f}", celsius_from_kelvin(value));
+        if (quantity == ShownQuantity::temperature) return fmt::format("{:.1f}", degrees.of(celsius_from_kelvin(value)));
         return fmt::format("{:.3g}", (quantity == ShownQuantity::humidity ? 100 : 1e3) * value);
     }
 };
 
 Scale scale_of(const CellMap& map, const MapImageOptions& options)
 {
-    if (map.quantity != ShownQuantity::water) return {map.quantity, options.range};
-    return {map.quantity, {0, options.most > 0 ? options.most : map.maximum()}};
+    const ReaderUnit degrees = reader_unit(options.units, "°C");
+    if (map.quantity != ShownQuantity::water) return {map.quantity, options.range, degrees};
+    return {map.quantity, {0, options.most > 0 ? options.most : map.maximum()}, degrees};
 }
 
 void draw_bar(Canvas& canvas, int x, int y, int height, const Scale& scale)
@@ -200,10 +205,11 @@ Image draw_map(const CellMap& map, double width, double height, const MapImageOp
         canvas.circle(margin + (options.circle->x + 0.5 * width) * scale, top + (0.5 * height - options.circle->y) * scale,
                       options.circle->radius * scale, margin, top, margin + across, top + down);
 
-    const double length = round_length(width / 3);
-    const int bar = static_cast<int>(std::lround(length * scale)), bar_top = top + down + margin;
+    const ReaderUnit unit = reader_unit(options.units, "mm");
+    const double length = round_length(unit.of(mm_from_metre(width / 3)));
+    const int bar = static_cast<int>(std::lround(metre_from_mm(length / unit.per_one) * scale)), bar_top = top + down + margin;
     canvas.box(margin, bar_top, bar, 4, ink);
-    canvas.text(margin, bar_top + 8, fmt::format("{:.3g} mm", mm_from_metre(length)));
+    canvas.text(margin, bar_top + 8, fmt::format("{:.3g} {}", length, unit.unit));
     draw_bar(canvas, bar_left, top, down, colours);
     return canvas.take();
 }

@@ -4,6 +4,7 @@
 
 #include "core/analysis/cell_map.h"
 #include "core/analysis/image.h"
+#include "core/analysis/reader_units.h"
 
 #include <optional>
 
@@ -14,6 +15,7 @@ struct MapImageOptions {
     std::optional<Circle> circle;      ///< from the sample's middle, m
     double most = 0;                   ///< kg/m2 at the colour bar's end; 0: the map's own maximum
     ValueRange range;                  ///< of the colour bar, of another quantity than water
+    ReaderUnits units{};               ///< of the scale bar and of temperatures
 };
 
 /// width and height: of the sample, m (cells at the far edges may reach over it). Cells with less than 1 % of the water at the bar's end

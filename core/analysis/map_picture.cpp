@@ -38,16 +38,19 @@ MapPicture quantity_picture(const RunRecord& run, const Frame& frame, ShownQuant
     return picture;
 }
 
-MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell)
+MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell,
+                       const ReaderUnits& units)
 {
     const Textile& t = run.textile;
     const char* what = side == MapSide::top ? "top face" : side == MapSide::bottom ? "bottom face" : "water";
     MapPicture picture = captioned(run, frame, cell_map(t, frame, start, side, crossings_per_cell), what);
+    picture.image.units = units;
     if (side == MapSide::total) return picture;
     const Circle circle = wetted_circle(t, frame, side == MapSide::top ? Face::top : Face::bottom);
     if (circle.radius > 0) {
         picture.image.circle = circle;
-        picture.image.captions.push_back(fmt::format("wetted radius {:.3g} mm", mm_from_metre(circle.radius)));
+        const ReaderUnit own = reader_unit(units, "mm");
+        picture.image.captions.push_back(fmt::format("wetted radius {:.3g} {}", own.of(mm_from_metre(circle.radius)), own.unit));
     }
     return picture;
 }
@@ -74,9 +77,10 @@ std::vector<ReportPicture> pictures_on_one_scale(std::vector<std::pair<std::stri
     return pictures;
 }
 
-std::vector<ReportPicture> pictures_of_faces(const RunRecord& run, const Frame& frame, const Frame& start, int crossings_per_cell)
+std::vector<ReportPicture> pictures_of_faces(const RunRecord& run, const Frame& frame, const Frame& start, int crossings_per_cell,
+                                             const ReaderUnits& units)
 {
-    const auto picture = [&](MapSide side) { return map_picture(run, frame, start, side, crossings_per_cell); };
+    const auto picture = [&](MapSide side) { return map_picture(run, frame, start, side, crossings_per_cell, units); };
     return pictures_on_one_scale({{fmt::format("Top face after {:.4g} s", frame.time), picture(MapSide::top)},
                                   {fmt::format("Bottom face after {:.4g} s", frame.time), picture(MapSide::bottom)}});
 }

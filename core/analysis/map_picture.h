@@ -13,8 +13,9 @@ struct MapPicture {
     MapImageOptions image;
     double width = 0, height = 0; ///< m, of the sample
 };
-/// start: see start_of_maps().
-MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell);
+/// start: see start_of_maps(). units: of the captions and the scale bar.
+MapPicture map_picture(const RunRecord& run, const Frame& frame, const Frame& start, MapSide side, int crossings_per_cell,
+                       const ReaderUnits& units = {});
 
 /// Of another quantity. Throws Error where the run does not model it.
 MapPicture quantity_picture(const RunRecord& run, const Frame& frame, ShownQuantity quantity, MapSide side, int crossings_per_cell);
@@ -29,6 +30,7 @@ void share_scale(const std::vector<MapPicture*>& pictures);
 std::vector<ReportPicture> pictures_on_one_scale(std::vector<std::pair<std::string, MapPicture>> maps);
 
 /// Of both faces.
-std::vector<ReportPicture> pictures_of_faces(const RunRecord& run, const Frame& frame, const Frame& start, int crossings_per_cell);
+std::vector<ReportPicture> pictures_of_faces(const RunRecord& run, const Frame& frame, const Frame& start, int crossings_per_cell,
+                                             const ReaderUnits& units = {});
 
 } // namespace hygroloom

@@ -27,13 +27,20 @@ std::string row_of(const ReaderUnits& units, const std::string& name, double val
     return row(name, rounded_text(own.of(value), digits), own.unit);
 }
 
+/// Which of the stain's sizes is which.
+constexpr const char* sizes_of_stain = "The wetted radius is that of the smallest circle around all wet crossings of a face. The ellipse "
+                                       "of equal moments is the filled one that "
+                                       "spreads as widely as the wet crossings on top; single fingers count little in it.";
+
 std::string results(const RunRecord& run, const Metrics& metrics, const ReaderUnits& units)
 {
     std::string rows;
     std::vector<std::string> notes = metrics.notes;
+    bool ellipse = false;
     const std::map<std::string, Interval> intervals = numerical_intervals(run, metrics);
     for (const Outcome& outcome : outcomes_of(run, metrics)) {
         if (!is_shown(outcome)) continue;
+        ellipse = ellipse || outcome.key.starts_with("wetted_area_ellipse");
         const ShownValue value = shown(outcome, outcome.value.value_or(0));
         const auto found = intervals.find(outcome.key);
         const ReaderUnit own = reader_unit(units, value.unit);
@@ -45,6 +52,7 @@ std::string results(const RunRecord& run, const Metrics& metrics, const ReaderUn
         for (const std::string& note : {outcome.missing, outcome.remark})
             if (!note.empty()) notes.push_back(full_title(outcome) + ": " + note + ".");
     }
+    if (ellipse) notes.insert(notes.begin(), sizes_of_stain);
     const std::string assumed = metrics.assumed.empty() ? "" : "<p>Assumed of the tester:</p>\n" + list(metrics.assumed);
     const std::string about = "<p>After ±: the numerical error, as measured on runs of this kind.</p>\n";
     return table(rows) + (intervals.empty() ? "" : about) + list(notes) + assumed;
@@ -125,6 +133,7 @@ std::string input(const RunRecord& run, const ReaderUnits& units)
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     if (!fabric || !experiment) return body;
     const Json project = json_from_design(with_what_was_used(run, *fabric, *experiment));
+    body += keys_of_project;
     constexpr std::pair<const char*, const char*> parts[] = {
         {"fabrics", "Fabric"}, {"materials", "Fibres"}, {"experiments", "Experiment"}, {"liquids", "Liquid"}};
     for (const auto& [key, name] : parts)
@@ -153,8 +162,10 @@ std::string knobs(const ModelPlan& plan)
     std::string rows;
     for (const KnobInfo& knob : knob_table()) {
         const double value = plan.knobs.*knob.value;
+        const std::string meaning = knob.meaning; // its first part, before what is said of single values
         if (value != usual.*knob.value)
-            rows += row(knob.name, text_of(knob, value), fmt::format("(instead of {})", text_of(knob, usual.*knob.value)));
+            rows += row(meaning.substr(0, meaning.find(';')), text_of(knob, value),
+                        fmt::format("(instead of {})", text_of(knob, usual.*knob.value)));
     }
     return rows.empty() ? "" : "<p>Knobs that differ from this fidelity:</p>\n" + table(rows);
 }
@@ -165,7 +176,7 @@ std::string origin(const RunRecord& run, const Ledger& ledger, bool finished)
                        row("fabric", run.fabric, "") + row("experiment", run.experiment, "") + row("backend", run.backend, "") +
                        row("device", run.device, "") + row("fidelity", name_of(run.plan.fidelity), "") +
                        row("seed", std::to_string(run.seed), "");
-    if (finished) rows += row("run time", fmt::format("{:.4g}", run.wall), "s");
+    if (finished) rows += row("computing time", fmt::format("{:.4g}", run.wall), "s");
     rows += row("simulated time", fmt::format("{:.4g}", ledger.time), "s");
     if (run.plan.expected_error) rows += row("largest numerical error", rounded_text(100 * *run.plan.expected_error, 2), "%");
     if (!run.date.empty()) rows += row("started", run.date, "");

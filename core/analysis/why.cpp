@@ -170,13 +170,27 @@ std::string missing_text(const WhyPlan& plan, const Why& why, const Runs& runs)
     return fmt::format("The parts cannot be told apart: too few replicates have the {} in all mixtures.", full_title(why.metric));
 }
 
+/// Inputs in the reader's units.
+NumberText in_units(const ReaderUnits& units)
+{
+    if (!units) return {};
+    return [units](double number, const std::string& unit) {
+        const std::size_t per = unit.find("/cm"), begin = per == std::string::npos ? unit.find_first_not_of(' ') : per; // of " ends/cm"
+        const std::string own = begin == std::string::npos ? unit : unit.substr(begin);
+        const ReaderUnit read = units(own);
+        const bool same = read.unit == own;
+        return fmt::format("{:.4g}{}{}", same ? number : read.of(number), unit.substr(0, unit.size() - own.size()), same ? own : read.unit);
+    };
+}
+
 } // namespace
 
 WhyPlan plan_why(const Design& design, const std::string& fabric, const std::string& against, const std::string& experiment,
-                 bool replicates)
+                 bool replicates, const ReaderUnits& units)
 {
     WhyPlan plan{fabric, against, experiment, {}, true, {}, {}};
-    for (PartDifference& each : part_differences(design, *find_fabric(design, fabric), *find_fabric(design, against), replicates))
+    for (PartDifference& each :
+         part_differences(design, *find_fabric(design, fabric), *find_fabric(design, against), replicates, in_units(units)))
         plan.parts.push_back({each.title, each.first, each.second, each.fields, false});
     for (bool sound = false; !sound;) {
         choose_mixtures(plan);
@@ -230,9 +244,10 @@ Why why_of(const WhyPlan& plan, const OutcomeInfo& metric, const Candidate& fabr
                         plan.fabric, plan.against, full_title(metric));
     else if (plan.parts.empty())
         why.nothing = "No difference: all inputs that act are the same in both fabrics.";
-    else if (why.whole->verdict == Verdict::no_difference)
-        why.nothing =
-            fmt::format("No difference that this simulation can show ({}): there is nothing to explain.", with_unit(metric, *why.whole));
+    else if (why.whole->verdict == Verdict::no_difference) {
+        why.not_shown = true;
+        why.nothing = nothing_of(why);
+    }
     if (!why.nothing.empty()) why.fabrics = 2;
     return why;
 }

@@ -33,10 +33,10 @@ struct WhyPlan {
     std::vector<std::string> notes;
 };
 
-/// Parts whose exchange alone is refused by validate() are joined with the part that makes it sound. Precondition: validate() found no
-/// error, the design has both fabrics and the experiment.
+/// units: of the inputs in its texts. Parts whose exchange alone is refused by validate() are joined with the part that makes it sound.
+/// Precondition: validate() found no error, the design has both fabrics and the experiment.
 WhyPlan plan_why(const Design& design, const std::string& fabric, const std::string& against, const std::string& experiment,
-                 bool replicates);
+                 bool replicates, const ReaderUnits& units = {});
 
 /// The mixture under the fabric's name, alone with the experiment.
 Design mixed(const Design& design, const WhyPlan& plan, Mixture mixture);
@@ -58,7 +58,8 @@ struct Why {
     bool all_orders = true;
     int fabrics = 2;               ///< that were run, the two among them
     std::optional<Compared> whole; ///< none: the numbers do not allow it
-    std::string nothing;           ///< why there are no contributions, in a sentence; empty: there are
+    std::string nothing;           ///< why there are no contributions, in a sentence, see nothing_of(); empty: there are
+    bool not_shown = false;        ///< that is because the whole difference is none that shows
     std::vector<Contribution> parts;
     std::optional<Compared> together; ///< what the parts do beyond each by itself; none: the contributions hold it
     std::vector<std::string> notes;
@@ -77,14 +78,17 @@ Why why_of(const WhyPlan& plan, const OutcomeInfo& metric, const Candidate& fabr
 Why explain(const WhyPlan& plan, const OutcomeInfo& metric, const Candidate& fabric, const Candidate& against,
             const std::map<Mixture, Candidate>& mixtures, int replicates);
 
+// Contributions are in the reader's units, inputs as the plan has them.
 /// "-0.10 ± 0.02 s"
-std::string with_unit(const OutcomeInfo& metric, const Compared& compared);
+std::string with_unit(const OutcomeInfo& metric, const Compared& compared, const ReaderUnits& units = {});
 /// Whether two fabrics differ, in a sentence.
-std::string heading_of(const Why& why);
+std::string heading_of(const Why& why, const ReaderUnits& units = {});
+/// Why there are no contributions, in a sentence; empty: there are.
+std::string nothing_of(const Why& why, const ReaderUnits& units = {});
 /// One for each contribution, in words, the largest first; then what they rest on.
-std::vector<std::string> sentences_of(const Why& why);
+std::vector<std::string> sentences_of(const Why& why, const ReaderUnits& units = {});
 /// "lowers it by 0.10 ± 0.02 s, which is better"; "has no effect that this simulation can show (…)"
-std::string in_words(const Why& why, const Compared& compared, bool plural = false);
+std::string in_words(const Why& why, const Compared& compared, bool plural = false, const ReaderUnits& units = {});
 /// "lowers it, better"; "no effect shown"
 std::string effect_words(const Compared& compared);
 
@@ -100,6 +104,6 @@ std::vector<WhyLine> lines_of(const Why& why);
 /// A table, then the sentences.
 std::string why_text(const Why& why);
 /// HTML with bars, for a report.
-std::string why_html(const Why& why);
+std::string why_html(const Why& why, const ReaderUnits& units = {});
 
 } // namespace hygroloom

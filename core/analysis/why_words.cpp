@@ -29,15 +29,25 @@ bool is_probable(const Compared& compared)
 }
 bool is_good(const Compared& compared) { return compared.verdict == Verdict::better || compared.verdict == Verdict::probably_better; }
 
+/// Of a difference: a degree of 1.8 °F, but no zero of 32.
+ReaderUnits of_differences(const ReaderUnits& units)
+{
+    return [units](const std::string& unit) {
+        ReaderUnit own = reader_unit(units, unit);
+        own.at_zero = 0;
+        return own;
+    };
+}
+
 /// "0.10 ± 0.02 s", without its sign.
-std::string size_of(const OutcomeInfo& metric, Compared compared)
+std::string size_of(const OutcomeInfo& metric, Compared compared, const ReaderUnits& units)
 {
     const double sign = compared.difference < 0 ? -1 : 1;
     const double low = sign * compared.low, high = sign * compared.high;
     compared.difference *= sign;
     compared.low = std::min(low, high);
     compared.high = std::max(low, high);
-    return with_unit(metric, compared);
+    return with_unit(metric, compared, units);
 }
 
 bool is_plural(const Contribution& part) { return part.several || (part.title.ends_with('s') && !part.title.ends_with("ss")); }
@@ -68,14 +78,14 @@ std::string basis_of(const Why& why)
 }
 
 /// Where no contribution shows: what does by itself in one of the fabrics, or that nothing does.
-std::vector<std::string> what_shows_alone(const Why& why)
+std::vector<std::string> what_shows_alone(const Why& why, const ReaderUnits& units)
 {
     std::vector<std::string> sentences;
     for (const Contribution* part : in_order(why))
         for (const auto& [alone, where] : {std::pair(&part->alone_in_fabric, &why.fabric), std::pair(&part->alone_in_other, &why.against)})
             if (*alone)
                 sentences.push_back(fmt::format("Exchanged alone in {}, the {} ({} instead of {}) {}.", *where, part->title, part->first,
-                                                part->second, in_words(why, **alone, is_plural(*part))));
+                                                part->second, in_words(why, **alone, is_plural(*part), units)));
     if (sentences.empty()) return {"No part by itself makes a difference that this simulation can show; only all of them do."};
     sentences.insert(sentences.begin(), "No contribution is a difference that this simulation can show, as each is a mean over several "
                                         "exchanges; single exchanges are.");
@@ -83,7 +93,7 @@ std::vector<std::string> what_shows_alone(const Why& why)
 }
 
 /// A bar from 0 for each contribution, with its interval.
-std::string bars(const Why& why)
+std::string bars(const Why& why, const ReaderUnits& units)
 {
     constexpr double left = 240, width = 330, line = 24;
     constexpr std::size_t longest_label = 36;
@@ -109,8 +119,9 @@ std::string bars(const Why& why)
         y += line;
     }
     body += svg_line(x_of(0), 8, x_of(0), y - 8, "#222");
-    body += svg_text(left, y + 4, "start", fmt::format("{:.3g}", shown(why.metric, low).value));
-    body += svg_text(left + width, y + 4, "end", fmt::format("{:.3g} {}", shown(why.metric, high).value, shown(why.metric, high).unit));
+    const ReaderUnit own = of_differences(units)(shown(why.metric, 0).unit);
+    body += svg_text(left, y + 4, "start", fmt::format("{:.3g}", own.of(shown(why.metric, low).value)));
+    body += svg_text(left + width, y + 4, "end", fmt::format("{:.3g} {}", own.of(shown(why.metric, high).value), own.unit));
     return fmt::format("<figure>{}{}</svg><figcaption>{}, {} less {}. Blue: better for {}; brown: worse; grey: no effect that this "
                        "simulation can show. Lines: intervals.</figcaption></figure>\n",
                        svg_begin(600, y + 14), body, escaped_markup(full_title(why.metric)), escaped_markup(why.fabric),
@@ -119,19 +130,28 @@ std::string bars(const Why& why)
 
 } // namespace
 
-std::string with_unit(const OutcomeInfo& metric, const Compared& compared)
+std::string with_unit(const OutcomeInfo& metric, const Compared& compared, const ReaderUnits& units)
 {
-    const std::string unit = shown(metric, 0).unit;
-    return with_interval(metric, interval_of(compared)) + (unit.empty() ? "" : " " + unit);
+    const ReaderUnits own = of_differences(units);
+    const std::string unit = own(shown(metric, 0).unit).unit;
+    return with_interval(metric, interval_of(compared), own) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string in_words(const Why& why, const Compared& compared, bool plural)
+std::string nothing_of(const Why& why, const ReaderUnits& units)
+{
+    if (!why.not_shown) return why.nothing;
+    return fmt::format("No difference that this simulation can show ({}): there is nothing to explain.",
+                       with_unit(why.metric, *why.whole, units));
+}
+
+std::string in_words(const Why& why, const Compared& compared, bool plural, const ReaderUnits& units)
 {
     if (!is_shown(compared))
-        return fmt::format("{} no effect that this simulation can show ({})", plural ? "have" : "has", with_unit(why.metric, compared));
+        return fmt::format("{} no effect that this simulation can show ({})", plural ? "have" : "has",
+                           with_unit(why.metric, compared, units));
     const bool more = compared.difference > 0;
     return fmt::format("{}{}{} it by {}, which is {}", is_probable(compared) ? "probably " : "", more ? "raise" : "lower",
-                       plural ? "" : "s", size_of(why.metric, compared), is_good(compared) ? "better" : "worse");
+                       plural ? "" : "s", size_of(why.metric, compared, units), is_good(compared) ? "better" : "worse");
 }
 
 std::vector<WhyLine> lines_of(const Why& why)
@@ -143,30 +163,30 @@ std::vector<WhyLine> lines_of(const Why& why)
     return lines;
 }
 
-std::string heading_of(const Why& why)
+std::string heading_of(const Why& why, const ReaderUnits& units)
 {
     const std::string title = full_title(why.metric);
     if (!why.whole || !is_shown(*why.whole)) return fmt::format("{} against {}, {}", why.fabric, why.against, title);
     return fmt::format("{} is {} than {}: its {} is {} {}", why.fabric,
                        std::string(is_probable(*why.whole) ? "probably " : "") + (is_good(*why.whole) ? "better" : "worse"), why.against,
-                       title, size_of(why.metric, *why.whole), why.whole->difference < 0 ? "lower" : "higher");
+                       title, size_of(why.metric, *why.whole, units), why.whole->difference < 0 ? "lower" : "higher");
 }
 
-std::vector<std::string> sentences_of(const Why& why)
+std::vector<std::string> sentences_of(const Why& why, const ReaderUnits& units)
 {
     if (!why.nothing.empty()) {
         std::vector<std::string> sentences = why.notes;
-        sentences.insert(sentences.begin(), why.nothing);
+        sentences.insert(sentences.begin(), nothing_of(why, units));
         return sentences;
     }
     std::vector<std::string> sentences;
     for (const Contribution* part : in_order(why))
         sentences.push_back(fmt::format("The {} ({} instead of {}) {}.", part->title, part->first, part->second,
-                                        in_words(why, part->compared, is_plural(*part))));
+                                        in_words(why, part->compared, is_plural(*part), units)));
     if (why.parts.size() > 1 &&
         std::none_of(why.parts.begin(), why.parts.end(), [](const Contribution& part) { return is_shown(part.compared); }))
-        for (std::string& sentence : what_shows_alone(why)) sentences.push_back(std::move(sentence));
-    if (why.together) sentences.push_back(fmt::format("What the parts do together {}.", in_words(why, *why.together, false)));
+        for (std::string& sentence : what_shows_alone(why, units)) sentences.push_back(std::move(sentence));
+    if (why.together) sentences.push_back(fmt::format("What the parts do together {}.", in_words(why, *why.together, false, units)));
     sentences.push_back(basis_of(why));
     sentences.insert(sentences.end(), why.notes.begin(), why.notes.end());
     return sentences;
@@ -197,21 +217,21 @@ std::string why_text(const Why& why)
     return text;
 }
 
-std::string why_html(const Why& why)
+std::string why_html(const Why& why, const ReaderUnits& units)
 {
-    std::string html = "<p>" + escaped_markup(heading_of(why)) + ".</p>\n";
+    std::string html = "<p>" + escaped_markup(heading_of(why, units)) + ".</p>\n";
     if (why.nothing.empty()) {
-        html += bars(why);
+        html += bars(why, units);
         std::string rows = "<tr><th></th><th>" + escaped_markup(why.fabric) + "</th><th>" + escaped_markup(why.against) +
                            "</th><th>contribution</th><th></th></tr>\n";
         for (const WhyLine& each : lines_of(why))
             rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
                                 escaped_markup(each.title), escaped_markup(each.first), escaped_markup(each.second),
-                                escaped_markup(with_unit(why.metric, *each.compared)),
+                                escaped_markup(with_unit(why.metric, *each.compared, units)),
                                 each.whole ? name_of(why.whole->verdict) : effect_words(*each.compared));
         html += table(rows);
     }
-    std::vector<std::string> sentences = sentences_of(why);
+    std::vector<std::string> sentences = sentences_of(why, units);
     return html + list(sentences);
 }
 

@@ -11,19 +11,25 @@ namespace {
 
 constexpr const char* contact_angle_title = "contact angle";
 
-std::string words(double value, const char* unit) { return fmt::format("{:.4g}{}", value, unit); }
-std::string words(int value, const char* unit) { return fmt::format("{}{}", value, unit); }
-std::string words(TwistDirection value, const char*) { return value == TwistDirection::s ? "S" : "Z"; }
-std::string words(const std::string& value, const char*) { return value; }
-
-std::string words(const Color& value, const char*) { return fmt::format("#{:02x}{:02x}{:02x}", value.red, value.green, value.blue); }
-
-template <typename Value> std::string words(const std::optional<Value>& value, const char* unit)
+std::string words(double value, const char* unit, const NumberText& number)
 {
-    return value ? words(*value, unit) : "not given";
+    return number ? number(value, unit) : fmt::format("{:.4g}{}", value, unit);
+}
+std::string words(int value, const char* unit, const NumberText&) { return fmt::format("{}{}", value, unit); }
+std::string words(TwistDirection value, const char*, const NumberText&) { return value == TwistDirection::s ? "S" : "Z"; }
+std::string words(const std::string& value, const char*, const NumberText&) { return value; }
+
+std::string words(const Color& value, const char*, const NumberText&)
+{
+    return fmt::format("#{:02x}{:02x}{:02x}", value.red, value.green, value.blue);
 }
 
-std::string words(const std::vector<MaterialShare>& shares, const char*)
+template <typename Value> std::string words(const std::optional<Value>& value, const char* unit, const NumberText& number)
+{
+    return value ? words(*value, unit, number) : "not given";
+}
+
+std::string words(const std::vector<MaterialShare>& shares, const char*, const NumberText&)
 {
     std::string text;
     for (const MaterialShare& part : shares)
@@ -31,35 +37,35 @@ std::string words(const std::vector<MaterialShare>& shares, const char*)
     return text;
 }
 
-std::string words(const std::optional<YarnCore>& core, const char*)
+std::string words(const std::optional<YarnCore>& core, const char*, const NumberText&)
 {
     return core ? fmt::format("{:.3g} % {}", 100 * core->share, core->material) : "none";
 }
 
-std::string words(const Weave& weave, const char*)
+std::string words(const Weave& weave, const char*, const NumberText&)
 {
     if (!weave.pattern().empty()) return weave.pattern();
     return fmt::format("a repeat of {} x {}", weave.ends(), weave.picks());
 }
 
-std::string words(const std::vector<Yarn>& yarns, const char*)
+std::string words(const std::vector<Yarn>& yarns, const char*, const NumberText& number)
 {
     std::string text;
     for (const Yarn& yarn : yarns) {
-        text += (text.empty() ? "" : "; ") + words(yarn.material, "");
-        if (yarn.core) text += ", core of " + words(yarn.core, "");
-        if (yarn.diameter_mm) text += ", " + words(yarn.diameter_mm, " mm");
-        if (yarn.linear_density_tex) text += ", " + words(yarn.linear_density_tex, " tex");
-        if (yarn.packing_factor) text += ", packing " + words(yarn.packing_factor, "");
-        if (yarn.filament_count) text += ", " + words(yarn.filament_count, " filaments");
+        text += (text.empty() ? "" : "; ") + words(yarn.material, "", number);
+        if (yarn.core) text += ", core of " + words(yarn.core, "", number);
+        if (yarn.diameter_mm) text += ", " + words(yarn.diameter_mm, " mm", number);
+        if (yarn.linear_density_tex) text += ", " + words(yarn.linear_density_tex, " tex", number);
+        if (yarn.packing_factor) text += ", packing " + words(yarn.packing_factor, "", number);
+        if (yarn.filament_count) text += ", " + words(yarn.filament_count, " filaments", number);
         text += fmt::format(", {:.4g} turns/m", yarn.twist_per_m);
         if (yarn.plies > 1) text += fmt::format(", {} plies of {:.4g} turns/m", yarn.plies, yarn.ply_twist_per_m);
-        if (yarn.irregularity_cv > 0) text += ", unevenness " + words(yarn.irregularity_cv, "");
+        if (yarn.irregularity_cv > 0) text += ", unevenness " + words(yarn.irregularity_cv, "", number);
     }
     return text.empty() ? "none" : text;
 }
 
-std::string words(const std::vector<YarnRun>& order, const char*)
+std::string words(const std::vector<YarnRun>& order, const char*, const NumberText&)
 {
     if (order.empty()) return "all alike";
     std::string text;
@@ -67,7 +73,10 @@ std::string words(const std::vector<YarnRun>& order, const char*)
     return text.size() <= 40 ? text : fmt::format("{} stripes", order.size());
 }
 
-std::string words(const std::optional<Calibrated>& calibrated, const char*) { return calibrated ? calibrated->file : "not given"; }
+std::string words(const std::optional<Calibrated>& calibrated, const char*, const NumberText&)
+{
+    return calibrated ? calibrated->file : "not given";
+}
 
 template <typename Value> bool alike(const Value& a, const Value& b) { return a == b; }
 bool alike(const Weave& a, const Weave& b) { return a.same_matrix(b); }
@@ -89,7 +98,7 @@ template <typename Get> PartField field(std::string key, const char* name, const
 {
     return {std::move(key), name, [get](const Fabric& a, const Fabric& b) { return alike(get(a), get(b)); },
             [get](Fabric& to, const Fabric& from) { get(to) = get(from); },
-            [get, unit](const Fabric& fabric) { return words(get(fabric), unit); }};
+            [get, unit](const Fabric& fabric, const NumberText& number) { return words(get(fabric), unit, number); }};
 }
 
 /// Of the warp or the weft; yarn(fabric): it.
@@ -220,7 +229,8 @@ const std::vector<FabricPart>& fabric_parts()
     return parts;
 }
 
-std::vector<PartDifference> part_differences(const Design& design, const Fabric& first, const Fabric& second, bool replicates)
+std::vector<PartDifference> part_differences(const Design& design, const Fabric& first, const Fabric& second, bool replicates,
+                                             const NumberText& number)
 {
     std::vector<PartDifference> found;
     PartDifference angles{contact_angle_title, {}, {}, {}};
@@ -239,8 +249,8 @@ std::vector<PartDifference> part_differences(const Design& design, const Fabric&
                 continue;
             }
             const bool alone = part.fields.size() == 1 && own.fields.empty() && own.title != contact_angle_title;
-            add_text(own.first, alone ? "" : each.name, each.text(first));
-            add_text(own.second, alone ? "" : each.name, each.text(second));
+            add_text(own.first, alone ? "" : each.name, each.text(first, number));
+            add_text(own.second, alone ? "" : each.name, each.text(second, number));
             own.fields.push_back(&each);
         }
         if (!own.fields.empty()) found.push_back(std::move(own));

@@ -10,13 +10,16 @@
 
 namespace hygroloom {
 
+/// Writes a number with its unit, which begins with the blank that is between them: 0.2 and " mm", 24 and " ends/cm", 35 and "°".
+using NumberText = std::function<std::string(double number, const std::string& unit)>;
+
 /// A key of a fabric in the project file.
 struct PartField {
     std::string key;  ///< "warp.twist_per_m"; of an object or a list all that is in it
     const char* name; ///< "twist"; empty where it is the only one of its part
     std::function<bool(const Fabric&, const Fabric&)> same;
     std::function<void(Fabric& to, const Fabric& from)> copy;
-    std::function<std::string(const Fabric&)> text; ///< its value, with the unit
+    std::function<std::string(const Fabric&, const NumberText&)> text; ///< its value, with the unit
 };
 
 /// Whether the keys of a part change a run.
@@ -38,8 +41,10 @@ struct PartDifference {
     std::vector<const PartField*> fields; ///< those that differ
 };
 
-/// In the order of fabric_parts(). Fibres that differ only in their angles of water count to the contact angle; weaves of the same matrix
-/// are the same weave. What acts in replicates alone is among them if there are replicates. Precondition: validate() found no error.
-std::vector<PartDifference> part_differences(const Design& design, const Fabric& first, const Fabric& second, bool replicates);
+/// number: an empty function writes the project's numbers. In the order of fabric_parts(). Fibres that differ only in their angles of water
+/// count to the contact angle; weaves of the same matrix are the same weave. What acts in replicates alone is among them if there are
+/// replicates. Precondition: validate() found no error.
+std::vector<PartDifference> part_differences(const Design& design, const Fabric& first, const Fabric& second, bool replicates,
+                                             const NumberText& number = {});
 
 } // namespace hygroloom

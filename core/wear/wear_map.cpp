@@ -182,6 +182,7 @@ WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMap
     }
     WearMap map;
     map.scale = options.scale;
+    map.units = options.units;
     double most = 0;
     for (const GarmentCell& cell : layout.cells) {
         const Sum& sum = sums.at(key(cell));
@@ -255,13 +256,15 @@ Image panel_picture(const WearLayout& layout, const WearMap& map, std::size_t pa
         cairo_stroke(cairo);
         draw_grain(cairo, x_of(0.5 * (box.left + box.right)), y_of(0.5 * (box.low + box.high)),
                    0.2 * scale * std::min(box.width(), box.height()), of.grain);
-        const double bar = round_length(0.5 * box.width()), bar_y = head + map_height + 20;
+        const ReaderUnit unit = reader_unit(map.units, "mm");
+        const double length = round_length(0.5 * unit.of(1e3 * box.width())), bar = 1e-3 * length / unit.per_one,
+                     bar_y = head + map_height + 20;
         cairo_set_source_rgb(cairo, ink, ink, ink);
         cairo_set_line_width(cairo, 3);
         cairo_move_to(cairo, margin, bar_y);
         cairo_line_to(cairo, margin + scale * bar, bar_y);
         cairo_stroke(cairo);
-        write_text(cairo, margin, bar_y + 22, fmt::format("{:.3g} mm", 1e3 * bar));
+        write_text(cairo, margin, bar_y + 22, fmt::format("{:.3g} {}", length, unit.unit));
         draw_legend(cairo, map, 2 * margin + scale * box.width(), head + 12);
     });
 }

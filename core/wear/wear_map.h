@@ -29,6 +29,7 @@ struct WearMapOptions {
     WearScale scale = WearScale::same;
     double most = 0;                ///< at the scale's end, g/m2 or a share; 0: see round_most()
     std::optional<WearSteps> steps; ///< instead of even ones up to most
+    ReaderUnits units{};            ///< of the scale bar
 };
 
 /// Where a scale of values up to this ends, so that its eight steps are round: 1, 1.2, 1.6, 2, 2.4, 3, 4, 5, 6 or 8 times a power of ten; 1
@@ -41,6 +42,7 @@ struct WearMap {
     WearSteps steps = even_steps(1);
     WearScale scale = WearScale::same;
     std::string cells; ///< "by 8 x 8 crossings, 2.3 x 2.3 mm"
+    ReaderUnits units{};
     /// At the scale's end.
     double most() const { return steps.back(); }
 };

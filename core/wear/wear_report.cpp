@@ -151,7 +151,7 @@ std::string input(const WearRecord& record)
     for (const std::string& name : names)
         if (const Fabric* fabric = find_fabric(record.design, name)) used.fabrics.push_back(*fabric);
     const ProjectJson project = json_from_design(used);
-    std::string body;
+    std::string body = keys_of_project;
     for (const auto& [key, name] : {std::pair{"garments", "Garment"}, {"experiments", "Experiment"}, {"fabrics", "Fabric"}})
         for (const ProjectJson& value : project.value(key, ProjectJson::array()))
             body +=

@@ -356,6 +356,21 @@ private Q_SLOTS:
             QVERIFY(100 * held >= 85 * strips_asked);
         }
     }
+    void theReportNamesNumbersInWords()
+    {
+        Calibration metrics;
+        metrics.data.quantity = "metrics";
+        metrics.data.numbers = {{"maximum_wetted_radius_top_mm", "mm", 0, 8, {}}};
+        metrics.before = metrics.fitted = {8.1};
+        Calibration curve = metrics;
+        curve.data.quantity = "wick_height_mm";
+        curve.data.numbers = {{"wick_height_mm", "mm", 4, 8, {}}};
+        for (const auto& [of, words] : {std::pair(&metrics, "<th>wetted radius, top</th>"), std::pair(&curve, "<th>Height at 4 s</th>")}) {
+            const std::string page = calibration_report_html(*of);
+            QVERIFY2(page.find(words) != std::string::npos, page.c_str());
+            QVERIFY(page.find(of->data.numbers[0].key) == std::string::npos);
+        }
+    }
     void realRunsHoldTheAngle()
     {
         Strips strips;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The ranking of candidates, and the files of a comparison.
 #include "core/analysis/comparison.h"
+#include "core/analysis/comparison_report.h"
 #include "core/base/error.h"
 #include "core/run/plan_run.h"
 #include "tests/support/drop_design.h"
@@ -197,6 +198,62 @@ private Q_SLOTS:
         c.ranked_by.better = Better::less;
         judge(c);
         QCOMPARE(order_of(c), std::string("e1 a2= d2= c4 f- b-"));
+    }
+    void afterThreeThatTieComesTheFourth()
+    {
+        // Only a is shown to be better than d; nothing else differs.
+        Comparison c = of_drops({{"d", 3.10}, {"c", 3.17}, {"b", 3.18}, {"a", 3.25}, {"e", 1.0}});
+        judge(c);
+        QCOMPARE(order_of(c), std::string("a1= b1= c1= d4 e5"));
+        c.candidates.pop_back();
+        judge(c);
+        const std::string table = comparison_table(c), csv = comparison_csv(c), page = comparison_report_html(c, {});
+        std::size_t in_table = 0, in_csv = 0, in_page = 0;
+        const QJsonArray in_json = QJsonDocument::fromJson(QByteArray::fromStdString(comparison_json(c))).object()["candidates"].toArray();
+        for (int i = 0; i < 4; ++i) { // all say it alike, in one order
+            const std::string fabric = c.candidates[static_cast<std::size_t>(i)].fabric, rank = i < 3 ? "1" : "4", tie = i < 3 ? "=" : "";
+            const auto follows = [](const std::string& text, const std::string& part, std::size_t& after) {
+                after = text.find(part, after);
+                return after != std::string::npos;
+            };
+            QVERIFY2(follows(table, " " + rank + (i < 3 ? "=" : " ") + " " + fabric + " ", in_table), table.c_str());
+            QVERIFY2(follows(csv, "\n" + rank + ",\"" + fabric + "\"", in_csv), csv.c_str());
+            QVERIFY2(follows(page, "<td>" + rank + tie + "</td><th>" + fabric + "</th>", in_page), page.c_str());
+            QCOMPARE(in_json[i].toObject()["rank"].toInt(), std::stoi(rank));
+            QCOMPARE(in_json[i].toObject()["tied"].toBool(), i < 3);
+        }
+    }
+    void theReportSaysWhoseTimeItIs()
+    {
+        Comparison c = of_drops({{"a", 3.0}, {"b", 9.0}});
+        for (Candidate& candidate : c.candidates) {
+            auto run = std::make_shared<RunRecord>();
+            run->design = drop_design();
+            run->fabric = run->design.fabrics[0].name;
+            run->experiment = run->design.experiments[0].name;
+            candidate.run = run;
+        }
+        c.candidates[0].wall = c.candidates[1].wall = 1.5;
+        c.candidates[0].timed = 1;
+        const auto page = [&c] { return comparison_report_html(c, {}); };
+        QVERIFY2(page().find("<td>1.5 s for 1 run</td>") != std::string::npos, page().c_str());
+        QVERIFY2(page().find("<td>not known</td>") != std::string::npos, page().c_str());
+        QVERIFY(comparison_csv(c).find("# wall_s=") == std::string::npos);
+        const Candidate single = c.candidates[0];
+        add_replicate(c.candidates[0], single, 1);
+        QVERIFY2(page().find("<td>3 s for 2 runs together</td>") != std::string::npos, page().c_str());
+        c.candidates[0].timed = 1; // as where only the recorded run keeps its time
+        QVERIFY2(page().find("for the run of the cloth as given; no times of its 2 replicates are kept") != std::string::npos,
+                 page().c_str());
+        QVERIFY(comparison_csv(c).find("# wall_s=of the run of the cloth as given") != std::string::npos);
+        Design other = drop_design();
+        other.fabrics[0].ends_per_cm += 1;
+        auto run = std::make_shared<RunRecord>(*c.candidates[0].run);
+        run->design = other;
+        c.candidates[1].run = run;
+        const std::string differs = page();
+        QVERIFY2(differs.find("ends_per_cm") != std::string::npos, differs.c_str());
+        QVERIFY2(differs.find("keys of the project file") < differs.find("ends_per_cm"), differs.c_str());
     }
     void withoutAKnownErrorNothingIsClaimed()
     {

@@ -158,6 +158,46 @@ private Q_SLOTS:
         QVERIFY2(sentences[1].find("no effect that this simulation can show") != std::string::npos, sentences[1].c_str());
     }
 
+    void inputsAreInTheReadersUnits()
+    {
+        const Design design = pair_of([](Fabric& fabric) {
+            fabric.warp.diameter_mm = 0.254;
+            fabric.ends_per_cm = 20;
+            fabric.contact_angle_deg = 50;
+        });
+        const ReaderUnits inches = [](const std::string& unit) {
+            return unit == "mm" ? ReaderUnit{"in", 1 / 25.4} : unit == "/cm" ? ReaderUnit{"/in", 2.54} : ReaderUnit{unit};
+        };
+        std::string texts, own;
+        for (const Exchange& part : plan_why(design, "cloth", "other", design.experiments[0].name, false, inches).parts)
+            texts += part.second + ";";
+        for (const Exchange& part : plan_of(design).parts) own += part.second + ";";
+        for (const char* text : {"0.01 in", "50.8 ends/in", "50°"}) QVERIFY2(texts.find(text) != std::string::npos, texts.c_str());
+        for (const char* text : {"0.254 mm", "20 ends/cm", "50°"}) QVERIFY2(own.find(text) != std::string::npos, own.c_str());
+    }
+
+    void contributionsAreInTheReadersUnits()
+    {
+        const ReaderUnits minutes = [](const std::string& unit) { return unit == "s" ? ReaderUnit{"min", 1.0 / 60} : ReaderUnit{unit}; };
+        const Why why =
+            explained(made_up(2), 1, 6, [](Mixture m, std::size_t) { return 300 - (m & 1U ? 0 : 120.0) - (m & 2U ? 0 : 60.0); });
+        QVERIFY2(sentences_of(why)[0].find("by 120.0 ± 6.0 s") != std::string::npos, sentences_of(why)[0].c_str());
+        for (const std::string& text : {sentences_of(why, minutes)[0], heading_of(why, minutes), why_html(why, minutes)})
+            QVERIFY2(text.find(" min") != std::string::npos && text.find(" s,") == std::string::npos, text.c_str());
+        QVERIFY2(with_unit(why.metric, why.parts[0].compared, minutes).starts_with("-2.0"), sentences_of(why, minutes)[0].c_str());
+        // A difference has no zero of its own: 1.8 °F for each °C, and no 32.
+        OutcomeInfo warmth = why.metric;
+        warmth.unit = "°C";
+        const ReaderUnits fahrenheit = [](const std::string& unit) { return ReaderUnit{unit == "°C" ? "°F" : unit, 1.8, 32}; };
+        Compared warmer;
+        warmer.difference = warmer.low = warmer.high = 10;
+        QCOMPARE(with_unit(warmth, warmer, fahrenheit), std::string("18 °F"));
+        const Why none =
+            explained(made_up(2), 1, 6, [](Mixture m, std::size_t) { return 300 + (m & 1U ? 120.0 : 0) - (m & 2U ? 123.0 : 0); });
+        QVERIFY2(none.nothing.find(" s)") != std::string::npos, none.nothing.c_str());
+        QVERIFY2(nothing_of(none, minutes).find(" min)") != std::string::npos, nothing_of(none, minutes).c_str());
+    }
+
     void whereOnlyAnExchangeAloneShowsItIsSaid()
     {
         // Either part alone makes nearly all of the difference in the fabric, the other then little: a mean of 0.6 with an error of 0.7.

@@ -69,6 +69,21 @@ private Q_SLOTS:
         const Image without = draw_map(drop_in_a_corner(), 10e-3, 5e-3, {}), with = draw_map(drop_in_a_corner(), 10e-3, 5e-3, options);
         QVERIFY(with.height > without.height && with.width > without.width);
     }
+    void theScaleBarIsInTheReadersUnit()
+    {
+        // 480 pixels for 10 mm: of a third of the width the largest round length is 2 mm, or 0.1 in.
+        const auto bar_of = [](const ReaderUnits& units) {
+            MapImageOptions options;
+            options.units = units;
+            const Image image = draw_map(drop_in_a_corner(), 10e-3, 5e-3, options);
+            int length = 0;
+            while (pixel(image, 16 + length, 16 + 240 + 16 + 1).r < 100) ++length;
+            return length;
+        };
+        QCOMPARE(bar_of({}), 96);
+        const ReaderUnits inches = [](const std::string& unit) { return unit == "mm" ? ReaderUnit{"in", 1 / 25.4} : ReaderUnit{unit}; };
+        QCOMPARE(bar_of(inches), 122); // 2.54 mm
+    }
     void dryMapsAreDrawnToo()
     {
         CellMap map = drop_in_a_corner();

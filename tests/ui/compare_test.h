@@ -23,6 +23,32 @@ struct Workplace {
     CompareView view{document, history, runs};
 };
 
+inline constexpr const char* radius_key = "maximum_wetted_radius_top_mm";
+
+/// As if it had been run, with this wetted radius in mm.
+inline KeptRun runOf(const Design& design, std::size_t fabric, Fidelity fidelity, double radius_mm)
+{
+    auto run = std::make_shared<RunRecord>();
+    run->design = design;
+    run->fabric = design.fabrics[fabric].name;
+    run->experiment = design.experiments[0].name;
+    run->plan.fidelity = fidelity;
+    run->plan.expected_errors[radius_key] = 0.02;
+    run->wall = 1;
+    auto metrics = std::make_shared<Metrics>();
+    metrics->maximum_wetted_radius_top = 1e-3 * radius_mm;
+    return {QString("%1 %2").arg(fabric).arg(radius_mm), run, metrics};
+}
+
+inline ReplicateSet setOf(const Design& design, int of)
+{
+    const StudyJob job{design.fabrics[0].name, design.experiments[0].name, Fidelity::draft, false, 0, of};
+    ReplicateSet set{keyOf(design, job), {"contact angle on cotton"}, {}};
+    for (int number = 0; number < of; ++number) { set.runs[number] = {{{radius_key, 3.0 + number}}, {number == 0 ? 0.5 : 0.25}, {}}; }
+    set.runs[1].edge_time = 0.75;
+    return set;
+}
+
 /// Of a fabric in the table; -1: it is not in it.
 inline int rowOf(CompareView& view, const std::string& name)
 {

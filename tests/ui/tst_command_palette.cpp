@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
+#include <QSet>
+#include <QTreeView>
 
 #include <algorithm>
 
@@ -55,6 +57,54 @@ private Q_SLOTS:
         QVERIFY(words->isUndoAvailable());
         words->undo();
         QCOMPARE(words->text(), QString("mesh xp"));
+    }
+
+    void noTwoCommandsReadTheSame()
+    {
+        // Two projects of one name, and one of that name with a sign that menus take for the mark of a key.
+        QStringList opened;
+        for (const char* name : {"a/summer/cloth.hygro", "b/summer/cloth.hygro", "c/winter/cloth.hygro", "c/winter/cl&oth.hygro"}) {
+            const QString path = folder_.filePath(name);
+            QVERIFY(QDir().mkpath(QFileInfo(path).absolutePath()) && QFile::copy(example("one-drop-on-cotton"), path));
+            QVERIFY(window_->openFile(path));
+            opened << path;
+        }
+        CommandPalette palette(*window_->menuBar());
+        palette.show();
+        auto* list = palette.findChild<QTreeView*>();
+        QSet<QString> names, seen;
+        for (int row = 0; row < palette.shown(); ++row) {
+            const QModelIndex index = list->model()->index(row, 0);
+            const QString name = index.data().toString();
+            QVERIFY2(!names.contains(name), qPrintable(name));
+            names.insert(name);
+            // As much of it as there is room for.
+            const int margins = 2 * (list->style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+            const QString shown = list->fontMetrics().elidedText(name, list->textElideMode(), list->visualRect(index).width() - margins);
+            QVERIFY2(!seen.contains(shown), qPrintable(shown));
+            seen.insert(shown);
+        }
+        QVERIFY(names.contains("File ▸ Open Recent ▸ cloth.hygro in a/summer"));
+        QVERIFY(names.contains("File ▸ Open Recent ▸ cloth.hygro in winter"));
+        QVERIFY(names.contains("File ▸ Open Recent ▸ cl&oth.hygro"));
+        palette.search("a/summer");
+        QCOMPARE(palette.shown(), 1);
+        QCOMPARE(palette.chosen()->statusTip(), opened.first());
+    }
+
+    void commandsOfOneNameSayWhatTheyDo()
+    {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu("Run");
+        menu->addAction("Start")->setStatusTip("Start the sample.");
+        menu->addAction("Start")->setStatusTip("Start the garment.");
+        for (int i = 0; i < 2; ++i) { menu->addAction("Stop"); }
+        const CommandPalette palette(bar);
+        const QAbstractItemModel* model = palette.findChild<QTreeView*>()->model();
+        QStringList names;
+        for (int row = 0; row < model->rowCount(); ++row) { names << model->index(row, 0).data().toString(); }
+        QCOMPARE(names,
+                 (QStringList{"Run ▸ Start: Start the sample.", "Run ▸ Start: Start the garment.", "Run ▸ Stop (1)", "Run ▸ Stop (2)"}));
     }
 
     void aCommandThatIsGoneIsNotDone()

@@ -6,6 +6,7 @@
 #include "core/run/runner.h"
 #include "gpu/backends.h"
 #include "ui/compare/compare_maps.h"
+#include "ui/document/run_folder.h"
 
 #include <QLabel>
 #include <QSignalSpy>
@@ -24,6 +25,9 @@ private Q_SLOTS:
     void initTestCase()
     {
         QLocale::setDefault(QLocale::c());
+        qputenv("XDG_DATA_HOME", folder_.path().toUtf8()); // unsaved work
+        three_ = read_project(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/three-candidates.hygro");
+        three_.experiments.resize(1);
         Design design = read_project(std::string(HYGROLOOM_SOURCE_DIR) + "/resources/examples/one-drop-on-cotton.hygro");
         Experiment& drop = design.experiments[0];
         drop.duration_s = 0.2;
@@ -34,6 +38,10 @@ private Q_SLOTS:
         design.fabrics[0].contact_angle_deg = 55;
         design.fabrics[0].warp.packing_factor = design.fabrics[0].weft.packing_factor = 0.6;
         thin_ = ran(design, "thin");
+        Design open = design;
+        open.fabrics[0].name = "open";
+        open.fabrics[0].ends_per_cm *= 0.8;
+        open_ = ran(open, "open");
         design.experiments[0].climate.temperature_c = 35;
         hot_ = ran(design, "hot");
         cut_short_ = thick_;
@@ -114,6 +122,36 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(view.maps().size() == 2 && view.maps()[0]->isVisible() && !view.maps()[1]->isVisible(), 10000);
     }
 
+    void anEmptyDifferenceSaysOnlyWhyItIsEmpty()
+    {
+        Workplace place;
+        CompareView& view = place.view;
+        view.resize(900, 700);
+        view.show();
+        place.history.keep(thick_);
+        place.history.keep(open_);
+        QTRY_VERIFY_WITH_TIMEOUT(view.maps().size() == 2 && view.maps()[1]->map().maximum() > 0, 10000);
+        QSignalSpy mapped(&view, &CompareView::mapsChanged);
+        auto* maps = view.findChild<CompareMaps*>();
+        maps->show(CompareMaps::Shown::differences);
+        QTRY_VERIFY_WITH_TIMEOUT(mapped.count() > 0, 10000);
+        const auto said = [maps] {
+            QStringList texts;
+            for (const QLabel* label : maps->findChildren<QLabel*>()) { texts << (label->isVisible() ? label->text() : QString()); }
+            return texts.join('\n');
+        };
+        QVERIFY2(said().contains("There is no difference map of open: its setts differ from the baseline’s"), qPrintable(said()));
+        QVERIFY2(!said().contains("error") && !said().contains("Water less that"), qPrintable(said()));
+        // Beside one that there is, whose error the table knows.
+        const QString knows = view.table()->cellText(rowOf(view, open_.run->fabric), 0);
+        QVERIFY2(knows.contains(QChar(0x00b1)), qPrintable(knows));
+        mapped.clear();
+        place.history.keep(thin_);
+        QTRY_VERIFY_WITH_TIMEOUT(mapped.count() > 0, 10000);
+        QVERIFY2(said().contains("There is no difference map of open") && said().contains("% of the wetter one"), qPrintable(said()));
+        QVERIFY2(!said().contains("not known"), qPrintable(said()));
+    }
+
     void theNewestRunsThatGoTogetherAreProposed()
     {
         Workplace place;
@@ -123,6 +161,80 @@ private Q_SLOTS:
         view.choose(thin_.path, false);
         history.keep(thin_);
         QCOMPARE(view.chosen(), QStringList{thick_.path}); // from now on it is the user who chooses
+    }
+
+    void anExperimentThatIsChangedStaysOnScreen()
+    {
+        const QString path = folder_.filePath("changed.hygro");
+        write_project(three_, path.toStdString());
+        Workplace place;
+        QVERIFY(place.document.open(path));
+        CompareView& view = place.view;
+        view.resize(900, 700);
+        view.show();
+        for (const std::size_t fabric : {std::size_t{0}, std::size_t{1}}) {
+            KeptRun run = runOf(three_, fabric, Fidelity::draft, 3.0 + static_cast<double>(fabric));
+            run.own = true;
+            place.history.keep(run);
+        }
+        QCOMPARE(view.chosen().size(), 2);
+        QCOMPARE(view.bar()->experiment(), 1);
+        place.document.edit("longer", {}, [](Design& design) { design.experiments[0].duration_s += 1; });
+        QCOMPARE(view.bar()->experiment(), 1); // not the runs as they were
+        QCOMPARE(view.comparison().experiment, three_.experiments[0].name);
+        QVERIFY(view.chosen().isEmpty());
+        QCOMPARE(view.table()->cellText(rowOf(view, three_.fabrics[0].name), 0), QString("outdated"));
+        QCOMPARE(view.table()->cellText(rowOf(view, three_.fabrics[2].name), 0), QString("not run"));
+        const auto labels = view.findChildren<QLabel*>();
+        const QString names = QString::fromStdString(three_.fabrics[0].name + ", " + three_.fabrics[1].name);
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+            return label->isVisible() && label->text().contains("Outdated, as the design has changed since they were run: " + names + ".");
+        }));
+        place.document.edit("another name", {}, [](Design& design) { design.experiments[0].name = "renamed"; });
+        QCOMPARE(view.bar()->experiment(), 1);
+        for (int i = 0; i < 2; ++i) { place.document.history()->undo(); }
+        QCOMPARE(view.bar()->experiment(), 1);
+        QCOMPARE(view.chosen().size(), 2);
+        view.choose(view.chosen().first(), false); // the user's own choice
+        place.document.edit("longer", {}, [](Design& design) { design.experiments[0].duration_s += 1; });
+        QCOMPARE(view.bar()->experiment(), 1);
+    }
+
+    void theReplicatesThatAreKeptAreChosen()
+    {
+        const QString path = folder_.filePath("k/cloth.hygro");
+        QVERIFY(QDir().mkpath(runFolderOf(path)));
+        Design one = three_;
+        one.fabrics.resize(1);
+        write_project(one, path.toStdString());
+        QFile file(replicatesIn(runFolderOf(path)));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QVERIFY(file.write(QByteArray::fromStdString(format_replicates({setOf(one, 8), setOf(one, 4)}))) > 0);
+        file.close();
+        KeptRun run = runOf(one, 0, Fidelity::draft, 3);
+        run.own = true;
+        {
+            Workplace place;
+            QVERIFY(place.document.open(path));
+            place.view.show();
+            QCOMPARE(place.view.bar()->replicates(), 1); // the run of the project is missing
+            place.history.keep(run);
+            QCOMPARE(place.view.bar()->replicates(), 8);
+            QCOMPARE(place.view.comparison().replicates, 8);
+            QVERIFY(place.view.comparison().complete);
+            place.document.edit("an angle", {}, [](Design& design) { design.fabrics[0].contact_angle_deg = 50; });
+            QCOMPARE(place.view.bar()->replicates(), 8); // what is missing now is to be run again
+            place.document.history()->undo();
+            place.view.bar()->setReplicates(4);
+            place.history.setMarked(run.path, true);
+            QCOMPARE(place.view.bar()->replicates(), 4); // it is the user's from now on
+        }
+        Workplace place;
+        QVERIFY(place.document.open(path));
+        place.document.edit("two fabrics", {}, [this](Design& design) { design.fabrics.push_back(three_.fabrics[1]); });
+        place.view.show();
+        place.history.keep(run);
+        QCOMPARE(place.view.bar()->replicates(), 1); // of the other there is nothing
     }
 
     void onlyRunsOfTheSameExperimentThatEndedAreTaken()
@@ -254,7 +366,8 @@ private:
     }
 
     QTemporaryDir folder_;
-    KeptRun thick_, thin_, hot_, cut_short_;
+    KeptRun thick_, thin_, open_, hot_, cut_short_;
+    Design three_;
 };
 
 QTEST_MAIN(TestCompareView)

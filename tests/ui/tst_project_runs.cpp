@@ -2,7 +2,9 @@
 // Runs belong to their project: found again, taken along, and gone only when the user says so. Needs a display: xvfb-run.
 #include "project_runs_test.h"
 #include "ui/compare/cloths_view.h"
+#include "ui/results/results_panel.h"
 
+#include <QLabel>
 #include <QTabWidget>
 
 using namespace hygroloom;
@@ -51,6 +53,28 @@ private Q_SLOTS:
         QVERIFY(runs().runs().empty());
         QVERIFY(window_->openFile(project_));
         QTRY_COMPARE_WITH_TIMEOUT(runs().runs().size(), std::size_t{1}, 20000);
+    }
+
+    void theResultsOfAProjectThatIsOpenedSayWhichRunsAreKept()
+    {
+        QVERIFY(results().text().startsWith("Run the experiment"));
+        run();
+        QVERIFY(!results().text().contains("kept"));
+        run();
+        trigger("Save");
+        QVERIFY(window_->close());
+        openWindow();
+        QVERIFY(window_->openFile(project_));
+        QTRY_VERIFY_WITH_TIMEOUT(results().text().startsWith("2 runs are kept. Open the newest"), 20000);
+        QVERIFY(!playback().run());
+        QLabel* link = nullptr;
+        for (QLabel* label : results().findChildren<QLabel*>()) {
+            if (label->text().contains("href='newest'")) { link = label; }
+        }
+        QVERIFY(link && link->isVisibleTo(&results()));
+        Q_EMIT link->linkActivated("newest");
+        QTRY_VERIFY_WITH_TIMEOUT(playback().path().endsWith("run-2.hygrorec"), 20000);
+        QVERIFY(!link->isVisibleTo(&results()) && !results().text().contains("kept"));
     }
 
     void theFirstSaveTakesRunsAlong()

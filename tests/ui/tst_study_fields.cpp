@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a study may change, as people read it and pick it, and what its charts are drawn from.
 #include "tests/support/drop_design.h"
+#include "ui/basics/preferences.h"
 #include "ui/study/factor_form.h"
 #include "ui/study/field_picker.h"
 #include "ui/study/study_data.h"
+#include "ui/study/study_table.h"
 
+#include <QFile>
+#include <QSettings>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -44,6 +49,41 @@ private Q_SLOTS:
                          (field.path + ": " + issue.text).c_str());
             }
         }
+    }
+
+    void axesAndTableAreInTheUsersUnits()
+    {
+        QTemporaryDir folder;
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+        const QString path = folder.filePath("results.csv");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QVERIFY(
+            file.write("point,replicate,fabrics[0].ends_per_cm,status,maximum_wetted_radius_top_mm,absorbency_time_s,wall_s,device,commit,"
+                       "reason\n0,0,20,done,50.8,3,1,cpu,,\n1,0,30,done,25.4,4,1,cpu,,\n") > 0);
+        file.close();
+        StudyTableModel table;
+        const auto shown = [&table](int row, int column) { return table.index(row, column).data().toString(); };
+        table.setStudy(readStudyData(path));
+        QCOMPARE(table.headerData(4, Qt::Horizontal, Qt::DisplayRole).toString(), QString("wetted radius, top (mm)"));
+        QCOMPARE(shown(0, 4), QString("50.8"));
+        Preferences inches = preferences();
+        inches.length = static_cast<int>(LengthUnit::inch);
+        inches.sett = static_cast<int>(SettUnit::per_inch);
+        setPreferences(inches);
+        const auto data = readStudyData(path);
+        setPreferences({});
+        table.setStudy(data);
+        QCOMPARE(table.headerData(4, Qt::Horizontal, Qt::DisplayRole).toString(), QString("wetted radius, top (in)"));
+        QCOMPARE(shown(0, 4), QString("2"));
+        QCOMPARE(shown(0, 5), QString("3")); // of no such unit
+        QVERIFY(data->axes[0].title.endsWith("(/in)"));
+        QCOMPARE(shown(1, 2), QString("76.2"));
+        QCOMPARE(data->axes[0].low, 50.8);
+        QCOMPARE(data->axes[1].high, 2.0);
+        table.sort(4, Qt::AscendingOrder);
+        QCOMPARE(shown(0, 4), QString("1"));
+        QCOMPARE(data->table.columns[4].numbers[0], 50.8); // what is written elsewhere stays
     }
 
     void thePickerFindsByLettersAndKeepsFactorsFromBeingTakenTwice()

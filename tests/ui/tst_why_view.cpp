@@ -2,6 +2,7 @@
 // The Why view of Compare: which fabrics it proposes, what it runs, what it shows.
 #include "compare_test.h"
 #include "core/project/project_file.h"
+#include "ui/basics/preferences.h"
 #include "ui/compare/why_delegate.h"
 #include "ui/compare/why_view.h"
 
@@ -111,6 +112,18 @@ private Q_SLOTS:
         QCOMPARE(seen.table->item(0, 3)->data(WhyDelegate::tone_role).toInt(), static_cast<int>(WhyDelegate::better));
         QVERIFY(!seen.button->isEnabled());
         QCOMPARE(place.history.runs().size(), recorded); // mixtures are no runs of the project
+
+        // In the user's unit, at once.
+        QVERIFY2(seen.cell(0, 3).endsWith(" mm") && seen.cell(0, 4).contains(" mm,"), qPrintable(seen.cell(0, 3)));
+        const Preferences before = preferences();
+        Preferences inches = before;
+        inches.length = static_cast<int>(LengthUnit::inch);
+        setPreferences(inches);
+        QTRY_VERIFY_WITH_TIMEOUT(view.why() != nullptr, 20000); // the inputs, too
+        QVERIFY2(seen.cell(0, 3).endsWith(" in") && seen.cell(0, 4).contains(" in,"), qPrintable(seen.cell(0, 3)));
+        QVERIFY2(seen.said().contains(" in higher") && !seen.said().contains(" mm"), qPrintable(seen.said()));
+        setPreferences(before);
+        QTRY_VERIFY_WITH_TIMEOUT(view.why() != nullptr && seen.cell(0, 3).endsWith(" mm"), 20000);
 
         // Another question and back: it is known.
         view.choose("copy", "slow", 0);

@@ -9,6 +9,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
+
 using namespace hygroloom;
 
 class TestWearReport : public QObject {
@@ -39,6 +41,32 @@ private Q_SLOTS:
         QVERIFY(alone[0].image.rgb != both[0].image.rgb);
         how.most = last.most();
         QVERIFY(pictures_of_panels(recording, {1}, how)[0].image.rgb == both[0].image.rgb);
+    }
+
+    /// Only the scale bar and its length are others.
+    void the_scale_bar_is_in_the_readers_unit()
+    {
+        const WearRecord record = small_wear();
+        WearMapOptions how;
+        const WearFrame frame = small_wear_frame(record.layout, 2);
+        const Image metric = panel_picture(record.layout, wear_map(record.layout, frame, how), 0, 2);
+        how.units = [](const std::string& unit) { return unit == "mm" ? ReaderUnit{"in", 1 / 25.4} : ReaderUnit{unit}; };
+        const Image inches = panel_picture(record.layout, wear_map(record.layout, frame, how), 0, 2);
+        const FlatBox box = record.layout.panels[0].box();
+        const double scale = 1000 / std::max(box.width(), box.height()); // pixels per metre
+        const auto bar_of = [&](const Image& image) {
+            const int y = image.height - 56 + 20;
+            int length = 0;
+            while (image.rgb[static_cast<std::size_t>(3 * (y * image.width + 24 + length))] < 128) ++length;
+            return length / scale;
+        };
+        const double in_mm = 1e3 * bar_of(metric), in_inches = bar_of(inches) / 25.4e-3;
+        const auto is_round = [](double length) {
+            const double first = length / std::pow(10.0, std::floor(std::log10(1.005 * length)));
+            return std::abs(first - 1) < 0.02 || std::abs(first - 2) < 0.04 || std::abs(first - 5) < 0.1;
+        };
+        QVERIFY2(is_round(in_mm), qPrintable(QString::number(in_mm)));
+        QVERIFY2(is_round(in_inches) && !is_round(25.4 * in_inches), qPrintable(QString::number(in_inches)));
     }
 
     /// Steps with ends of their own: a cell has the colour of the step in which its value lies, in pictures as in textures.

@@ -14,8 +14,8 @@ constexpr const char* words[] = {
     // Metrics and their faces: core/analysis/outcomes.cpp.
     QT_TRANSLATE_NOOP("core", "wetted radius"),
     QT_TRANSLATE_NOOP("core", "wetted radius in 5 mm rings"),
-    QT_TRANSLATE_NOOP("core", "stain on top, semi-axis along warp"),
-    QT_TRANSLATE_NOOP("core", "stain on top, semi-axis along weft"),
+    QT_TRANSLATE_NOOP("core", "ellipse of equal moments on top, semi-axis along warp"),
+    QT_TRANSLATE_NOOP("core", "ellipse of equal moments on top, semi-axis along weft"),
     QT_TRANSLATE_NOOP("core", "stain at rest from"),
     QT_TRANSLATE_NOOP("core", "water between the yarns"),
     QT_TRANSLATE_NOOP("core", "water shed below"),

@@ -154,7 +154,7 @@ void addRank(GridRow& row, const Comparison& comparison)
     const Candidate* candidate = candidateNamed(comparison, row.name);
     if (!candidate || candidate->rank == 0 || comparison.candidates.size() < 2) { return; }
     row.place = candidate->rank;
-    row.rank = QString::number(candidate->rank) + (candidate->tied ? " =" : "");
+    row.rank = QString::fromStdString(rank_text(*candidate));
 }
 
 } // namespace

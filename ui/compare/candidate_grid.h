@@ -34,12 +34,13 @@ struct GridCell {
     double low = 0, value = 0, high = 0; ///< in the shown unit
     QString path;                        ///< of the run behind it
     std::vector<StudyJob> missing;
-    bool failed = false; ///< the last run of what is missing; the tip says why
+    bool failed = false;   ///< the last run of what is missing; the tip says why
+    bool outdated = false; ///< what is missing was run, on an older design
 };
 
 struct GridRow {
     std::string name;
-    QString rank; ///< "1", "2 ="; empty: none
+    QString rank; ///< "1", "2="; empty: none
     int place = 0;
     bool baseline = false;
     bool candidate = true; ///< a fabric of the project

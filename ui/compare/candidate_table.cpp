@@ -187,7 +187,7 @@ QTableWidgetItem* CandidateTable::itemOf(const GridCell& cell, int number) const
         break;
     case GridCell::State::reading: item->setText(tr("reading…")); break;
     case GridCell::State::missing:
-        item->setText(!cell.verdict.isEmpty() ? cell.verdict : cell.failed ? tr("failed") : tr("not run"));
+        item->setText(!cell.verdict.isEmpty() ? cell.verdict : cell.failed ? tr("failed") : cell.outdated ? tr("outdated") : tr("not run"));
         item->setData(NumberDelegate::button_role, cell.verdict.isEmpty() && (overview_ || number == 0));
         item->setToolTip(paragraph(cell.tip));
         break;

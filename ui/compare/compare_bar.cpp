@@ -129,6 +129,19 @@ int CompareBar::replicates() const { return replicates_->currentData().toInt(); 
 
 void CompareBar::setReplicates(int count) { replicates_->setCurrentIndex(std::max(0, replicates_->findData(count))); }
 
+void CompareBar::showReplicates(int count)
+{
+    const QSignalBlocker quiet(replicates_);
+    setReplicates(count);
+}
+
+std::vector<int> CompareBar::replicateChoices() const
+{
+    std::vector<int> counts;
+    for (int i = 0; i < replicates_->count(); ++i) { counts.push_back(replicates_->itemData(i).toInt()); }
+    return counts;
+}
+
 void CompareBar::setMissing(int runs, double seconds, const QString& why_not)
 {
     run_->setEnabled(runs > 0 && why_not.isEmpty());

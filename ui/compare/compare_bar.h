@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
@@ -29,6 +31,10 @@ public:
     Fidelity fidelity() const;
     int replicates() const;
     void setReplicates(int count);
+    /// The same, when it is not the user who chooses.
+    void showReplicates(int count);
+    /// From the fewest.
+    std::vector<int> replicateChoices() const;
     /// What Run All Missing would do; seconds: 0 where they are not known. why_not: why it cannot.
     void setMissing(int runs, double seconds, const QString& why_not);
     void showProgress();

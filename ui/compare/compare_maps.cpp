@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hygroloom {
 
@@ -213,8 +214,8 @@ void CompareMaps::showDifferences(const MapsRead& read)
 {
     QStringList problems;
     MapError error;
-    int pairs = 0;
-    QStringList unpaired;
+    int pairs = 0, drawn = 0;
+    QStringList unpaired, unknown;
     const FaceMap& baseline = read.maps.back();
     for (std::size_t i = 0; i < maps_.size(); ++i) {
         const bool own = runs_[i].path == baseline_->path;
@@ -234,6 +235,11 @@ void CompareMaps::showDifferences(const MapsRead& read)
         if (!paired) { unpaired << titles_[static_cast<qsizetype>(i)]; }
         maximum_ = std::max(maximum_, largestOf(difference));
         maps_[i]->setDifference(difference, map.size);
+        ++drawn;
+        for (const auto& [run, name] :
+             {std::pair(&runs_[i], titles_[static_cast<qsizetype>(i)]), std::pair(&*baseline_, baseline_title_)}) {
+            if (!errorOfMaps(*run->run, *run->run, side()).share && !unknown.contains(name)) { unknown << name; }
+        }
         if (error.of.isEmpty() || each.share.value_or(0) > error.share.value_or(0)) { error = each; }
     }
     if (runs_.size() == 1 && runs_.front().path == baseline_->path) { problems << tr("Tick a second fabric to see how it differs."); }
@@ -246,14 +252,14 @@ void CompareMaps::showDifferences(const MapsRead& read)
     showProblem({});
     problem_->setText(problems.join(' '));
     problem_->setVisible(!problems.isEmpty());
-    grey_->setText(greyText(error, pairs, read.share));
-    grey_->setVisible(true);
+    grey_->setText(drawn > 0 ? greyText(error, pairs, read.share, unknown) : QString()); // else the problems say why there is nothing
+    grey_->setVisible(drawn > 0);
     showRange();
     Q_EMIT mapsChanged();
 }
 
-/// pairs: fewest of the maps; 0: the replicates do not count.
-QString CompareMaps::greyText(const MapError& error, int pairs, double share) const
+/// pairs: fewest of the maps; 0: the replicates do not count. unknown: whose numerical error is not known.
+QString CompareMaps::greyText(const MapError& error, int pairs, double share, const QStringList& unknown) const
 {
     const QString to = tr("Water less that of %1.").arg(baseline_title_);
     const QString percent = error.share ? shownNumber(100 * *error.share, decimals_for(100 * *error.share, 2)) : QString();
@@ -266,9 +272,14 @@ QString CompareMaps::greyText(const MapError& error, int pairs, double share) co
             .arg(pairs)
             .arg(momentText(share * duration(), duration()), numerical);
     }
-    return error.share
-               ? tr("%1 Grey: the difference is at most %2 % of the wetter one, the numerical error of %3.").arg(to, percent, error.of)
-               : tr("%1 The numerical error of these runs is not known: grey cells are exactly equal.").arg(to);
+    if (!error.share) {
+        return unknown.isEmpty()
+                   ? tr("%1 The numerical error of these runs is not known: grey cells are exactly equal.").arg(to)
+                   : tr("%1 The numerical error of %2 is not known: grey cells are exactly equal.").arg(to, unknown.join(", "));
+    }
+    const QString known =
+        tr("%1 Grey: the difference is at most %2 % of the wetter one, the numerical error of %3.").arg(to, percent, error.of);
+    return unknown.isEmpty() ? known : tr("%1 That of %2 is not known: grey cells are exactly equal there.").arg(known, unknown.join(", "));
 }
 
 /// Title, path, date and replicates of each.

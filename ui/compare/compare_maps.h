@@ -47,7 +47,7 @@ private:
     QStringList identitiesOf(const std::vector<KeptRun>& runs) const;
     void showMaps(const MapsRead& read);
     void showDifferences(const MapsRead& read);
-    QString greyText(const MapError& error, int pairs, double share) const;
+    QString greyText(const MapError& error, int pairs, double share, const QStringList& unknown) const;
     void showProblem(const QString& sentence);
     void showRange();
 

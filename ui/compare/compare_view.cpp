@@ -20,6 +20,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
@@ -80,24 +81,7 @@ void CompareView::connectParts()
         refreshTable();
         refreshLower();
     });
-    connect(bar_, &CompareBar::experimentChosen, this, [this] {
-        selected_ = bar_->experiment() - 1;
-        selecting_ = false;
-        proposing_ = true;
-        refresh();
-    });
-    connect(bar_, &CompareBar::fidelityChosen, this, [this] {
-        fidelity_follows_ = false;
-        refresh();
-    });
-    connect(bar_, &CompareBar::replicatesChosen, this, &CompareView::refresh);
-    connect(bar_, &CompareBar::filterChanged, table_, &CandidateTable::setFilter);
-    connect(bar_, &CompareBar::saveRequested, this, &CompareView::saveTable);
-    connect(bar_, &CompareBar::reportRequested, this, &CompareView::saveReport);
-    connect(bar_, &CompareBar::measuredRequested, this, &CompareView::chooseMeasured);
-    connect(bar_, &CompareBar::runAllRequested, this, [this] { start(missing()); });
-    connect(bar_, &CompareBar::cancelRequested, &runs_, &StudyRuns::cancel);
-    connect(&runs_, &StudyRuns::progressed, bar_, &CompareBar::showProgress);
+    connectBar();
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &CompareView::refresh);
     connect(&runs_, &StudyRuns::changed, this, [this] {
@@ -111,7 +95,9 @@ void CompareView::connectParts()
     connect(&history_, &RunHistory::changed, this, &CompareView::refresh);
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &CompareView::refresh);
     connect(&document_, &Document::replaced, this, [this] {
-        proposing_ = selecting_ = fidelity_follows_ = true;
+        proposing_ = selecting_ = fidelity_follows_ = replicates_follow_ = true;
+        replicates_of_.clear();
+        bar_->showReplicates(1);
         selected_ = -1;
         baseline_.clear();
         chosen_.clear();
@@ -120,6 +106,31 @@ void CompareView::connectParts()
     connect(&document_, &Document::designChanged, this, [this] {
         if (isVisible()) { refresh(); } // else once it is shown
     });
+}
+
+void CompareView::connectBar()
+{
+    connect(bar_, &CompareBar::experimentChosen, this, [this] {
+        selected_ = bar_->experiment() - 1;
+        selecting_ = false;
+        proposing_ = true;
+        refresh();
+    });
+    connect(bar_, &CompareBar::fidelityChosen, this, [this] {
+        fidelity_follows_ = false;
+        refresh();
+    });
+    connect(bar_, &CompareBar::replicatesChosen, this, [this] {
+        replicates_follow_ = false;
+        refresh();
+    });
+    connect(bar_, &CompareBar::filterChanged, table_, &CandidateTable::setFilter);
+    connect(bar_, &CompareBar::saveRequested, this, &CompareView::saveTable);
+    connect(bar_, &CompareBar::reportRequested, this, &CompareView::saveReport);
+    connect(bar_, &CompareBar::measuredRequested, this, &CompareView::chooseMeasured);
+    connect(bar_, &CompareBar::runAllRequested, this, [this] { start(missing()); });
+    connect(bar_, &CompareBar::cancelRequested, &runs_, &StudyRuns::cancel);
+    connect(&runs_, &StudyRuns::progressed, bar_, &CompareBar::showProgress);
 }
 
 void CompareView::showEvent(QShowEvent* event)
@@ -160,7 +171,7 @@ void CompareView::choose(const QString& path, bool on)
     proposing_ = false;
     if (on && run && !chosen_.contains(path) && whyNot(*run).isEmpty()) {
         chosen_ << path;
-        if (const int of = entryOf(*run); of >= 0) { selected_ = of; }
+        if (const int of = entryOf(*run); of >= 0 && !isOnScreen(*run)) { selected_ = of; }
     } else if (!on) {
         chosen_.removeAll(path);
     }
@@ -222,6 +233,9 @@ void CompareView::findEntries()
         const Entry& each = entries_[i];
         if (own ? each.own && each.name == name : each.conditions == conditions) { selected_ = static_cast<int>(i); }
     }
+    for (std::size_t i = 0; i < entries_.size() && selected_ < 0; ++i) { // it was renamed
+        if (own && entries_[i].own && entries_[i].conditions == conditions) { selected_ = static_cast<int>(i); }
+    }
 }
 
 int CompareView::entryOf(const KeptRun& run) const
@@ -231,37 +245,73 @@ int CompareView::entryOf(const KeptRun& run) const
     return found == entries_.end() ? -1 : static_cast<int>(found - entries_.begin());
 }
 
-/// The newest run of each fabric that goes with the newest of all; of the experiment that the user has chosen, if he has.
+/// Whether it is of the experiment that is shown, as that is now.
+bool CompareView::isOnScreen(const KeptRun& run) const { return entry() && conditionsOf(*run.run) == entry()->conditions; }
+
+/// Where a run is looked for: with the project's experiment of that name, though that has changed since; a run of the project whose
+/// experiment it no longer has moves nobody from another of its experiments.
+int CompareView::homeOf(const KeptRun& run) const
+{
+    const auto named = [&run](const Entry& each) { return run.own && each.own && each.name == run.run->experiment; };
+    const auto found = std::find_if(entries_.begin(), entries_.end(), named);
+    if (found != entries_.end()) { return static_cast<int>(found - entries_.begin()); }
+    const int of = entryOf(run);
+    const bool is_older = run.own && of >= 0 && !entries_[static_cast<std::size_t>(of)].own;
+    return is_older && entry() && entry()->own ? selected_ : of;
+}
+
+/// The newest run of each fabric on the experiment of the newest of all, or on that which the user has chosen.
 void CompareView::propose()
 {
     chosen_.clear();
-    QStringList fabrics;
     const auto& runs = history_.runs();
+    const auto newest = std::find_if(runs.rbegin(), runs.rend(), [](const KeptRun& run) { return whyNotCompared(run, run).isEmpty(); });
+    if (selecting_ && newest != runs.rend()) {
+        selected_ = homeOf(*newest);
+    } else if (selecting_ && document_.experiment()) {
+        selected_ = document_.experimentIndex();
+    }
+    QStringList fabrics;
     const KeptRun* first = nullptr;
     for (auto run = runs.rbegin(); run != runs.rend() && chosen_.size() < most_runs; ++run) {
-        if (!whyNotCompared(*run, first ? *first : *run).isEmpty()) { continue; }
-        if (!selecting_ && entryOf(*run) != selected_) { continue; }
+        if (!whyNotCompared(*run, first ? *first : *run).isEmpty() || !isOnScreen(*run)) { continue; }
         const QString fabric = QString::fromStdString(run->run->fabric);
         if (fabrics.contains(fabric)) { continue; }
         if (!first) { first = &*run; }
         chosen_ << run->path;
         fabrics << fabric;
     }
-    if (!selecting_) { return; }
-    if (first) {
-        selected_ = entryOf(*first);
-    } else if (document_.experiment()) {
-        selected_ = document_.experimentIndex();
-    }
-    if (first && fidelity_follows_) { bar_->setFidelity(first->run->plan.fidelity); }
+    if (selecting_ && newest != runs.rend() && fidelity_follows_) { bar_->setFidelity(newest->run->plan.fidelity); }
+}
+
+/// Without those that are gone or no more of the experiment as it is; where none is left, others are proposed.
+void CompareView::dropOutdated()
+{
+    const auto before = chosen_.size();
+    chosen_.removeIf([this](const QString& path) {
+        const KeptRun* run = history_.find(path);
+        return !run || (entry() && !isOnScreen(*run));
+    });
+    if (chosen_.isEmpty() && before > 0 && entry()) { proposing_ = true; }
+}
+
+/// As many as the kept results have, until the user chooses: an edit takes none away.
+void CompareView::followReplicates()
+{
+    const Entry* shown = entry();
+    if (!shown || !shown->own || document_.hasError()) { return; }
+    const int kept = keptReplicates(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(*shown), bar_->replicateChoices());
+    const bool another = std::exchange(replicates_of_, shown->name) != shown->name;
+    if (another || kept > bar_->replicates()) { bar_->showReplicates(kept); }
 }
 
 void CompareView::refresh()
 {
     soon_.stop();
     findEntries();
-    chosen_.removeIf([this](const QString& path) { return !history_.find(path); });
+    dropOutdated();
     if (proposing_) { propose(); }
+    if (replicates_follow_) { followReplicates(); }
     QStringList names{tr("All experiments")};
     for (const Entry& each : entries_) {
         const QString name = QString::fromStdString(each.name);

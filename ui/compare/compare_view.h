@@ -74,10 +74,15 @@ private:
         Design conditions; ///< see conditionsOf()
     };
     void connectParts();
+    void connectBar();
     void refresh();
     void findEntries();
     void propose();
+    void dropOutdated();
+    void followReplicates();
     int entryOf(const KeptRun& run) const;
+    int homeOf(const KeptRun& run) const;
+    bool isOnScreen(const KeptRun& run) const;
     const Entry* entry() const { return selected_ < 0 ? nullptr : &entries_[static_cast<std::size_t>(selected_)]; }
     StudyChoice choiceOf(const Entry& entry) const;
     std::vector<StudyRow> rowsOf(const Entry& entry) const;
@@ -88,6 +93,9 @@ private:
     void refreshTable();
     Grid overview();
     void markMissing(Grid& grid) const;
+    /// Whether it was run, on an older design.
+    bool isOutdated(const std::string& fabric, const std::string& experiment) const;
+    QString outdatedText() const;
     void refreshMissing();
     void refreshLower();
     void refreshHint();
@@ -119,6 +127,8 @@ private:
     bool proposing_ = true;                                                               ///< until the user chooses
     bool selecting_ = true;                                                               ///< the same of the experiment
     bool fidelity_follows_ = true;                                                        ///< the same of the fidelity
+    bool replicates_follow_ = true;                                                       ///< the same of the replicates
+    std::string replicates_of_;                                                           ///< the experiment for which they were set
     std::map<std::pair<std::string, std::pair<std::string, Fidelity>>, double> expected_; ///< s, of a run of planned_
     std::shared_ptr<const Design> planned_;
     CompareBar* bar_;

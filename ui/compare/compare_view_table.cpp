@@ -88,6 +88,8 @@ void CompareView::markMissing(Grid& grid) const
             const QString failure = runs_.failureOf(cell.missing.front());
             if (cell.state != GridCell::State::missing) { continue; }
             cell.tip = tr("Enter or the button runs it.");
+            cell.outdated = isOutdated(cell.missing.front().fabric, cell.missing.front().experiment);
+            if (cell.outdated) { cell.tip = tr("The design has changed since this was run.") + "\n" + cell.tip; }
             if (any(StudyRuns::State::running)) {
                 cell.verdict = tr("running…");
             } else if (any(StudyRuns::State::waiting)) {
@@ -98,6 +100,30 @@ void CompareView::markMissing(Grid& grid) const
             }
         }
     }
+}
+
+bool CompareView::isOutdated(const std::string& fabric, const std::string& experiment) const
+{
+    const auto& runs = history_.runs();
+    return std::any_of(runs.begin(), runs.end(), [&](const KeptRun& run) {
+        return run.own && !run.worn && run.problem.isEmpty() && run.complete() && !run.current && run.run->fabric == fabric &&
+               run.run->experiment == experiment;
+    });
+}
+
+/// Which fabrics have only runs of an older design; empty: none.
+QString CompareView::outdatedText() const
+{
+    QStringList fabrics;
+    for (const StudyRow& row : rows_) {
+        if (entry()->own && row.path.isEmpty() && !row.missing.empty() && isOutdated(row.fabric, entry()->name)) {
+            fabrics << QString::fromStdString(row.fabric);
+        }
+    }
+    return fabrics.isEmpty() ? QString()
+                             : tr("Outdated, as the design has changed since they were run: %1. “Run All Missing” runs them again. The "
+                                  "older runs stand under All Runs.")
+                                   .arg(fabrics.join(", "));
 }
 
 /// Under the table, what keeps its numbers from being compared.
@@ -140,6 +166,7 @@ void CompareView::refreshHint()
     if (kept > 1 && entry() && choiceOf(*entry()).replicates == 1) {
         notes << tr("%1 replicates of these runs are kept. Choose more than one under Replicates to judge by them.").arg(kept);
     }
+    if (const QString outdated = entry() ? outdatedText() : QString(); !outdated.isEmpty()) { notes.prepend(outdated); }
     if (differ) { notes << tr("These runs have different fidelities, which is part of their difference."); }
     note_->setText(notes.join(' '));
     note_->setVisible(!notes.isEmpty());
@@ -160,6 +187,8 @@ void CompareView::refreshLower()
                   "under All Runs.");
     } else if (!entry()) {
         hint = tr("Choose one experiment above to see its maps and curves.");
+    } else if (const QString outdated = outdatedText(); runs.empty() && !outdated.isEmpty()) {
+        hint = outdated;
     }
     std::optional<KeptRun> baseline;
     const std::string& base = numbers_.baseline;

@@ -85,6 +85,21 @@ std::vector<StudyRow> studyRows(const Design& design, const std::vector<KeptRun>
     return rows;
 }
 
+int keptReplicates(const Design& design, std::vector<KeptRun> runs, const std::vector<ReplicateSet>& sets, StudyChoice choice,
+                   const std::vector<int>& counts)
+{
+    int most = 1;
+    if (sets.empty() || design.fabrics.empty()) { return most; }
+    for (KeptRun& run : runs) { run.metrics = nullptr; } // nothing is to be computed from them
+    for (const int count : counts) {
+        choice.replicates = count;
+        const std::vector<StudyRow> rows = count > most ? studyRows(design, runs, sets, choice) : std::vector<StudyRow>();
+        const bool whole = std::all_of(rows.begin(), rows.end(), [](const StudyRow& row) { return row.missing.empty(); });
+        if (!rows.empty() && whole) { most = count; }
+    }
+    return most;
+}
+
 Comparison comparisonOf(ExperimentType type, const StudyChoice& choice, const std::vector<StudyRow>& rows, const std::string& baseline)
 {
     Comparison made;

@@ -45,6 +45,10 @@ struct StudyRow {
 std::vector<StudyRow> studyRows(const Design& design, const std::vector<KeptRun>& runs, const std::vector<ReplicateSet>& sets,
                                 const StudyChoice& choice);
 
+/// Of these numbers of replicates the largest of which no fabric lacks a run; 1 where all lack some. Precondition: as of studyRows().
+int keptReplicates(const Design& design, std::vector<KeptRun> runs, const std::vector<ReplicateSet>& sets, StudyChoice choice,
+                   const std::vector<int>& counts);
+
 /// What the replicates of a fabric are found by.
 ReplicateKey keyOf(const Design& design, const StudyJob& job);
 

@@ -34,7 +34,7 @@ QString studyReport(const Comparison& comparison, const std::map<std::string, QS
         const Frame start = start_of_maps(recording.run(), recording.frame(0)), last = recording.frame(recording.frames() - 1);
         for (const auto& [side, name] : {std::pair(MapSide::top, "top"), std::pair(MapSide::bottom, "bottom")}) {
             maps.emplace_back(map_caption(comparison, candidate.fabric, name),
-                              map_picture(recording.run(), last, start, side, crossings_per_cell));
+                              map_picture(recording.run(), last, start, side, crossings_per_cell, unitsOfReader()));
         }
     }
     return QString::fromStdString(comparison_report_html(comparison, pictures_on_one_scale(std::move(maps)), unitsOfReader()));

@@ -4,9 +4,11 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/core_words.h"
+#include "ui/basics/quantity.h"
 #include "ui/compare/chart_style.h"
 #include "ui/compare/why_delegate.h"
 #include "ui/results/plan_dialog.h"
+#include "ui/results/report_file.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -184,6 +186,7 @@ void WhyView::plan()
     const bool replicates = study_.choice.replicates > 1;
     Planned wanted{study_.design, study_.choice.experiment, fabric_->currentText().toStdString(), against_->currentText().toStdString(),
                    replicates};
+    for (const char* unit : {"mm", "tex", "/cm"}) { wanted.units << userUnit(unit).unit; }
     const bool possible = whyNot().isEmpty();
     const bool known = possible && wanted == planned_;
     if (!known) {
@@ -195,7 +198,7 @@ void WhyView::plan()
     if (known || !possible) { return; }
     planner_.run([this, design = study_.design, choice = study_.choice, fabric = wanted.fabric,
                   against = wanted.against](const NewestJob::Turn& turn) {
-        WhyPlan made = plan_why(*design, fabric, against, choice.experiment, choice.replicates > 1);
+        WhyPlan made = plan_why(*design, fabric, against, choice.experiment, choice.replicates > 1, unitsOfReader());
         turn.deliver([this, made = std::move(made)] {
             plan_ = made;
             refresh();

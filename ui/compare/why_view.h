@@ -55,6 +55,7 @@ private:
         std::shared_ptr<const Design> design;
         std::string experiment, fabric, against;
         bool replicates = false;
+        QStringList units{}; ///< of its inputs
         bool operator==(const Planned&) const = default;
     };
     QWidget* head();

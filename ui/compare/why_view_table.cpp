@@ -6,6 +6,7 @@
 #include "ui/compare/why_delegate.h"
 #include "ui/compare/why_view.h"
 #include "ui/results/plan_dialog.h"
+#include "ui/results/report_file.h"
 
 #include <QComboBox>
 #include <QHeaderView>
@@ -52,7 +53,7 @@ void WhyView::refresh()
         if (why_) {
             showWhy();
         } else {
-            heading_->setText(QString::fromStdString(heading_of(first)) + ".");
+            heading_->setText(QString::fromStdString(heading_of(first, unitsOfReader())) + ".");
             showParts();
         }
     }
@@ -110,12 +111,13 @@ void WhyView::showParts()
 void WhyView::showWhy()
 {
     const Why& why = *why_;
-    std::vector<std::string> sentences = sentences_of(why);
+    const ReaderUnits units = unitsOfReader();
+    std::vector<std::string> sentences = sentences_of(why, units);
     if (!why.nothing.empty()) {
-        heading_->setText(QString::fromStdString(why.nothing));
+        heading_->setText(QString::fromStdString(nothing_of(why, units)));
         return;
     }
-    heading_->setText(QString::fromStdString(heading_of(why)) + ".");
+    heading_->setText(QString::fromStdString(heading_of(why, units)) + ".");
     double low = 0, high = 0;
     const std::vector<WhyLine> lines = lines_of(why);
     for (const WhyLine& line : lines) {
@@ -123,9 +125,10 @@ void WhyView::showWhy()
         high = std::max({high, line.compared->high, line.compared->difference});
     }
     for (const WhyLine& line : lines) {
-        const QString words = line.whole ? verdictText(line.compared->verdict) : QString::fromStdString(in_words(why, *line.compared));
+        const QString words =
+            line.whole ? verdictText(line.compared->verdict) : QString::fromStdString(in_words(why, *line.compared, false, units));
         addRow({capital(coreWord(line.title)), QString::fromStdString(line.first), QString::fromStdString(line.second),
-                QString::fromStdString(with_unit(why.metric, *line.compared)), capital(words)},
+                QString::fromStdString(with_unit(why.metric, *line.compared, units)), capital(words)},
                line.whole);
         addBar(*line.compared, low, high);
     }

@@ -2,13 +2,15 @@
 #include "ui/garment/worn_report.h"
 
 #include "core/wear/wear_report.h"
+#include "ui/results/report_file.h"
 
 namespace hygroloom {
 
 WornState stateOf(const WornRun& run) { return {run.record, run.frames, run.metrics, run.wall > 0}; }
 
-QString reportOf(const WornState& run, const WearMapOptions& how)
+QString reportOf(const WornState& run, WearMapOptions how)
 {
+    how.units = unitsOfReader();
     std::vector<double> times;
     for (const auto& frame : run.frames) { times.push_back(frame->time); }
     std::vector<std::shared_ptr<const WearFrame>> shown;

@@ -16,6 +16,6 @@ struct WornState {
 WornState stateOf(const WornRun& run);
 
 /// The page that `garment map --report` writes, with maps at each quarter of the run. Precondition: there are frames. Takes seconds.
-QString reportOf(const WornState& run, const WearMapOptions& how);
+QString reportOf(const WornState& run, WearMapOptions how);
 
 } // namespace hygroloom

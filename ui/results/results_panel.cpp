@@ -21,9 +21,11 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
+#include <QTextDocumentFragment>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
@@ -52,6 +54,21 @@ QString fullOf(const Outcome& outcome)
     return valueText(value.value, QString::fromStdString(value.unit), true);
 }
 
+/// The stain's sizes by which nobody should take one for the other; empty: its name says it.
+QString aboutOf(const Outcome& outcome)
+{
+    if (outcome.in_rings) { return {}; }
+    if (outcome.key.starts_with("maximum_wetted_radius")) {
+        return ResultsPanel::tr("Radius of the smallest circle around all wet crossings of the face: it reaches the outermost.");
+    }
+    if (outcome.key.starts_with("wetted_area_ellipse")) {
+        return ResultsPanel::tr(
+            "Half length of the filled ellipse that spreads as widely as the wet crossings on top (equal second moments). "
+            "Single fingers count little in it.");
+    }
+    return {};
+}
+
 /// The numbers by which fabrics are compared come first; top and bottom stand on one line.
 void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outcomes)
 {
@@ -70,7 +87,7 @@ void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outco
             lines.back().result.full_bottom = fullOf(outcome);
             lines.back().rank = std::min(lines.back().rank, rank);
         } else {
-            lines.push_back({{name, textOf(outcome), {}, fullOf(outcome)}, rank});
+            lines.push_back({{name, textOf(outcome), {}, fullOf(outcome), {}, aboutOf(outcome)}, rank});
         }
     }
     std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) { return a.rank < b.rank; });
@@ -145,7 +162,8 @@ QStringList originInFull(const RunRecord& run, bool live)
 }
 
 ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
-    : QScrollArea(parent), playback_(playback), table_(new QWidget), grid_(new QGridLayout(table_)), notes_(new QLabel), origin_(new QLabel)
+    : QScrollArea(parent), playback_(playback), table_(new QWidget), grid_(new QGridLayout(table_)), notes_(new QLabel), kept_(new QLabel),
+      origin_(new QLabel)
 {
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setHorizontalSpacing(8);
@@ -155,6 +173,11 @@ ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     notes_->setTextFormat(Qt::PlainText);
     notes_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     notes_->setAccessibleName(tr("About the results"));
+    kept_->setWordWrap(true);
+    kept_->setTextFormat(Qt::RichText);
+    kept_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    kept_->setAccessibleName(tr("Runs that are kept"));
+    connect(kept_, &QLabel::linkActivated, this, &ResultsPanel::newestRequested);
     origin_->setWordWrap(true);
     origin_->setForegroundRole(QPalette::PlaceholderText);
     origin_->setTextFormat(Qt::RichText);
@@ -167,6 +190,7 @@ ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     layout->setContentsMargins(8, 4, 8, 8);
     layout->addWidget(origin_);
     layout->addWidget(notes_);
+    layout->addWidget(kept_);
     layout->addWidget(table_);
     layout->addStretch();
     setWidget(content);
@@ -196,9 +220,12 @@ void ResultsPanel::refresh()
             results.insert(results.begin(),
                            {QString(), grades ? tr("top (grade)") : tr("top"), grades ? tr("bottom (grade)") : tr("bottom")});
         }
-    } else {
-        notes << (playback_.run() ? tr("No results yet.") : tr("Run the experiment to see its results here."));
+    } else if (playback_.run()) {
+        notes << tr("No results yet.");
+    } else if (kept_runs_ == 0) {
+        notes << tr("Run the experiment to see its results here.");
     }
+    showKept();
     while (rows_.size() < results.size()) {
         const int row = static_cast<int>(rows_.size());
         std::array<QLabel*, 3> labels{new QLabel, new QLabel, new QLabel};
@@ -208,11 +235,12 @@ void ResultsPanel::refresh()
             grid_->addWidget(labels[static_cast<std::size_t>(column)], row, column);
         }
         labels[0]->setForegroundRole(QPalette::PlaceholderText);
+        labels[0]->setWordWrap(true);
         rows_.push_back(labels);
     }
     for (std::size_t row = 0; row < rows_.size(); ++row) {
         const Result result = row < results.size() ? results[row] : Result{};
-        const QString texts[] = {result.name, result.value, result.bottom}, fulls[] = {{}, result.full, result.full_bottom};
+        const QString texts[] = {result.name, result.value, result.bottom}, fulls[] = {result.about, result.full, result.full_bottom};
         for (std::size_t column = 0; column < 3; ++column) {
             rows_[row][column]->setText(texts[column]);
             rows_[row][column]->setToolTip(fulls[column].isEmpty() ? QString() : "<p>" + fulls[column].toHtmlEscaped() + "</p>");
@@ -240,6 +268,23 @@ void ResultsPanel::refresh()
     notes_->setVisible(!notes.isEmpty());
 }
 
+void ResultsPanel::setKept(int runs)
+{
+    if (std::exchange(kept_runs_, runs) != runs) { refresh(); }
+}
+
+void ResultsPanel::showKept()
+{
+    const bool any_kept = !playback_.run() && kept_runs_ > 0;
+    kept_->setVisible(any_kept);
+    kept_->setText(!any_kept ? QString()
+                   : kept_runs_ == 1
+                       ? tr("1 run is kept. <a href='newest'>Open it</a>, or run the experiment.")
+                       : tr("%1 runs are kept. <a href='newest'>Open the newest</a>, choose one in Compare under All Runs, or "
+                            "run the experiment.")
+                             .arg(kept_runs_));
+}
+
 QString ResultsPanel::report() const
 {
     const auto run = playback_.run();
@@ -247,7 +292,7 @@ QString ResultsPanel::report() const
     const auto metrics = playback_.metrics();
     if (!run || !frame || !first || !metrics) { return {}; }
     constexpr int crossings_per_cell = 2;
-    const auto pictures = pictures_of_faces(*run, *frame, start_of_maps(*run, *first), crossings_per_cell);
+    const auto pictures = pictures_of_faces(*run, *frame, start_of_maps(*run, *first), crossings_per_cell, unitsOfReader());
     return QString::fromStdString(report_html(*run, *metrics, pictures, playback_.whole() && run->wall > 0, unitsOfReader()));
 }
 
@@ -271,7 +316,7 @@ QString ResultsPanel::text() const
         }
     }
     if (playback_.run()) { lines << originInFull(*playback_.run(), playback_.live()); }
-    return (lines << notes_->text()).join('\n').trimmed();
+    return (lines << notes_->text() << QTextDocumentFragment::fromHtml(kept_->text()).toPlainText()).join('\n').trimmed();
 }
 
 } // namespace hygroloom

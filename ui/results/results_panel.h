@@ -17,6 +17,7 @@ struct Result {
     QString value;
     QString bottom = {};
     QString full = {}, full_bottom = {}; ///< the numbers as they were computed
+    QString about = {};                  ///< what is measured, where another number could be taken for it
 };
 
 /// The numbers of the run's type of experiment, then the water balance.
@@ -39,15 +40,24 @@ public:
     QString report() const;
     /// Opens the plan of the shown run, if there is one.
     void showPlan();
+    /// How many runs are kept, which can be opened while none is shown.
+    void setKept(int runs);
+
+Q_SIGNALS:
+    /// Of the runs that are kept.
+    void newestRequested();
 
 private:
     void refresh();
+    void showKept();
 
     Playback& playback_;
     QWidget* table_;
     QGridLayout* grid_;
     QLabel* notes_;
+    QLabel* kept_; ///< stands for the results while no run is shown
     QLabel* origin_;
+    int kept_runs_ = 0;
     std::vector<std::array<QLabel*, 3>> rows_;
 };
 

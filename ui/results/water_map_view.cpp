@@ -28,8 +28,8 @@ constexpr int legend_width = 92;
 
 WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
     : QWidget(parent), playback_(playback), top_(new WaterMap(tr("Top"))), bottom_(new WaterMap(tr("Bottom"))), value_(new QLabel),
-      empty_(new QLabel(tr("Run the experiment to see how the water spreads on both faces."))), quantity_(new QComboBox),
-      cells_(new QSpinBox), legend_(new QWidget), maps_(new QBoxLayout(QBoxLayout::TopToBottom))
+      empty_(new QLabel(tr("Run the experiment, or open a run that is kept, to see how the water spreads on both faces."))),
+      quantity_(new QComboBox), cells_(new QSpinBox), legend_(new QWidget), maps_(new QBoxLayout(QBoxLayout::TopToBottom))
 {
     quantity_->addItems({tr("Water"), tr("Temperature"), tr("Humidity")});
     quantity_->setAccessibleName(tr("What the maps and the picture show"));

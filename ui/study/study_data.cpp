@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/project/atomic_file.h"
 #include "core/project/json_reader.h"
+#include "ui/basics/quantity.h"
 #include "ui/study/study_fields.h"
 
 #include <QCoreApplication>
@@ -34,7 +35,7 @@ bool isFresh(const std::filesystem::path& file)
     return true;
 }
 
-StudyAxis axisOf(const StudyTable& table, std::size_t column, const QString& title)
+StudyAxis axisOf(const StudyTable& table, std::size_t column, const QString& title, const UserUnit& unit)
 {
     const StudyColumn& of = table.columns[column];
     StudyAxis axis;
@@ -43,6 +44,7 @@ StudyAxis axisOf(const StudyTable& table, std::size_t column, const QString& tit
     axis.is_factor = of.role != Role::metric;
     if (of.is_number) {
         axis.numbers = of.numbers;
+        for (double& number : axis.numbers) { number = unit.of(number); }
     } else {
         axis.numbers.assign(of.word_of.begin(), of.word_of.end());
         for (const std::string& word : of.words) { axis.words.push_back(QString::fromStdString(word)); }
@@ -69,11 +71,21 @@ void addAxes(StudyData& data, const Design& design)
         for (std::size_t k = 0; k < data.table.columns.size(); ++k) {
             const StudyColumn& column = data.table.columns[k];
             QString title;
+            UserUnit unit;
             if (column.role == Role::fabric) { title = QCoreApplication::translate("StudyData", "fabric"); }
             if (column.role == Role::experiment) { title = QCoreApplication::translate("StudyData", "experiment"); }
-            if (column.role == Role::factor) { title = fieldTitle(fieldAt(design, column.name), groups.size() > 1); }
-            if (column.role == Role::metric) { title = metricTitle(column.name); }
-            if (!title.isEmpty() && (column.role != Role::metric) == factors) { data.axes.push_back(axisOf(data.table, k, title)); }
+            if (column.role == Role::factor) {
+                StudyField field = fieldAt(design, column.name);
+                unit = userUnit(field.unit);
+                field.unit = unit.unit;
+                title = fieldTitle(field, groups.size() > 1);
+            }
+            if (column.role == Role::metric) {
+                const MetricName name = metricName(column.name);
+                unit = userUnit(name.unit);
+                title = titleWithUnit(name.title, unit.unit);
+            }
+            if (!title.isEmpty() && (column.role != Role::metric) == factors) { data.axes.push_back(axisOf(data.table, k, title, unit)); }
         }
     }
 }

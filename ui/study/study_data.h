@@ -12,7 +12,7 @@
 
 namespace hygroloom {
 
-/// A column as a line on which each row has a place.
+/// A column as a line on which each row has a place, in the user's unit.
 struct StudyAxis {
     QString title;
     std::size_t column = 0;      ///< in the table

@@ -190,23 +190,29 @@ StudyField fieldAt(const Design& design, const std::string& path)
 
 QString fieldTitle(const StudyField& field, bool with_group)
 {
-    const QString name = field.unit.isEmpty() ? field.name : QString("%1 (%2)").arg(field.name, field.unit);
+    const QString name = titleWithUnit(field.name, field.unit);
     return with_group ? QString("%1: %2").arg(field.group, name) : name;
 }
 
+QString titleWithUnit(const QString& title, const QString& unit) { return unit.isEmpty() ? title : QString("%1 (%2)").arg(title, unit); }
+
 QString metricTitle(const std::string& key)
+{
+    const MetricName name = metricName(key);
+    return titleWithUnit(name.title, name.unit);
+}
+
+MetricName metricName(const std::string& key)
 {
     for (int type = 0; type <= static_cast<int>(ExperimentType::sweat); ++type) {
         for (const OutcomeInfo& info : reported_by(static_cast<ExperimentType>(type))) {
             if (info.key != key) { continue; }
-            const QString title = coreTitle(info.title, info.face);
-            return info.unit.empty() ? title : QString("%1 (%2)").arg(title, QString::fromStdString(info.unit));
+            return {coreTitle(info.title, info.face), QString::fromStdString(info.unit)};
         }
     }
     std::string name = key;
     const QString unit = takeUnit(name);
-    const QString title = coreWord(QString::fromStdString(name).replace('_', ' '));
-    return unit.isEmpty() ? title : QString("%1 (%2)").arg(title, unit);
+    return {coreWord(QString::fromStdString(name).replace('_', ' ')), unit};
 }
 
 QString studyNumber(double number)

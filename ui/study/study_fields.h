@@ -29,6 +29,13 @@ QString fieldTitle(const StudyField& field, bool with_group);
 
 /// "maximum wetted radius, top (mm)".
 QString metricTitle(const std::string& key);
+/// The same apart.
+struct MetricName {
+    QString title, unit; ///< the unit may be empty
+};
+MetricName metricName(const std::string& key);
+/// "title (unit)"
+QString titleWithUnit(const QString& title, const QString& unit);
 
 /// A number as it is read in tables and on axes, at most 6 digits.
 QString studyNumber(double number);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The widgets of the page of studies, and what they are connected to.
 #include "ui/basics/appearance.h"
+#include "ui/basics/preferences.h"
+#include "ui/basics/quantity.h"
 #include "ui/compare/chart_style.h"
 #include "ui/document/document.h"
 #include "ui/study/effects_view.h"
@@ -22,11 +24,21 @@
 #include <QTabWidget>
 #include <QTableView>
 
+#include <utility>
+
 namespace hygroloom {
 
 namespace {
 
 constexpr int pause_ms = 300, follow_ms = 2000;
+
+/// Of the axes.
+QStringList unitsShown()
+{
+    QStringList units;
+    for (const char* unit : {"mm", "/cm", "tex", "°C"}) { units << userUnit(QString::fromUtf8(unit)).unit; }
+    return units;
+}
 
 } // namespace
 
@@ -198,6 +210,10 @@ void StudyPage::connectParts()
         if (shown >= 0) { view_->selectRow(shown); } // sorted anew
     });
     connect(folder_, &QComboBox::editTextChanged, this, &StudyPage::refreshSetup);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, [this, before = unitsShown()]() mutable {
+        const QStringList now = unitsShown();
+        if (std::exchange(before, now) != now && data_) { openResults(data_->path); }
+    });
     connect(&document_, &Document::pathChanged, this, &StudyPage::proposeFolder);
     connect(&document_, &Document::replaced, this, [this] {
         path_.clear();

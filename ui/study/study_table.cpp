@@ -63,6 +63,15 @@ QString StudyTableModel::titleOf(std::size_t column) const
     }
 }
 
+/// Those of its axis are in the user's unit.
+const std::vector<double>& StudyTableModel::numbersOf(std::size_t column) const
+{
+    for (const StudyAxis& axis : data_->axes) {
+        if (axis.column == column) { return axis.numbers; }
+    }
+    return data_->table.columns[column].numbers;
+}
+
 QVariant StudyTableModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid()) { return {}; }
@@ -76,7 +85,8 @@ QVariant StudyTableModel::data(const QModelIndex& index, int role) const
         if (column.role == Role::status) { return word == row_done ? tr("done") : tr("failed"); }
         return QString::fromStdString(word);
     }
-    return std::isnan(column.numbers[row]) ? QString() : studyNumber(column.numbers[row]);
+    const double number = numbersOf(static_cast<std::size_t>(index.column()))[row];
+    return std::isnan(number) ? QString() : studyNumber(number);
 }
 
 QVariant StudyTableModel::headerData(int section, Qt::Orientation orientation, int role) const
@@ -110,7 +120,7 @@ void StudyTableModel::arrange()
     const StudyColumn& column = data_->table.columns[static_cast<std::size_t>(sorted_by_)];
     const bool down = direction_ == Qt::DescendingOrder;
     if (column.is_number) {
-        const std::vector<double>& numbers = column.numbers;
+        const std::vector<double>& numbers = numbersOf(static_cast<std::size_t>(sorted_by_));
         std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
             if (std::isnan(numbers[a]) || std::isnan(numbers[b])) { return !std::isnan(numbers[a]) && std::isnan(numbers[b]); }
             return down ? numbers[a] > numbers[b] : numbers[a] < numbers[b];

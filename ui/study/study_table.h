@@ -31,6 +31,7 @@ public:
 private:
     void arrange();
     QString titleOf(std::size_t column) const;
+    const std::vector<double>& numbersOf(std::size_t column) const;
 
     std::shared_ptr<const StudyData> data_;
     KeptPoints kept_;

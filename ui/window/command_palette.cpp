@@ -40,11 +40,18 @@ private:
     QStringList words_;
 };
 
+/// As it is read: without the marks of the keys.
+QString readText(QString text)
+{
+    const QString meant(QChar(1)); // "&&"
+    return text.replace("&&", meant).remove('&').replace(meant, "&");
+}
+
 /// All that is in a menu and in its menus, with the way there.
 void addCommands(const QList<QAction*>& actions, const QString& way, QStandardItemModel& commands)
 {
     for (QAction* action : actions) {
-        const QStringList text = action->text().remove('&').split('\t');
+        const QStringList text = readText(action->text()).split('\t');
         if (action->isSeparator() || !action->isVisible() || text.first().isEmpty()) { continue; }
         if (action->menu()) {
             addCommands(action->menu()->actions(), way + text.first() + QStringLiteral(" ▸ "), commands);
@@ -63,6 +70,25 @@ void addCommands(const QList<QAction*>& actions, const QString& way, QStandardIt
     }
 }
 
+/// Commands that read the same say what they do, too; those that still do are numbered.
+void tellApart(QStandardItemModel& commands)
+{
+    const auto alike = [&commands](const QString& text) { return commands.findItems(text); };
+    for (int row = 0; row < commands.rowCount(); ++row) {
+        const QString text = commands.item(row)->text();
+        const QList<QStandardItem*> same = alike(text);
+        if (same.size() < 2) { continue; }
+        for (QStandardItem* item : same) {
+            if (!item->toolTip().isEmpty()) { item->setText(CommandPalette::tr("%1: %2").arg(text, item->toolTip())); }
+        }
+        int number = 0;
+        const QList<QStandardItem*> still = alike(commands.item(row)->text());
+        for (QStandardItem* item : still) {
+            if (still.size() > 1) { item->setText(CommandPalette::tr("%1 (%2)").arg(item->text()).arg(++number)); }
+        }
+    }
+}
+
 } // namespace
 
 CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
@@ -71,11 +97,13 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
     setWindowTitle(tr("Find Command"));
     auto* commands = new QStandardItemModel(this);
     addCommands(menus.actions(), {}, *commands);
+    tellApart(*commands);
     found_->setSourceModel(commands);
     list_->setModel(found_);
     list_->setAccessibleName(tr("Commands"));
     list_->setRootIsDecorated(false);
     list_->setHeaderHidden(true);
+    list_->setTextElideMode(Qt::ElideMiddle); // the menu and the command stay
     list_->setUniformRowHeights(true);
     list_->setAllColumnsShowFocus(true);
     list_->header()->setStretchLastSection(false);
@@ -92,7 +120,7 @@ CommandPalette::CommandPalette(const QMenuBar& menus, QWidget* parent)
     layout->addWidget(words_);
     layout->addWidget(list_);
     layout->addWidget(none_, 1);
-    resize(520, 400);
+    resize(640, 400);
     connect(words_, &QLineEdit::textChanged, this, &CommandPalette::filter);
     const auto take = [this] {
         if (chosen()) { accept(); }

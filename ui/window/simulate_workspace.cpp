@@ -20,7 +20,24 @@
 
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace hygroloom {
+
+namespace {
+
+/// Of the project's runs of a sample.
+bool canBeShown(const KeptRun& run) { return run.own && !run.worn && run.problem.isEmpty(); }
+
+/// nullptr: there is none.
+const KeptRun* newestOf(const RunHistory& history)
+{
+    const auto& runs = history.runs();
+    const auto found = std::find_if(runs.rbegin(), runs.rend(), canBeShown);
+    return found == runs.rend() ? nullptr : &*found;
+}
+
+} // namespace
 
 SimulateWorkspace::SimulateWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, Viewport& viewport, QMainWindow& window)
     : document_(document), history_(history), runs_(runs), viewport_(viewport), window_(window)
@@ -74,6 +91,11 @@ void SimulateWorkspace::connectPanels()
         connect(canvas, &TextileCanvas::dropRemoved, &droplets, &DropletSection::deleteDroplet);
     }
     connect(maps_, &WaterMapView::quantityChanged, this, [this] { viewport_.setQuantity(maps_->quantity(), maps_->values()); });
+    connect(&history_, &RunHistory::changed, this, &SimulateWorkspace::refreshKept);
+    connect(results_, &ResultsPanel::newestRequested, this, [this] {
+        if (const KeptRun* newest = newestOf(history_)) { showEarlierRun(QString(newest->path)); }
+    });
+    refreshKept();
     connect(simulation_, &SimulationPanel::runRequested, this, &SimulateWorkspace::startRun);
     connect(simulation_, &SimulationPanel::canRunChanged, this, &SimulateWorkspace::refreshActions);
 }
@@ -188,6 +210,12 @@ void SimulateWorkspace::refreshStale()
                             document_.experiment()->name == run->experiment;
         stale_ = !chosen || !holdsFor(*run, *document_.design());
     }
+}
+
+void SimulateWorkspace::refreshKept()
+{
+    const auto& runs = history_.runs();
+    results_->setKept(static_cast<int>(std::count_if(runs.begin(), runs.end(), canBeShown)));
 }
 
 QString SimulateWorkspace::whyStale() const

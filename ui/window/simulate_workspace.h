@@ -109,6 +109,7 @@ private:
     void buildPanels(QMainWindow& window);
     void connectPanels();
     void refreshStale();
+    void refreshKept();
     QString whyStale() const;
     void chooseWhatRan();
     // simulate_workspace_runs.cpp
