@@ -61,14 +61,6 @@
         <translation>Benetzungsradius in Ringen von 5 mm</translation>
     </message>
     <message>
-        <source>stain on top, semi-axis along warp</source>
-        <translation>Fleck oben, Halbachse in Kettrichtung</translation>
-    </message>
-    <message>
-        <source>stain on top, semi-axis along weft</source>
-        <translation>Fleck oben, Halbachse in Schussrichtung</translation>
-    </message>
-    <message>
         <source>stain at rest from</source>
         <translation>Fleck in Ruhe ab</translation>
     </message>
@@ -1060,6 +1052,14 @@
         <source>cap</source>
         <translation>Kappe</translation>
     </message>
+    <message>
+        <source>ellipse of equal moments on top, semi-axis along warp</source>
+        <translation>Ellipse gleicher Momente oben, Halbachse in Kettrichtung</translation>
+    </message>
+    <message>
+        <source>ellipse of equal moments on top, semi-axis along weft</source>
+        <translation>Ellipse gleicher Momente oben, Halbachse in Schussrichtung</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>
@@ -1431,6 +1431,18 @@
         <source>Hygroloom</source>
         <translation>Hygroloom</translation>
     </message>
+    <message>
+        <source>The film is being written.</source>
+        <translation>Der Film wird geschrieben.</translation>
+    </message>
+    <message>
+        <source>&amp;Leave without It</source>
+        <translation>&amp;Ohne ihn gehen</translation>
+    </message>
+    <message>
+        <source>Saving the film</source>
+        <translation>Film wird gespeichert</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CalibrateDialog</name>
@@ -1682,6 +1694,10 @@
     <message>
         <source>&amp;Run What Is Missing</source>
         <translation>&amp;Fehlendes rechnen</translation>
+    </message>
+    <message>
+        <source>outdated</source>
+        <translation>überholt</translation>
     </message>
 </context>
 <context>
@@ -1996,6 +2012,14 @@ Klicken zeigt diese Zeit.</translation>
         <source>Type letters of a command</source>
         <translation>Buchstaben eines Befehls eingeben</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CompareBar</name>
@@ -2178,6 +2202,14 @@ Klicken zeigt diese Zeit.</translation>
         <source>%1 Mean of at least %2 pairs of replicates after %3, the nearest time of which they keep maps. Grey: the interval of the mean difference, with %4, holds 0.</source>
         <translation>%1 Mittel aus mindestens %2 Paaren von Wiederholungen nach %3, dem nächsten Zeitpunkt, für den sie Karten haben. Grau: Das Intervall der mittleren Differenz, mit %4, enthält 0.</translation>
     </message>
+    <message>
+        <source>%1 The numerical error of %2 is not known: grey cells are exactly equal.</source>
+        <translation>%1 Der numerische Fehler von %2 ist nicht bekannt: Graue Zellen sind genau gleich.</translation>
+    </message>
+    <message>
+        <source>%1 That of %2 is not known: grey cells are exactly equal there.</source>
+        <translation>%1 Der von %2 ist nicht bekannt: Graue Zellen sind dort genau gleich.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CompareView</name>
@@ -2320,6 +2352,14 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>%1 replicates of these runs are kept. Choose more than one under Replicates to judge by them.</source>
         <translation>%1 Wiederholungen dieser Läufe sind da. Wählen Sie unter Wiederholungen mehr als eine, um nach ihnen zu urteilen.</translation>
+    </message>
+    <message>
+        <source>The design has changed since this was run.</source>
+        <translation>Der Entwurf wurde nach diesem Lauf geändert.</translation>
+    </message>
+    <message>
+        <source>Outdated, as the design has changed since they were run: %1. “Run All Missing” runs them again. The older runs stand under All Runs.</source>
+        <translation>Überholt, weil der Entwurf nach dem Lauf geändert wurde: %1. „Alle fehlenden rechnen“ rechnet sie neu. Die älteren Läufe stehen unter Alle Läufe.</translation>
     </message>
 </context>
 <context>
@@ -4100,6 +4140,14 @@ Klicken zeigt diese Zeit.</translation>
         <source>From a CSV File…</source>
         <translation>Aus einer CSV-Datei…</translation>
     </message>
+    <message>
+        <source>There is no garment to rename.</source>
+        <translation>Es gibt kein Kleidungsstück zum Umbenennen.</translation>
+    </message>
+    <message>
+        <source>There is no garment to remove.</source>
+        <translation>Es gibt kein Kleidungsstück zum Entfernen.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::GarmentRun</name>
@@ -4540,6 +4588,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Stop the Run</source>
         <translation>Lauf stoppen</translation>
+    </message>
+    <message>
+        <source>There is no garment to remove.</source>
+        <translation>Es gibt kein Kleidungsstück zum Entfernen.</translation>
     </message>
 </context>
 <context>
@@ -6000,6 +6052,26 @@ Klicken zeigt diese Zeit.</translation>
         <source>&amp;Discard the Changes</source>
         <translation>Änderungen &amp;verwerfen</translation>
     </message>
+    <message>
+        <source>A film is being written</source>
+        <translation>Ein Film wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Finish the film before Hygroloom closes?</source>
+        <translation>Den Film fertigstellen, bevor Hygroloom schließt?</translation>
+    </message>
+    <message>
+        <source>Without that, what was filmed is lost.</source>
+        <translation>Sonst geht verloren, was gefilmt wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Finish the Film</source>
+        <translation>Film &amp;fertigstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Leave without It</source>
+        <translation>&amp;Ohne ihn gehen</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::NameDialog</name>
@@ -6890,6 +6962,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>Calculated: %1.</source>
         <translation>Berechnet: %1.</translation>
     </message>
+    <message>
+        <source>In full: %1.</source>
+        <translation>Vollständig: %1.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::RatesFile</name>
@@ -6951,6 +7027,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>&amp;Clear List</source>
         <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
     </message>
 </context>
 <context>
@@ -7068,6 +7148,26 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>%1. &lt;a href=&apos;plan&apos;&gt;What was modelled…&lt;/a&gt;</source>
         <translation>%1. &lt;a href=&apos;plan&apos;&gt;Was modelliert wurde…&lt;/a&gt;</translation>
+    </message>
+    <message>
+        <source>Radius of the smallest circle around all wet crossings of the face: it reaches the outermost.</source>
+        <translation>Radius des kleinsten Kreises um alle nassen Kreuzungspunkte der Seite: Er reicht bis zum äußersten.</translation>
+    </message>
+    <message>
+        <source>Half length of the filled ellipse that spreads as widely as the wet crossings on top (equal second moments). Single fingers count little in it.</source>
+        <translation>Halbe Länge der gefüllten Ellipse, die so weit streut wie die nassen Kreuzungspunkte oben (gleiche zweite Momente). Einzelne Ausläufer zählen darin wenig.</translation>
+    </message>
+    <message>
+        <source>Runs that are kept</source>
+        <translation>Aufbewahrte Läufe</translation>
+    </message>
+    <message>
+        <source>1 run is kept. &lt;a href=&apos;newest&apos;&gt;Open it&lt;/a&gt;, or run the experiment.</source>
+        <translation>1 Lauf ist aufbewahrt. &lt;a href=&apos;newest&apos;&gt;Öffnen Sie ihn&lt;/a&gt;, oder starten Sie den Versuch.</translation>
+    </message>
+    <message>
+        <source>%1 runs are kept. &lt;a href=&apos;newest&apos;&gt;Open the newest&lt;/a&gt;, choose one in Compare under All Runs, or run the experiment.</source>
+        <translation>%1 Läufe sind aufbewahrt. &lt;a href=&apos;newest&apos;&gt;Öffnen Sie den neuesten&lt;/a&gt;, wählen Sie einen unter Vergleichen, Alle Läufe, oder starten Sie den Versuch.</translation>
     </message>
 </context>
 <context>
@@ -8808,7 +8908,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>S&amp;hadow</source>
-        <translation>Scha&amp;tten</translation>
+        <translation>Sc&amp;hatten</translation>
     </message>
     <message>
         <source>Show the shadow of the fabric on the ground.</source>
@@ -8928,10 +9028,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Unten</translation>
     </message>
     <message>
-        <source>Run the experiment to see how the water spreads on both faces.</source>
-        <translation>Starten Sie den Versuch, um zu sehen, wie sich das Wasser auf beiden Seiten ausbreitet.</translation>
-    </message>
-    <message>
         <source>Map resolution, crossings per cell</source>
         <translation>Auflösung der Karten, Kreuzungspunkte je Zelle</translation>
     </message>
@@ -8978,6 +9074,10 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>Relative humidity of the air in the yarns&apos; pores.</source>
         <translation>Relative Feuchte der Luft in den Poren der Garne.</translation>
+    </message>
+    <message>
+        <source>Run the experiment, or open a run that is kept, to see how the water spreads on both faces.</source>
+        <translation>Starten Sie den Versuch, oder öffnen Sie einen aufbewahrten Lauf, um zu sehen, wie sich das Wasser auf beiden Seiten ausbreitet.</translation>
     </message>
 </context>
 <context>
