@@ -98,7 +98,8 @@ struct LineRoom {
 };
 
 /// A line after the other for each block.
-template <typename Stage> __global__ void __launch_bounds__(most_team<Stage>, teams_beside<Stage>) run_lines(int lines, LineRoom room, Stage stage)
+template <typename Stage>
+__global__ void __launch_bounds__(most_team<Stage>, teams_beside<Stage>) run_lines(int lines, LineRoom room, Stage stage)
 {
     extern __shared__ double shared[];
     using BlockTeam = Team<Block>;
