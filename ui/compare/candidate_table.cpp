@@ -170,8 +170,8 @@ QTableWidgetItem* CandidateTable::itemOf(const GridCell& cell, int number) const
     const GridColumn& column = shown_.columns[static_cast<std::size_t>(number)];
     switch (cell.state) {
     case GridCell::State::number: {
-        const QString number = cell.measured.isEmpty() ? cell.number : cell.number + QStringLiteral(" · ") + cell.measured;
-        item->setText(cell.verdict.isEmpty() ? number : number + "\n" + cell.verdict);
+        const QString shown = cell.measured.isEmpty() ? cell.number : cell.number + QStringLiteral(" · ") + cell.measured;
+        item->setText(cell.verdict.isEmpty() ? shown : shown + "\n" + cell.verdict);
         const double width = column.high - column.low;
         item->setData(NumberDelegate::value_role, width > 0 ? (cell.value - column.low) / width : 0.5);
         if (width > 0) {
