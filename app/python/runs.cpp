@@ -200,6 +200,7 @@ public:
     std::future<Frame> take_frame() override { return backend_->take_frame(); }
     std::vector<std::byte> state() override { return backend_->state(); }
     void go_on_from(const std::vector<std::byte>& state) override { backend_->go_on_from(state); }
+    void squeeze(double share) override { backend_->squeeze(share); }
     long liquid_steps() const override { return backend_->liquid_steps(); }
     int particles() const override { return backend_->particles(); }
 

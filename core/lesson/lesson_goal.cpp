@@ -14,6 +14,7 @@ constexpr std::array metrics{
     LessonMetric{"standing_ul", [](const ClothScore& score) { return score.standing_ul; }, nullptr},
     LessonMetric{"in_fibres_ul", [](const ClothScore& score) { return score.in_fibres_ul; }, nullptr},
     LessonMetric{"evaporated_ul", [](const ClothScore& score) { return score.evaporated_ul; }, nullptr},
+    LessonMetric{"run_off_ul", [](const ClothScore& score) { return score.run_off_ul; }, nullptr},
     LessonMetric{"absorbed_s", [](const ClothScore& score) { return score.absorbed_s; }, nullptr},
     LessonMetric{"air_speed_m_s", nullptr, [](const TableState& state) { return state.air.air_speed_m_s; }},
     LessonMetric{"air_temperature_c", nullptr, [](const TableState& state) { return state.air.temperature_c; }},

@@ -118,6 +118,11 @@ void LessonTable::tilt(double degrees)
     tell_all([degrees](RunningCloth& running) { running.tilt(degrees); });
 }
 
+void LessonTable::squeeze()
+{
+    tell_all([](RunningCloth& running) { running.squeeze(); });
+}
+
 void LessonTable::record(int cloth, std::function<void(RecordedCloth)> take)
 {
     const std::scoped_lock lock(guard_);

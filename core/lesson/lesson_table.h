@@ -39,6 +39,7 @@ public:
     void drop(int cloth, double x, double y, double volume);
     void blow(const Climate& air);
     void tilt(double degrees);
+    void squeeze();
     /// What a recording has to hold; called in its thread as soon as it can be, also of a cloth that went wrong, and at the latest while
     /// the table goes. A cloth without a view has none.
     void record(int cloth, std::function<void(RecordedCloth)> take);

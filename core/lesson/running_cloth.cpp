@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hygroloom {
 namespace {
@@ -84,7 +85,11 @@ RunningCloth::RunningCloth(const Design& design, const Climate& air)
 void RunningCloth::advance(double until, const std::atomic<bool>& stop)
 {
     while (time_ < until && !stop) time_ = session_->advance(until);
-    if (stop) return;
+    if (!stop) look();
+}
+
+void RunningCloth::look()
+{
     auto frame = std::make_shared<Frame>(session_->of_single_yarns(session_->take_frame().get()));
     frame->time = time_;
     require_closed(frame->ledger);
@@ -153,6 +158,14 @@ void RunningCloth::blow(const Climate& air)
     change_air(done_.climates, time_, before, air);
 }
 
+void RunningCloth::squeeze()
+{
+    const bool stands = last_->ledger.water_free > 0 || (!asked_at_.empty() && asked_at_.back() >= last_->time);
+    if (stands && time_ >= landed_) landed_ = std::numeric_limits<double>::infinity();
+    session_->poke(Squeeze{squeezed_share});
+    look();
+}
+
 void RunningCloth::tilt(double degrees)
 {
     tilt_ = radian_from_degree(degrees);
@@ -186,6 +199,7 @@ ClothScore RunningCloth::score_of(const Frame& frame) const
     score.radius_mm = std::max(0.0, mm_from_metre(wetted_circle(textile, frame, Face::top).radius));
     score.standing_ul = ul_of(frame.ledger.water_free, scene);
     score.in_fibres_ul = ul_of(frame.ledger.water_bound - bound_at_start_, scene);
+    score.run_off_ul = ul_of(frame.ledger.water_dripped, scene);
     score.evaporated_ul = ul_of(frame.ledger.water_evaporated, scene);
     score.absorbed_s = absorbed_;
     return score;

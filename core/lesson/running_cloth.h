@@ -39,7 +39,8 @@ void change_air(std::vector<ClimateMoment>& later, double time, const Climate& b
 /// How many frames of so many bytes are kept of a cloth for its recording.
 std::size_t most_kept_frames(std::size_t bytes_each);
 
-constexpr double drop_height_mm = 10; ///< of a drop's lowest point over the cloth
+constexpr double drop_height_mm = 10;  ///< of a drop's lowest point over the cloth
+constexpr double squeezed_share = 0.4; ///< of the pores' volume, left while a hand squeezes: an assumption
 
 class RunningCloth {
 public:
@@ -53,6 +54,8 @@ public:
     /// notice.
     void drop(double x, double y, double volume);
     void blow(const Climate& air);
+    /// See squeezed_share.
+    void squeeze();
     /// Its lower edge, where pick 0 is, goes down.
     void tilt(double degrees);
     /// What it has come to.
@@ -60,6 +63,7 @@ public:
     RecordedCloth recorded() const;
 
 private:
+    void look();
     std::string why_no_drop(double x, double y, double volume) const;
     ClothScore score_of(const Frame& frame) const;
     int sliding(const Frame& frame) const;
@@ -72,7 +76,7 @@ private:
     std::unique_ptr<Session> session_;
     double time_ = 0;           // s
     double tilt_ = 0;           // rad
-    double landed_ = 0;         // s, the last drop
+    double landed_ = 0;         // s, the last drop; infinite: it was wiped off
     double absorbed_ = -1;      // s, after that; less than 0: not yet
     double bound_at_start_ = 0; // kg
     int refused_ = 0;

@@ -69,6 +69,16 @@ void Session::poke(const Tilt& tilt)
     go_on_changed();
 }
 
+void Session::poke(const Squeeze& squeeze)
+{
+    if (scene_.rules.particles_per_droplet > 0 && !scene_.caps.on)
+        throw Error("Drops of particles cannot be squeezed. Plan this scene with \"cap\" on.");
+    if (!(squeeze.share > 0 && squeeze.share <= 1))
+        throw Error("The share of the pores that a squeeze leaves is more than 0 and at most 1.");
+    while (time_ < until_) advance(until_);
+    backend_->squeeze(squeeze.share);
+}
+
 void Session::go_on_changed()
 {
     const std::vector<std::byte> state = backend_->state();

@@ -23,6 +23,11 @@ struct Tilt {
     double along_warp = 0, along_weft = 0;
 };
 
+/// The cloth is squeezed for a moment, so that its pores keep a share of their volume, more than 0 and at most 1.
+struct Squeeze {
+    double share = 1;
+};
+
 class Session {
 public:
     /// The scene is that of single yarns; where crossings_per_cell is over 1 it is simulated in bundles. Loads nothing yet.
@@ -43,12 +48,14 @@ public:
     /// The same with the parts that the plan has on.
     void go_on_from(const std::vector<std::byte>& state, const ModelPlan& plan);
     /// Puts a drop over the cloth, which falls from now on. Throws Error where the scene was planned without drops, or in bundles of yarns.
-    /// Precondition of all three: no frame is on its way, and the session has advanced since it last went on from a state.
+    /// Precondition of all: no frame is on its way, and the session has advanced since it last went on from a state.
     void poke(const PutDrop& put);
     /// The air is another from now on; its own time does not count. See air_of().
     void poke(const AirMoment& air);
     /// The cloth lies tilted from now on.
     void poke(const Tilt& tilt);
+    /// What has no place in the pores then runs off, with what stands on the cloth. Throws Error where drops are particles.
+    void poke(const Squeeze& squeeze);
     /// The next load() goes to this machine, which the session keeps.
     void move_to(std::unique_ptr<Backend> backend);
     bool has_moved() const { return moved_to_ != nullptr; }

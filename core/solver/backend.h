@@ -42,6 +42,9 @@ public:
     /// After load() of the same scene: goes on from what a backend had come to. Parts that were off may be on now (see set_parts()); fibres
     /// then begin with the regain they had. Drops to come and the air from then on may differ. Throws Error if it was another scene.
     virtual void go_on_from(const std::vector<std::byte>& state) = 0;
+    /// Squeezes the cloth where it is now, between calls of advance() that reached what they were asked for: its pores keep a share of
+    /// their volume for a moment, and what has no place runs off, as does what stands on the cloth. Drops of particles stay.
+    virtual void squeeze(double share) = 0;
     virtual long liquid_steps() const = 0;
     virtual int particles() const = 0;
     /// From now on adds up what each stage takes, where the backend can.

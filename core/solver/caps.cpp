@@ -161,6 +161,15 @@ std::vector<FrameCap> Caps::shown(double time) const
     return shown;
 }
 
+std::int64_t Caps::wipe_off()
+{
+    std::int64_t all = 0;
+    for (const Cap& cap : caps_) all += cap.stands() ? cap.water : 0;
+    std::erase_if(caps_, [](const Cap& cap) { return cap.stands(); });
+    on_face_.clear();
+    return all;
+}
+
 bool Caps::feed() const
 {
     const double clings = 1e-10 * static_cast<double>(came_);

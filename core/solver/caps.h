@@ -54,6 +54,8 @@ public:
     std::vector<CapOnFace> on_face(double time);
     /// What yarns have drawn of each of those.
     void take(const std::vector<CapSums>& sums);
+    /// Those that stand leave the cloth; returns their water, quanta.
+    std::int64_t wipe_off();
     std::vector<FrameCap> shown(double time) const;
     /// Whether any falls, or holds more than clings to the cloth.
     bool feed() const;

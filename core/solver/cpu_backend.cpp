@@ -51,6 +51,7 @@ public:
     Frame frame() override { return solver_->frame(); }
     std::vector<std::byte> state() override { return solver_->state(); }
     void go_on_from(const std::vector<std::byte>& state) override { solver_->go_on_from(state); }
+    void squeeze(double share) override { solver_->squeeze(share); }
     long liquid_steps() const override { return solver_->liquid_steps(); }
     int particles() const override { return solver_->particles(); }
     void time_stages() override

@@ -19,6 +19,7 @@ double CpuSolver::advance(double until, double wall_seconds) { return parts_->so
 Frame CpuSolver::frame() { return parts_->solver.frame(); }
 std::vector<std::byte> CpuSolver::state() { return parts_->solver.state(); }
 void CpuSolver::go_on_from(const std::vector<std::byte>& state) { parts_->solver.go_on_from(state); }
+void CpuSolver::squeeze(double share) { parts_->solver.squeeze(share); }
 long CpuSolver::liquid_steps() const { return parts_->solver.liquid_steps(); }
 int CpuSolver::particles() const { return parts_->solver.particles(); }
 void CpuSolver::time_stages() { parts_->solver.time_stages(); }

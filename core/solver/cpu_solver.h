@@ -20,6 +20,7 @@ public:
     Frame frame() override;
     std::vector<std::byte> state() override;
     void go_on_from(const std::vector<std::byte>& state) override;
+    void squeeze(double share) override;
     long liquid_steps() const override;
     int particles() const override;
     void time_stages() override;

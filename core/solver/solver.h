@@ -115,6 +115,12 @@ public:
         yarns_.expect_liquid();
         if (yarns_.jumps_at(time_)) yarns_.begin_anew(liquid_.is_about());
     }
+    /// See Backend.
+    void squeeze(double share)
+    {
+        yarns_.squeeze(share);
+        yarns_.begin_anew(liquid_.is_about());
+    }
 
 private:
     static double elapsed(std::chrono::steady_clock::time_point start)

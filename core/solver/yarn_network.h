@@ -54,6 +54,8 @@ public:
     bool swells(const NetworkStep& step) const { return step.exchange_is_due && exchanges_in(step) && scene_->cloth.swelling > 0; }
     /// From at most this many segments, each with the least surplus (kg) or more.
     WaterGivenBack swell(double least, std::size_t most);
+    /// Presses liquid out of the pores, see PressOut; what stands on the cloth runs off. Precondition: at most 0.25 kg do.
+    void squeeze(double share);
 
     /// Segments that are not visited neither hold liquid nor are warmer or cooler than the air.
     void take_stock(Stock& stock);

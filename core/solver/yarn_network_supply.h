@@ -2,7 +2,10 @@
 // The part of a yarn network's step in which liquid comes from outside: from pools, drops that stand as caps, and sweat.
 #pragma once
 
+#include "core/solver/steps/press_out.h"
 #include "core/solver/yarn_network.h"
+
+#include <utility>
 
 namespace hygroloom::inline HL_PRECISION {
 
@@ -61,6 +64,15 @@ template <typename Executor> void YarnNetwork<Executor>::sweat_from_skin(double 
     const YarnTotals found = totals_.read(0);
     pools_.pumped.add(found.asked);
     pools_.ran_off.add(found.shed);
+}
+
+template <typename Executor> void YarnNetwork<Executor>::squeeze(double share)
+{
+    totals_.write(0, {});
+    each_segment("squeeze", PressOut{segments(), climate_.density, share, &totals_.data()->pressed_out});
+    pools_.ran_off.add(totals_.read(0).pressed_out);
+    pools_.ran_off.add(caps_.wipe_off());
+    for (std::int64_t& standing : pools_.standing) pools_.ran_off.add(std::exchange(standing, 0));
 }
 
 /// Drops fall, land and spread in the last dt, as caps, and give to the air.

@@ -5260,6 +5260,14 @@ Klicken zeigt diese Zeit.</translation>
         <source>&amp;Leave</source>
         <translation>&amp;Gehen</translation>
     </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Auswringen</translation>
+    </message>
+    <message>
+        <source>All cloths are squeezed for a moment, so that their pores keep %1 % of their room. Liquid that has no place, and drops that stand, run off. Key: %2</source>
+        <translation>Alle Stoffe werden einen Augenblick lang gedrückt, sodass ihre Poren %1 % ihres Raums behalten. Was keinen Platz hat, läuft ab, und ebenso stehende Tropfen. Taste: %2</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::LiquidPanel</name>

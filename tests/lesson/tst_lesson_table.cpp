@@ -67,6 +67,54 @@ private Q_SLOTS:
         const WaterShares shares = water_shares(view->frame->ledger, view->bound_at_start, view->score.drops);
         QCOMPARE(shares.in_yarns + shares.in_fibres + shares.in_air + shares.standing + shares.run_off, 10);
     }
+    void aSqueezeLeavesWhatFibresHoldAndASharePoresHold()
+    {
+        const Lesson lesson = read_lesson(three);
+        const std::atomic<bool> stop{false};
+        RunningCloth cloth(lesson.cloths[0].design, lesson.air);
+        cloth.drop(0, 0, 10e-9);
+        cloth.advance(4, stop);
+        cloth.drop(10e-3, 0, 1e-9); // it falls
+        cloth.drop(-10e-3, 0, 20e-9);
+        cloth.advance(4.05, stop);
+        const auto before = cloth.view();
+        QVERIFY(before->score.standing_ul > 1);
+        cloth.drop(0, 10e-3, 1e-9); // it falls
+        cloth.squeeze();
+        const auto after = cloth.view();
+        QCOMPARE(after->frame->time, before->frame->time);
+        QVERIFY(after->score.run_off_ul > before->score.standing_ul);
+        QCOMPARE(after->frame->ledger.water_bound, before->frame->ledger.water_bound);
+        QCOMPARE(after->frame->ledger.water_free, 0.0); // the last one is not released yet
+        float most = 0, most_before = 0;
+        for (const float full : after->frame->saturation) most = std::max(most, full);
+        for (const float full : before->frame->saturation) most_before = std::max(most_before, full);
+        QVERIFY2(std::abs(most - squeezed_share) < 1e-6 && most_before > 0.9, qPrintable(QString::number(most)));
+        require_balanced(after->frame->ledger);
+        cloth.advance(5, stop);
+        const auto later = cloth.view();
+        QVERIFY(std::abs(later->frame->ledger.water_delivered / (32e-9 * later->air.density) - 1) < 1e-9);
+        QCOMPARE(later->score.run_off_ul, after->score.run_off_ul);
+        require_balanced(later->frame->ledger);
+        const double energy = later->frame->ledger.energy_imbalance();
+        QVERIFY2(std::abs(energy) < 1e-9 * std::abs(later->frame->ledger.energy_released), qPrintable(QString::number(energy)));
+    }
+    void aDropThatWasWipedOffIsNotAbsorbed()
+    {
+        const Lesson lesson = read_lesson(three);
+        const std::atomic<bool> stop{false};
+        RunningCloth cloth(lesson.cloths[0].design, lesson.air);
+        cloth.drop(0, 0, 20e-9);
+        cloth.advance(0.06, stop);
+        QVERIFY(cloth.view()->score.standing_ul > 1);
+        cloth.squeeze();
+        QCOMPARE(cloth.view()->score.standing_ul, 0.0);
+        cloth.advance(1, stop);
+        QVERIFY(cloth.view()->score.absorbed_s < 0);
+        cloth.drop(0, 0, 2e-9);
+        cloth.advance(4, stop);
+        QVERIFY(cloth.view()->score.absorbed_s > 0);
+    }
     void handsMayDoManyThingsAtOneTime()
     {
         const Lesson lesson = read_lesson(three);

@@ -16,6 +16,7 @@ public:
     Frame frame() override { return cpu_->frame(); }
     std::vector<std::byte> state() override { return cpu_->state(); }
     void go_on_from(const std::vector<std::byte>& state) override { cpu_->go_on_from(state); }
+    void squeeze(double share) override { cpu_->squeeze(share); }
     long liquid_steps() const override { return cpu_->liquid_steps(); }
     int particles() const override { return cpu_->particles(); }
 

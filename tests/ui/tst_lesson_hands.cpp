@@ -126,6 +126,18 @@ private Q_SLOTS:
         QTest::keyClick(&scene, Qt::Key_4);                                    // there is none
         QVERIFY(window_->isVisible());
     }
+    void squeezePressesWaterOutAlsoWhilePaused()
+    {
+        window_->table()->drop(1, 0, 0, 20e-9);
+        QTRY_VERIFY_WITH_TIMEOUT(window_->table()->view(1)->score.standing_ul > 1, patience);
+        window_->setPaused(true);
+        window_->activateWindow();
+        QTRY_VERIFY(window_->isActiveWindow());
+        QTest::keyClick(window_.get(), Qt::Key_Q);
+        QTRY_COMPARE_WITH_TIMEOUT(window_->table()->view(1)->score.standing_ul, 0.0, patience);
+        QVERIFY(window_->table()->view(1)->score.run_off_ul > 1);
+        QCOMPARE(window_->table()->view(0)->score.run_off_ul, 0.0);
+    }
     void keysOpenSaveAndTurnSteps()
     {
         window_->activateWindow();

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "ui/basics/ask.h"
+#include "ui/basics/language.h"
 #include "ui/basics/quantity.h"
 #include "ui/basics/wheel_guard.h"
 #include "ui/document/document.h"
@@ -55,6 +56,7 @@ LessonWindow::LessonWindow(const Document& document, QWidget* parent)
       lessons_(new QComboBox), clock_(new QLabel), pace_(new QLabel), note_(new QLabel),
       pause_(addButton(tr("Pause"), QKeySequence(Qt::Key_Space), true)), slow_(addButton(tr("Slow motion"), QKeySequence(Qt::Key_S), true)),
       reset_(addButton(tr("Reset"), QKeySequence(Qt::Key_R), false)), explain_(addButton(tr("Explain"), QKeySequence(Qt::Key_E), true)),
+      squeeze_(addButton(tr("Squeeze"), QKeySequence(Qt::Key_Q), false)),
       screen_(addButton(tr("Full screen"), QKeySequence(Qt::Key_F11), true)),
       save_(addButton(tr("Save"), QKeySequence(Qt::CTRL | Qt::Key_S), false)),
       help_(addButton(tr("Help"), QKeySequence(Qt::Key_F1), false)), leave_(addButton(tr("Leave"), {}, false)), save_menu_(new QMenu(this))
@@ -120,11 +122,19 @@ QWidget* LessonWindow::buildSide()
         label->setTextFormat(Qt::PlainText);
     }
     pace_->setAlignment(Qt::AlignCenter);
+    squeeze_->setToolTip(
+        "<p>" +
+        tr("All cloths are squeezed for a moment, so that their pores keep %1 % of their room. Liquid that has no place, and "
+           "drops that stand, run off. Key: %2")
+            .arg(qRound(100 * squeezed_share))
+            .arg(squeeze_->shortcut().toString(QKeySequence::NativeText)) +
+        "</p>");
     save_->setMenu(save_menu_);
     save_->setPopupMode(QToolButton::InstantPopup);
     auto* buttons = new QGridLayout;
-    QToolButton* const all[] = {pause_, slow_, reset_, explain_, screen_, save_, help_, leave_};
-    for (int k = 0; k < static_cast<int>(std::size(all)); ++k) { buttons->addWidget(all[k], k / 2, k % 2); }
+    QToolButton* const all[] = {pause_, slow_, reset_, squeeze_, explain_, screen_, save_, help_, leave_};
+    constexpr int count = static_cast<int>(std::size(all));
+    for (int k = 0; k < count; ++k) { buttons->addWidget(all[k], k / 2, k % 2, 1, k + 1 < count || count % 2 == 0 ? 1 : 2); }
     auto* side = new QWidget;
     auto* layout = new QVBoxLayout(side);
     layout->addWidget(lessons_);
@@ -148,6 +158,9 @@ void LessonWindow::connectParts()
     connect(slow_, &QToolButton::toggled, this, &LessonWindow::setSpeed);
     connect(reset_, &QToolButton::clicked, this, [this] {
         if (mayClear(tr("Reset"), tr("&Reset"))) { reset(); }
+    });
+    connect(squeeze_, &QToolButton::clicked, this, [this] {
+        if (table_) { table_->squeeze(); }
     });
     connect(explain_, &QToolButton::toggled, scene_, &LessonScene::setExplains);
     connect(screen_, &QToolButton::toggled, this, [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
@@ -198,7 +211,7 @@ void LessonWindow::chooseLesson(int index)
     }
     const bool chosen = index == own_cloths  ? chooseCloths()
                         : index == from_file ? chooseFile()
-                                             : openLesson(QString(":/lessons/%1.json").arg(shipped[index]));
+                                             : openLesson(inShownLanguage(QString(":/lessons/%1.json").arg(shipped[index])));
     if (chosen) { chosen_ = index; }
     lessons_->setCurrentIndex(chosen_);
 }

@@ -85,7 +85,7 @@ private:
     LessonControls* controls_;
     QComboBox* lessons_;
     QLabel *clock_, *pace_, *note_;
-    QToolButton *pause_, *slow_, *reset_, *explain_, *screen_, *save_, *help_, *leave_;
+    QToolButton *pause_, *slow_, *reset_, *explain_, *squeeze_, *screen_, *save_, *help_, *leave_;
     QMenu* save_menu_;
     QTimer looks_, pictures_;
     Film film_{"lesson"};

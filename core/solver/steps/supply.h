@@ -128,6 +128,7 @@ struct YarnTotals {
     std::int64_t shed = 0;             ///< quanta, through holes
     std::int64_t unsolved = 0;         ///< lines, see FlowAlongLines
     std::int64_t swollen = 0;          ///< segments, see Swell
+    std::int64_t pressed_out = 0;      ///< quanta, see PressOut
     std::int64_t wicking_error = 0;    ///< quanta
     std::int64_t bound_error = 0;      ///< quanta
     std::int64_t heat_error = 0;       ///< see EstimateExchange
