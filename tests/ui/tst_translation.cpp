@@ -254,6 +254,8 @@ private Q_SLOTS:
         QSettings().setValue("look/language", "de");
         QCOMPARE(chosenLanguage(), QString("de"));
         QCOMPARE(languages().front().name, QString("English"));
+        QCOMPARE(inShownLanguage(":/lessons/fibre.json"), QString(":/lessons/de/fibre.json"));
+        QCOMPARE(inShownLanguage(":/lessons/none.json"), QString(":/lessons/none.json"));
     }
 };
 

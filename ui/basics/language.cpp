@@ -4,6 +4,7 @@
 #include "ui/basics/appearance.h"
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QSettings>
@@ -37,6 +38,12 @@ QLocale& locale_of_dates()
     return locale;
 }
 
+QString& shown()
+{
+    static QString code = "en";
+    return code;
+}
+
 } // namespace
 
 std::vector<Language> languages() { return {{"en", "English"}, {"de", "Deutsch"}}; }
@@ -50,7 +57,7 @@ QString chosenLanguage()
 void install_language(QCoreApplication& application)
 {
     useResources();
-    const QString code = chosenLanguage();
+    const QString code = shown() = chosenLanguage();
     // English as the system writes it, where it is the system's language: days and months have an order of their own in each country.
     locale_of_dates() = QLocale::system().name().startsWith(code) ? QLocale::system() : QLocale(code);
     QLocale::setDefault(QLocale::c());
@@ -64,6 +71,12 @@ void install_language(QCoreApplication& application)
             delete translator; // Qt's own need not be there
         }
     }
+}
+
+QString inShownLanguage(const QString& path)
+{
+    const QString name = path.section('/', -1), own = path.chopped(name.size()) + shown() + '/' + name;
+    return QFile::exists(own) ? own : path;
 }
 
 QString withinSentence(const QString& title)

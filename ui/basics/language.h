@@ -29,6 +29,8 @@ void install_language(QCoreApplication& application);
 /// A title as a word within a sentence: "Draft" as "draft"; German nouns keep their capital.
 QString withinSentence(const QString& title);
 
+/// A file that ships: the one of its name in the folder de beside it, where the window speaks German and there is one, and so on.
+QString inShownLanguage(const QString& path);
 /// Date and time, short, as the window's language writes them.
 QString shortMoment(const QDateTime& moment);
 
