@@ -4,6 +4,7 @@
 #include "core/geometry/face_angles.h"
 #include "core/physics/between_yarns.h"
 #include "core/physics/heat_moisture.h"
+#include "core/physics/pores.h"
 #include "core/physics/sorption.h"
 #include "core/physics/wicking.h"
 #include "core/plan/supply.h"
@@ -76,6 +77,7 @@ public:
             }
             if (std::isfinite(least)) b_.capacity += least;
         }
+        if (experiment_.closure == Closure::pores) look_at_holes(textile);
         if (experiment_.closure == Closure::pores && b_.uptake > 0) look_between(textile); // dry yarns that take in nothing close it, too
     }
 
@@ -136,6 +138,19 @@ private:
                                                   std::min(type.receding_angle, contact_angle));
         return gate_of_dry_fibres(type.packing_round_core(), contact_angle) * permeability_along(radius, type.packing_round_core()) *
                (type.area - type.core_area()) * pores.entry_suction / (b_.liquid.viscosity * type.helix_tortuosity);
+    }
+    /// Between yarns of any two types, as the scene's holes are.
+    void look_at_holes(const Textile& textile)
+    {
+        for (const YarnType& warp : textile.warp.types)
+            for (const YarnType& weft : textile.weft.types) {
+                const double wide = textile.warp.pitch - warp.section.width, high = textile.weft.pitch - weft.section.width;
+                if (wide <= 0 || high <= 0) continue;
+                const double angle =
+                    0.5 * (textile.back_angle.value_or(warp.contact_angle) + textile.back_angle.value_or(weft.contact_angle));
+                b_.holes_hold = std::min(b_.holes_hold, breakthrough_pressure(b_.liquid.surface_tension, angle, 0.5 * warp.section.height,
+                                                                              0.5 * wide, 0.5 * weft.section.height, 0.5 * high));
+            }
     }
     /// The room between the yarns, of the first of either system.
     void look_between(const Textile& textile)

@@ -92,6 +92,10 @@ std::string why_no_cap(const Experiment& experiment, const Bounds& b)
         const double speed = std::sqrt(drop.speed_m_s * drop.speed_m_s + 2.0 * gravity_acceleration * metre_from_mm(drop.height_mm));
         if (splashes(tension, b.liquid.viscosity, density, ball, speed))
             return fmt::format("A drop lands with {:.3g} m/s and may splash.", speed);
+        if (const double strikes = 0.5 * density * speed * speed; !(b.uptake > 0) && strikes > b.holes_hold) // others draw it in from below
+            return fmt::format("A drop lands with {:.3g} m/s: its pressure of {:.3g} Pa may drive it through the holes between the yarns, "
+                               "which bear {:.3g} Pa.",
+                               speed, strikes, b.holes_hold);
         const std::array<double, 2> at{metre_from_mm(drop.at_mm[0]), metre_from_mm(drop.at_mm[1])};
         groups.push_back({at, at, volume, std::max(base_of(volume), impact_base(tension, density, ball, speed))});
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Whether falling drops may stand as caps: how far they can spread in a run, and whether the sample has room for that.
+// Whether falling drops may stand as caps: whether they splash or pass through holes, how far they can spread in a run, and whether
+// the sample has room for that.
 #pragma once
 
 #include "core/plan/bounds.h"

@@ -256,6 +256,22 @@ private Q_SLOTS:
             QVERIFY2(part->reason.find(why) != std::string::npos, part->reason.c_str());
         }
     }
+    void aDropThatRepellentYarnsCannotHoldIsNoCap()
+    {
+        const auto reason_at = [](double angle, double speed) {
+            Design design = drop_on_cotton(0.5, 1, angle);
+            design.fabrics[0].ends_per_cm = design.fabrics[0].picks_per_cm = 12; // open
+            design.experiments[0].droplets[0].speed_m_s = speed;
+            const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
+            const ModelPlan plan = plan_model(design, textile, design.experiments[0], Fidelity::live);
+            const auto part = std::find_if(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.name == "cap"; });
+            return part->on ? std::string() : part->reason;
+        };
+        QCOMPARE(reason_at(100, 0.3), std::string()); // 50 Pa
+        const std::string reason = reason_at(100, 1.8);
+        QVERIFY2(reason.find("through the holes between the yarns") != std::string::npos, reason.c_str());
+        QCOMPARE(reason_at(0, 0.3), std::string()); // which yarns draw in from below
+    }
     void anOldNameOfAKnobIsStillRead()
     {
         KnobSettings settings;

@@ -105,6 +105,8 @@ private Q_SLOTS:
     void keysDropWaterWhereTheMarkerIs()
     {
         LessonScene& scene = window_->scene();
+        window_->activateWindow();
+        QTRY_VERIFY(window_->isActiveWindow());
         scene.setFocus();
         QTRY_VERIFY(scene.hasFocus());
         const auto picture = [&] { return scene.grab(scene.clothArea(1).toRect()).toImage(); };
