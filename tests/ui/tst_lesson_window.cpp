@@ -180,6 +180,20 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(laidOut(*window_), patience);
         QVERIFY(window_->steps().isHidden());
     }
+    void filmedPicturesHaveAClock()
+    {
+        window_->setPaused(true);
+        LessonScene& scene = window_->scene();
+        const QImage early = scene.picture("1.0 s"), late = scene.picture("2.0 s");
+        QRect changed;
+        for (int y = 0; y < early.height(); ++y) {
+            for (int x = 0; x < early.width(); ++x) {
+                if (early.pixel(x, y) != late.pixel(x, y)) { changed |= QRect(x, y, 1, 1); }
+            }
+        }
+        QVERIFY(!changed.isEmpty());
+        QVERIFY(changed.right() < early.width() / 4 && changed.top() > early.height() * 3 / 4);
+    }
     void picturesAndFilmsAreWritten()
     {
         QTemporaryDir folder;

@@ -183,7 +183,7 @@ private Q_SLOTS:
         other.plan.fidelity = Fidelity::reference;
         QVERIFY(originOf(other, false).contains("the reference for numerical errors"));
         other.plan.fidelity = Fidelity::draft;
-        QVERIFY(originInFull(other, false).contains("fibre_shells set to 3 (draft has 5)"));
+        QVERIFY(originInFull(other, false).contains("fibre shells set to 3 (draft has 5)"));
         QVERIFY(originInFull(other, false)
                     .join('\n')
                     .contains(QRegularExpression("^heat switched (on|off) by the user$", QRegularExpression::MultilineOption)));

@@ -152,6 +152,18 @@ void LessonScene::moveMarker(double x, double y)
     update();
 }
 
+QImage LessonScene::picture(const QString& clock)
+{
+    QImage image = grab().toImage();
+    QPainter painter(&image);
+    QFont large = font();
+    large.setPointSizeF(1.5 * large.pointSizeF());
+    painter.setFont(large);
+    painter.setPen(words_color);
+    painter.drawText(rect().adjusted(12, 8, -12, -8), Qt::AlignLeft | Qt::AlignBottom, clock);
+    return image;
+}
+
 bool LessonScene::markerSeen() const { return by_keys_ && hasFocus() && marked_ < static_cast<int>(cloths_.size()); }
 
 QPointF LessonScene::lookedAt() const { return markerSeen() ? pixelOf(marked_, marker_) : pointer_; }

@@ -31,6 +31,8 @@ public:
     QRectF clothArea(int cloth) const;
     /// s of wall time from a click to the next picture, the longest so far; less than 0: none yet.
     double slowestAnswer() const { return slowest_answer_; }
+    /// As it looks now, with a clock in its corner.
+    QImage picture(const QString& clock);
     QSize sizeHint() const override { return {960, 720}; }
 
 protected:

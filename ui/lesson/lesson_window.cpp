@@ -175,7 +175,7 @@ void LessonWindow::connectParts()
         if (table_) { table_->tilt(controls_->tilt()); }
     });
     connect(&looks_, &QTimer::timeout, this, &LessonWindow::look);
-    connect(&pictures_, &QTimer::timeout, this, [this] { film_.add(scene_->grab().toImage()); });
+    connect(&pictures_, &QTimer::timeout, this, [this] { film_.add(scene_->picture(clock_->text())); });
     connect(&film_, &Film::finished, this, &LessonWindow::filmEnded);
     connect(&film_, &Film::failed, this, [this](const QString& sentence) {
         closing_ = false; // the sentence is to be read

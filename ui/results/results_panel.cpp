@@ -143,8 +143,8 @@ QStringList originInFull(const RunRecord& run, bool live)
     QStringList lines{ResultsPanel::tr("Fidelity: %1").arg(fidelityName(run.plan.fidelity))};
     for (const KnobInfo* knob : changed_knobs(usual, run.plan.knobs)) {
         lines << ResultsPanel::tr("%1 set to %2 (%3 has %4)")
-                     .arg(knob->name, knobValue(*knob, run.plan.knobs), withinSentence(fidelityName(run.plan.fidelity)),
-                          knobValue(*knob, usual));
+                     .arg(coreWord(QString(knob->name).replace('_', ' ')), knobValue(*knob, run.plan.knobs),
+                          withinSentence(fidelityName(run.plan.fidelity)), knobValue(*knob, usual));
     }
     const QString source = QString::fromStdString(run.plan.expectation_source);
     lines << sentence(expectedError(run.plan)) + (source.isEmpty() ? "" : ". " + source);
