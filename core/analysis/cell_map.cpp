@@ -87,11 +87,12 @@ CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start,
 {
     CellMap map = empty_map(textile, n);
     for_each_on(textile, side, map, [&](YarnKind kind, int end, int pick, std::size_t i, std::size_t cell) {
+        map.water[cell] += static_cast<double>(frame.liquid[i]) - static_cast<double>(start.liquid[i]);
+        if (frame.regain[i] == start.regain[i]) return; // as in most of a cloth
         const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
         const double fibres = type.area * type.packing * type.fibre.density_kg_m3; // kg/m
-        const double bound = (static_cast<double>(frame.regain[i]) - static_cast<double>(start.regain[i])) * fibres *
-                             textile.segment_length(kind, end, pick);
-        map.water[cell] += static_cast<double>(frame.liquid[i]) - static_cast<double>(start.liquid[i]) + bound;
+        map.water[cell] += (static_cast<double>(frame.regain[i]) - static_cast<double>(start.regain[i])) * fibres *
+                           textile.segment_length(kind, end, pick);
     });
     for (int row = 0; row < map.rows; ++row)
         for (int column = 0; column < map.columns; ++column) {

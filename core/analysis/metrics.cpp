@@ -186,9 +186,11 @@ void MetricsCollector::start(const RunRecord& run)
     was_wet_.clear();
     last_wetted_ = 0;
     had_free_water_ = false;
+    wiped_.reset();
     delivered_ = 0;
     unsolved_lines_ = run.unsolved_lines;
     for (const SwitchedPart& part : run.switched_on) add(part);
+    note_hand(run.acts);
 }
 
 void MetricsCollector::add(const Frame& frame)
@@ -248,9 +250,20 @@ void MetricsCollector::watch_free_water(const Frame& frame)
     had_free_water_ = had_free_water_ || frame.ledger.water_delivered > 0;
     const bool comes = frame.ledger.water_delivered > delivered_;
     delivered_ = frame.ledger.water_delivered;
+    const double until = frame.ledger.free_until;
+    const bool wiped = wiped_ && std::abs(until - *wiped_) <= 1e-6 * (1 + until); // it ran off
     if (free_water || comes) metrics_.absorbency_time.reset();
-    if (!free_water && had_free_water_ && !metrics_.absorbency_time)
+    if (!free_water && !wiped && had_free_water_ && !metrics_.absorbency_time)
         metrics_.absorbency_time = frame.ledger.free_until >= 0 ? frame.ledger.free_until : frame.time;
+}
+
+void MetricsCollector::note_hand(const HandActs& acts)
+{
+    wiped_ = acts.wiped;
+    for (const auto& [what, time] : {std::pair{"tilted", acts.tilted}, std::pair{"squeezed", acts.squeezed}})
+        if (time)
+            metrics_.notes.push_back(
+                fmt::format("A hand {} the cloth, the last time at {:.3g} s; its experiment does not repeat that.", what, *time));
 }
 
 void MetricsCollector::add(const SwitchedPart& part) { metrics_.notes.push_back(in_words(part)); }

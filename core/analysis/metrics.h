@@ -36,6 +36,7 @@ public:
 
 private:
     void watch_free_water(const Frame& frame);
+    void note_hand(const HandActs& acts);
 
     Textile textile_;
     Experiment experiment_;
@@ -49,7 +50,8 @@ private:
     std::vector<std::uint8_t> was_wet_; ///< 1: each segment, in any frame so far
     double last_wetted_ = 0;            ///< s, when the last of them got wet
     bool had_free_water_ = false;
-    double delivered_ = 0; ///< kg, by the last frame
+    std::optional<double> wiped_; ///< s, see HandActs
+    double delivered_ = 0;        ///< kg, by the last frame
 };
 
 } // namespace hygroloom

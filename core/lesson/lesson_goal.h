@@ -20,6 +20,7 @@ struct ClothScore {
     double in_fibres_ul = 0;  ///< more than at the start
     double evaporated_ul = 0; ///< net
     double run_off_ul = 0;    ///< that cloth and face have lost as liquid
+    bool wiped = false;       ///< what stood of the last drop ran off when the cloth was squeezed
     double absorbed_s = -1;   ///< from the landing of the last drop until none stood; less than 0: not yet
     bool operator==(const ClothScore&) const = default;
 };

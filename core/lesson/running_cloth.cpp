@@ -50,6 +50,8 @@ void require_closed(const Ledger& ledger)
         throw Error("The water ledger does not close; this is a fault of the program. Reset the table.");
 }
 
+bool stands(const Ledger& ledger) { return ledger.water_free > 1e-9 * ledger.water_delivered; }
+
 } // namespace
 
 RunningCloth::RunningCloth(const Design& design, const Climate& air)
@@ -94,8 +96,7 @@ void RunningCloth::look()
     frame->time = time_;
     require_closed(frame->ledger);
     const Ledger& ledger = frame->ledger;
-    const bool stands = ledger.water_free > 1e-9 * ledger.water_delivered;
-    if (stands || ledger.water_delivered <= 0 || time_ < landed_)
+    if (stands(ledger) || ledger.water_delivered <= 0 || time_ < landed_)
         absorbed_ = -1;
     else if (absorbed_ < 0)
         absorbed_ = std::max(0.0, ledger.free_until - landed_);
@@ -160,8 +161,11 @@ void RunningCloth::blow(const Climate& air)
 
 void RunningCloth::squeeze()
 {
-    const bool stands = last_->ledger.water_free > 0 || (!asked_at_.empty() && asked_at_.back() >= last_->time);
-    if (stands && time_ >= landed_) landed_ = std::numeric_limits<double>::infinity();
+    acts_.squeezed = time_;
+    if (stands(last_->ledger) && time_ >= landed_) {
+        acts_.wiped = time_;
+        landed_ = std::numeric_limits<double>::infinity();
+    }
     session_->poke(Squeeze{squeezed_share});
     look();
 }
@@ -169,6 +173,7 @@ void RunningCloth::squeeze()
 void RunningCloth::tilt(double degrees)
 {
     tilt_ = radian_from_degree(degrees);
+    acts_.tilted = time_;
     session_->poke(Tilt{gravity_acceleration * std::sin(tilt_), 0});
 }
 
@@ -201,6 +206,7 @@ ClothScore RunningCloth::score_of(const Frame& frame) const
     score.in_fibres_ul = ul_of(frame.ledger.water_bound - bound_at_start_, scene);
     score.run_off_ul = ul_of(frame.ledger.water_dripped, scene);
     score.evaporated_ul = ul_of(frame.ledger.water_evaporated, scene);
+    score.wiped = std::isinf(landed_);
     score.absorbed_s = absorbed_;
     return score;
 }
@@ -224,6 +230,10 @@ std::shared_ptr<const ClothView> RunningCloth::view()
 /// Where there are many, every second one goes.
 void RunningCloth::keep(const std::shared_ptr<const Frame>& frame)
 {
+    if (!kept_.empty() && frame->time == kept_.back()->time) { // the cloth was squeezed since
+        kept_.back() = frame;
+        return;
+    }
     if (!kept_.empty() && frame->time < kept_.back()->time + keep_every_) return;
     kept_.push_back(frame);
     if (kept_.size() < most_kept_frames(bytes_of(*frame))) return;
@@ -236,6 +246,7 @@ RecordedCloth RunningCloth::recorded() const
 {
     RecordedCloth cloth{*run_, kept_};
     if (last_->time > kept_.back()->time) cloth.frames.push_back(last_);
+    cloth.run.acts = acts_;
     Experiment& experiment = cloth.run.design.experiments[0];
     experiment = done_;
     const auto fell = std::count_if(asked_at_.begin(), asked_at_.end(), [this](double at) { return at < time_; });

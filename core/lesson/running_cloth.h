@@ -79,6 +79,7 @@ private:
     double landed_ = 0;         // s, the last drop; infinite: it was wiped off
     double absorbed_ = -1;      // s, after that; less than 0: not yet
     double bound_at_start_ = 0; // kg
+    HandActs acts_;
     int refused_ = 0;
     std::string notice_; // why the last one was
     std::shared_ptr<const Frame> first_, last_;

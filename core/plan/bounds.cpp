@@ -142,10 +142,12 @@ private:
     /// Between yarns of any two types, as the scene's holes are.
     void look_at_holes(const Textile& textile)
     {
-        for (const YarnType& warp : textile.warp.types)
-            for (const YarnType& weft : textile.weft.types) {
+        const std::vector<double> ends = shares_of_types(textile, YarnKind::warp), picks = shares_of_types(textile, YarnKind::weft);
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            for (std::size_t k = 0; k < picks.size(); ++k) {
+                const YarnType &warp = textile.warp.types[i], &weft = textile.weft.types[k];
                 const double wide = textile.warp.pitch - warp.section.width, high = textile.weft.pitch - weft.section.width;
-                if (wide <= 0 || high <= 0) continue;
+                if (ends[i] <= 0 || picks[k] <= 0 || wide <= 0 || high <= 0) continue;
                 const double angle =
                     0.5 * (textile.back_angle.value_or(warp.contact_angle) + textile.back_angle.value_or(weft.contact_angle));
                 b_.holes_hold = std::min(b_.holes_hold, breakthrough_pressure(b_.liquid.surface_tension, angle, 0.5 * warp.section.height,

@@ -26,10 +26,9 @@ struct Bounds {
     double uptake = 0;              ///< m3/s: see SceneCounts
     double pores = 0;               ///< m: see SceneCounts
     double cover = 0;               ///< share of the area under yarns
-    double holes_hold =
-        std::numeric_limits<double>::infinity(); ///< Pa over the air's that the easiest hole between yarns bears; no hole: all
-    double advancing_deg = 0;                    ///< that a drop shows on the upper face while it spreads
+    double advancing_deg = 0;       ///< that a drop shows on the upper face while it spreads
     LiquidAt liquid{};
+    double holes_hold = std::numeric_limits<double>::infinity(); ///< Pa that each hole between yarns bears
     bool wicks = false;
     bool condenses = false; ///< vapour of air that is more than saturated, on all of the cloth
 };

@@ -30,6 +30,13 @@ struct StoredFrame {
     Ledger ledger;
 };
 
+double time_from(hid_t group, const char* name)
+{
+    const double time = h5::read_number(group, name);
+    if (!std::isfinite(time) || time < 0) throw FileError(fmt::format("\"{}\" is no time.", name));
+    return time;
+}
+
 /// In order of time; none in recordings of older versions.
 std::vector<SwitchedPart> read_switched_on(hid_t provenance)
 {
@@ -102,6 +109,8 @@ std::string read_provenance(hid_t file, RunRecord& run)
     run.device = text(h5::exists(provenance.get(), "all_devices") ? "all_devices" : "device");
     run.plan = plan_from_json(text("plan"));
     run.switched_on = read_switched_on(provenance.get());
+    for (const auto& [name, time] : stored_acts(run.acts))
+        if (h5::has_number(provenance.get(), name)) *time = time_from(provenance.get(), name);
     if (h5::exists(provenance.get(), "date")) run.date = text("date");
     if (h5::has_number(provenance.get(), "unsolved_lines")) run.unsolved_lines = h5::read_number(provenance.get(), "unsolved_lines");
     run.seed = seed_from(text("seed"));

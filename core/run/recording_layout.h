@@ -4,12 +4,21 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string>
+#include <utility>
 
 namespace hygroloom {
 
 constexpr int recording_version = 1;
 constexpr const char* recording_format = "hygroloom-recording";
+
+/// Of the acts of a RunRecord: name in the provenance, and time.
+template <typename Acts> auto stored_acts(Acts& acts)
+{
+    return std::array{std::pair{"hand_tilted_s", &acts.tilted}, std::pair{"hand_squeezed_s", &acts.squeezed},
+                      std::pair{"hand_wiped_s", &acts.wiped}};
+}
 
 inline std::string frame_name(int index) { return fmt::format("{:06d}", index); }
 

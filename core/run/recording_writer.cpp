@@ -81,6 +81,8 @@ void write_provenance(hid_t file, const RunRecord& run)
     h5::write_text(provenance.get(), "date", run.date);
     h5::write_text(provenance.get(), "seed", std::to_string(run.seed));
     h5::write_number(provenance.get(), "threads", run.threads);
+    for (const auto& [name, time] : stored_acts(run.acts))
+        if (*time) h5::write_number(provenance.get(), name, **time);
 }
 
 /// Drops that stand as caps: where they are, and base, height and volume of each.

@@ -5,7 +5,15 @@
 #include "core/plan/model_plan.h"
 #include "core/plan/switched_part.h"
 
+#include <optional>
+
 namespace hygroloom {
+
+/// What a hand did to a cloth while it ran, which its experiment does not repeat: the last time of each, s.
+struct HandActs {
+    std::optional<double> tilted, squeezed;
+    std::optional<double> wiped; ///< liquid that stood on it ran off when it was squeezed
+};
 
 /// Everything that describes a run but its frames.
 struct RunRecord {
@@ -19,10 +27,11 @@ struct RunRecord {
     std::string backend;                   ///< "cpu", "cuda"
     std::string device;                    ///< in words, and where it went on when that failed
     std::vector<SwitchedPart> switched_on; ///< parts that the plan had left out, in order of time; also those kept off
-    double unsolved_lines = 0;             ///< see Frame; of recordings, at the last frame
-    std::string date;                      ///< of its beginning in UTC, as 2026-11-22T18:40:12Z; empty: a recording of an older version
-    double wall = 0;                       ///< s, of the run; 0 while it runs
-    bool alone = true;                     ///< whether no other run of this process was on beside it
+    HandActs acts;
+    double unsolved_lines = 0; ///< see Frame; of recordings, at the last frame
+    std::string date;          ///< of its beginning in UTC, as 2026-11-22T18:40:12Z; empty: a recording of an older version
+    double wall = 0;           ///< s, of the run; 0 while it runs
+    bool alone = true;         ///< whether no other run of this process was on beside it
 };
 
 } // namespace hygroloom

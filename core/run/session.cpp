@@ -76,6 +76,9 @@ void Session::poke(const Squeeze& squeeze)
     if (!(squeeze.share > 0 && squeeze.share <= 1))
         throw Error("The share of the pores that a squeeze leaves is more than 0 and at most 1.");
     while (time_ < until_) advance(until_);
+    constexpr double most = 0.25; // kg
+    if (const Ledger ledger = take_frame().get().ledger; ledger.water_liquid + ledger.water_free > most)
+        throw Error("A cloth with more than 250 g of liquid cannot be squeezed.");
     backend_->squeeze(squeeze.share);
 }
 

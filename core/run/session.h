@@ -54,7 +54,8 @@ public:
     void poke(const AirMoment& air);
     /// The cloth lies tilted from now on.
     void poke(const Tilt& tilt);
-    /// What has no place in the pores then runs off, with what stands on the cloth. Throws Error where drops are particles.
+    /// What has no place in the pores then runs off, with what stands on the cloth. Throws Error where drops are particles, or where
+    /// there are more than 250 g of liquid.
     void poke(const Squeeze& squeeze);
     /// The next load() goes to this machine, which the session keeps.
     void move_to(std::unique_ptr<Backend> backend);

@@ -4,12 +4,37 @@
 #include "core/plan/bundles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 namespace hygroloom {
 namespace {
+
+/// The bundles that a yarn lies in, and its part in each.
+struct YarnParts {
+    std::size_t first = 0, count = 0;
+    std::array<double, 2> share{};
+};
+std::vector<YarnParts> parts_of(const Bundles& bundles)
+{
+    std::vector<YarnParts> all(static_cast<std::size_t>(bundles.yarns));
+    for (int yarn = 0; yarn < bundles.yarns; ++yarn) {
+        YarnParts& parts = all[static_cast<std::size_t>(yarn)];
+        parts.first = static_cast<std::size_t>(bundles.first_of(yarn));
+        for (int bundle = bundles.first_of(yarn); bundle <= bundles.last_of(yarn); ++bundle)
+            parts.share[parts.count++] = bundles.share(yarn, bundle);
+    }
+    return all;
+}
+
+/// Of a fine segment: the coarse ones that it lies in.
+struct SegmentParts {
+    std::size_t count = 0;
+    std::array<std::size_t, 4> coarse{};
+    std::array<double, 4> share{};
+};
 
 /// A cloth's ends and picks as those of a coarser one.
 struct Blocks {
@@ -29,6 +54,27 @@ struct Blocks {
                         visit(static_cast<std::size_t>(fine_crossings + pick * ends.yarns + end),
                               static_cast<std::size_t>(coarse_crossings + along * ends.count + across), share);
                     }
+    }
+    /// visit(fine segment, its parts), in the order of segments.
+    template <typename Visit> void each_segment(const Visit& visit) const
+    {
+        const std::vector<YarnParts> of_ends = parts_of(ends), of_picks = parts_of(picks);
+        const auto all_ends = static_cast<std::size_t>(ends.count), all_picks = static_cast<std::size_t>(picks.count);
+        std::size_t segment = 0;
+        const auto look_at = [&](const YarnParts& end, const YarnParts& pick, bool is_warp) {
+            SegmentParts parts;
+            for (std::size_t across = 0; across < end.count; ++across)
+                for (std::size_t along = 0; along < pick.count; ++along) {
+                    const std::size_t c = end.first + across, d = pick.first + along;
+                    parts.coarse[parts.count] = is_warp ? c * all_picks + d : all_ends * all_picks + d * all_ends + c;
+                    parts.share[parts.count++] = end.share[across] * pick.share[along];
+                }
+            visit(segment++, parts);
+        };
+        for (const YarnParts& end : of_ends)
+            for (const YarnParts& pick : of_picks) look_at(end, pick, true);
+        for (const YarnParts& pick : of_picks)
+            for (const YarnParts& end : of_ends) look_at(end, pick, false);
     }
     std::size_t coarse_segments() const { return static_cast<std::size_t>(2 * ends.count * picks.count); }
     /// How many yarns a coarse segment stands for side by side.
@@ -208,16 +254,14 @@ Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
     const std::size_t shells = cells.shells.size() / cells.regain.size();
     frame.shells.resize(shells * segments);
     const auto add = [](float& to, double factor, float value) { to += static_cast<float>(factor * static_cast<double>(value)); };
-    for (const FrameField& field : frame_fields) {
-        std::vector<float>& to = field.in(frame);
-        const std::vector<float>& from = field.in(cells);
-        blocks.each_part([&](std::size_t i, std::size_t c, double share) {
+    blocks.each_segment([&](std::size_t i, const SegmentParts& parts) {
+        for (std::size_t k = 0; k < parts.count; ++k) {
+            const std::size_t c = parts.coarse[k];
+            const double share = parts.share[k];
             const double part = share * fine.cloth.length[i] / (blocks.yarns_of(c) * coarse.cloth.length[c]); // of the cell's pores
-            add(to[i], field.is_amount ? part : share, from[c]);
-        });
-    }
-    blocks.each_part([&](std::size_t i, std::size_t c, double share) {
-        for (std::size_t k = 0; k < shells; ++k) add(frame.shells[i * shells + k], share, cells.shells[c * shells + k]);
+            for (const FrameField& field : frame_fields) add(field.in(frame)[i], field.is_amount ? part : share, field.in(cells)[c]);
+            for (std::size_t s = 0; s < shells; ++s) add(frame.shells[i * shells + s], share, cells.shells[c * shells + s]);
+        }
     });
     add_up_faces(frame, fine);
     return frame;

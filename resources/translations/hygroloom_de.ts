@@ -5262,7 +5262,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>Squeeze</source>
-        <translation>Auswringen</translation>
+        <translation>Ausdrücken</translation>
     </message>
     <message>
         <source>All cloths are squeezed for a moment, so that their pores keep %1 % of their room. Liquid that has no place, and drops that stand, run off. Key: %2</source>

@@ -260,7 +260,8 @@ private Q_SLOTS:
     {
         const auto reason_at = [](double angle, double speed) {
             Design design = drop_on_cotton(0.5, 1, angle);
-            design.fabrics[0].ends_per_cm = design.fabrics[0].picks_per_cm = 12; // open
+            design.fabrics[0].ends_per_cm = 8; // open, and more so along the weft
+            design.fabrics[0].picks_per_cm = 12;
             design.experiments[0].droplets[0].speed_m_s = speed;
             const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
             const ModelPlan plan = plan_model(design, textile, design.experiments[0], Fidelity::live);
@@ -268,7 +269,19 @@ private Q_SLOTS:
             return part->on ? std::string() : part->reason;
         };
         QCOMPARE(reason_at(100, 0.3), std::string()); // 50 Pa
-        const std::string reason = reason_at(100, 1.8);
+        const Design open = [] {
+            Design design = drop_on_cotton(0.5, 1, 100);
+            design.fabrics[0].ends_per_cm = 8;
+            design.fabrics[0].picks_per_cm = 12;
+            return design;
+        }();
+        const Textile textile = textile_of_run(open, open.fabrics[0], open.experiments[0]);
+        const auto half_gap = [](const YarnSystem& system) { return 0.5 * (system.pitch - system.types[0].section.width); };
+        const auto half_height = [](const YarnSystem& system) { return 0.5 * system.types[0].section.height; };
+        const double holds = breakthrough_pressure(0.072, radian_from_degree(100), half_height(textile.warp), half_gap(textile.warp),
+                                                   half_height(textile.weft), half_gap(textile.weft));
+        QCOMPARE(reason_at(100, std::sqrt(2 * 0.95 * holds / 998 - 2 * gravity_acceleration * 1e-3)), std::string());
+        const std::string reason = reason_at(100, std::sqrt(2 * 1.05 * holds / 998));
         QVERIFY2(reason.find("through the holes between the yarns") != std::string::npos, reason.c_str());
         QCOMPARE(reason_at(0, 0.3), std::string()); // which yarns draw in from below
     }

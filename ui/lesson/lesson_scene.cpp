@@ -157,10 +157,10 @@ QImage LessonScene::picture(const QString& clock)
     QImage image = grab().toImage();
     QPainter painter(&image);
     QFont large = font();
-    large.setPointSizeF(1.5 * large.pointSizeF());
+    large.setPixelSize(20);
     painter.setFont(large);
     painter.setPen(words_color);
-    painter.drawText(rect().adjusted(12, 8, -12, -8), Qt::AlignLeft | Qt::AlignBottom, clock);
+    painter.drawText(rect().adjusted(12, 8, -12, -8), Qt::AlignLeft | Qt::AlignTop, clock);
     return image;
 }
 

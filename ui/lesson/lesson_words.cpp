@@ -42,6 +42,7 @@ QStringList scoreLines(const ClothScore& score)
     const QString absorbed =
         score.absorbed_s >= 0
             ? QCoreApplication::translate("hygroloom::Lesson", "Absorbed in %1 s").arg(QLocale().toString(score.absorbed_s, 'f', 2))
+        : score.wiped     ? QCoreApplication::translate("hygroloom::Lesson", "The last drop was wiped off")
         : score.drops > 0 ? QCoreApplication::translate("hygroloom::Lesson", "Not absorbed yet")
                           : QCoreApplication::translate("hygroloom::Lesson", "No drop to absorb");
     return {area, radius, absorbed};
