@@ -16,6 +16,7 @@
 
 using namespace hygroloom;
 
+namespace tst_verdicts {
 namespace {
 
 constexpr int replicates = 8;
@@ -134,5 +135,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVerdicts)
+} // namespace tst_verdicts
+
+QTEST_APPLESS_MAIN(tst_verdicts::TestVerdicts)
 #include "tst_verdicts.moc"
