@@ -7,6 +7,7 @@
 #include "core/analysis/report_parts.h"
 #include "core/analysis/series_keys.h"
 #include "core/analysis/svg.h"
+#include "core/base/version.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -201,8 +202,8 @@ std::string calibration_report_html(const Calibration& calibration)
                             escaped_markup(calibration.experiment), hygroloom::name_of(calibration.fidelity)) +
                     answer + section("Inputs", inputs_html(calibration)) + section("Fit", pictures) +
                     section("Numbers", numbers_html(calibration)) + section("What it rests on", list(basis)) +
-                    section("Computation", table(row("program", std::string("Hygroloom ") + HYGROLOOM_VERSION, "") +
-                                                 row("commit", HYGROLOOM_COMMIT, ""))));
+                    section("Computation", table(row("program", std::string("Hygroloom ") + program_version(), "") +
+                                                 row("commit", program_commit(), ""))));
 }
 
 } // namespace hygroloom

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/base/version.h"
 #include "core/project/atomic_file.h"
 #include "core/scene/scene.h"
 
@@ -114,7 +115,7 @@ void write_cell_map_csv(const CellMap& map, const RunRecord& run, double time, M
     std::string text =
         fmt::format("# program=Hygroloom {}\n# simulated=true\n# fabric={}\n# experiment={}\n# fidelity={}\n# seed={}\n# time_s={}\n"
                     "# side={}\n# crossings_per_cell={}\ncolumn,row,x_mm,y_mm,{}\n",
-                    HYGROLOOM_VERSION, run.fabric, run.experiment, name_of(run.plan.fidelity), run.seed, time,
+                    program_version(), run.fabric, run.experiment, name_of(run.plan.fidelity), run.seed, time,
                     names[static_cast<int>(side)], map.crossings_per_cell, column_name);
     const double width = run.textile.ends() * run.textile.warp.pitch, height = run.textile.picks() * run.textile.weft.pitch;
     for (int row = 0; row < map.rows; ++row)

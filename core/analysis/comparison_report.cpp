@@ -6,6 +6,7 @@
 #include "core/analysis/svg.h"
 #include "core/analysis/why.h"
 #include "core/base/text.h"
+#include "core/base/version.h"
 #include "core/project/project_json.h"
 
 #include <fmt/format.h>
@@ -251,7 +252,7 @@ std::string computation(const Comparison& comparison)
         for (const std::string& note : all_notes(comparison, candidate)) notes.push_back(candidate.fabric + ": " + note);
     }
     return table(rows) + list(notes) +
-           table(row("program", std::string("Hygroloom ") + HYGROLOOM_VERSION, "") + row("commit", HYGROLOOM_COMMIT, ""));
+           table(row("program", std::string("Hygroloom ") + program_version(), "") + row("commit", program_commit(), ""));
 }
 
 std::string unknown(const Comparison& comparison)

@@ -4,6 +4,7 @@
 #include "core/analysis/outcomes.h"
 #include "core/analysis/series_keys.h"
 #include "core/base/units.h"
+#include "core/base/version.h"
 #include "core/plan/plan_json.h"
 
 #include <nlohmann/json.hpp>
@@ -70,8 +71,8 @@ Json metrics_value(const RunRecord& run, const Metrics& m, const std::map<std::s
         {"format", "hygroloom-metrics"},
         {"version", 1},
         {"provenance",
-         {{"program", std::string("Hygroloom ") + HYGROLOOM_VERSION},
-          {"commit", HYGROLOOM_COMMIT},
+         {{"program", std::string("Hygroloom ") + program_version()},
+          {"commit", program_commit()},
           {"simulated", true},
           {"fabric", run.fabric},
           {"experiment", run.experiment},

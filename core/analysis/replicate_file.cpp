@@ -2,6 +2,7 @@
 #include "core/analysis/replicate_file.h"
 
 #include "core/analysis/trace_json.h"
+#include "core/base/version.h"
 #include "core/project/atomic_file.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_json.h"
@@ -34,7 +35,7 @@ ProjectJson value_of(int number, const ReplicateRun& run)
 ProjectJson value_of(const ReplicateSet& set)
 {
     ProjectJson value;
-    value["program"] = HYGROLOOM_VERSION;
+    value["program"] = program_version();
     value["fabric"] = set.key.fabric;
     value["experiment"] = set.key.experiment;
     value["fidelity"] = name_of(set.key.fidelity);
@@ -93,9 +94,9 @@ std::optional<ReplicateSet> set_from(const ProjectJson& value, const std::string
 {
     ObjectReader reader(value, file, path);
     ReplicateSet set;
-    std::string program = HYGROLOOM_VERSION;
+    std::string program = program_version();
     reader.read("program", program);
-    if (program != HYGROLOOM_VERSION) return {};
+    if (program != program_version()) return {};
     std::string fidelity;
     double seed = 1;
     reader.read("fabric", set.key.fabric);

@@ -7,6 +7,7 @@
 #include "core/analysis/plots.h"
 #include "core/analysis/svg.h"
 #include "core/base/text.h"
+#include "core/base/version.h"
 #include "core/design/fabric_quantities.h"
 #include "core/project/project_json.h"
 
@@ -172,7 +173,7 @@ std::string knobs(const ModelPlan& plan)
 
 std::string origin(const RunRecord& run, const Ledger& ledger, bool finished)
 {
-    std::string rows = row("program", std::string("Hygroloom ") + HYGROLOOM_VERSION, "") + row("commit", HYGROLOOM_COMMIT, "") +
+    std::string rows = row("program", std::string("Hygroloom ") + program_version(), "") + row("commit", program_commit(), "") +
                        row("fabric", run.fabric, "") + row("experiment", run.experiment, "") + row("backend", run.backend, "") +
                        row("device", run.device, "") + row("fidelity", name_of(run.plan.fidelity), "") +
                        row("seed", std::to_string(run.seed), "");

@@ -5,6 +5,7 @@
 #include "core/analysis/closed_forms.h"
 #include "core/analysis/outcomes.h"
 #include "core/base/error.h"
+#include "core/base/version.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -253,8 +254,8 @@ std::vector<MetricError> closed_form_errors(const TradeoffOutcome& run)
 Tradeoff tradeoff_here(const Fabric& fabric, const Experiment& experiment)
 {
     Tradeoff t;
-    t.program = std::string("Hygroloom ") + HYGROLOOM_VERSION;
-    t.commit = HYGROLOOM_COMMIT;
+    t.program = std::string("Hygroloom ") + program_version();
+    t.commit = program_commit();
     t.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
     utsname machine{};
     if (uname(&machine) == 0) t.machine = machine.nodename;

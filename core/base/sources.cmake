@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   base/student.cpp
   base/utf8.cpp
+  base/version.cpp
   base/words.cpp
 )
 # Sanitizers watch memory by operators of their own.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Frames are written whole and committed with the ledger's row that counts them, so a cut recording reads up to its last row.
 #include "core/base/error.h"
+#include "core/base/version.h"
 #include "core/plan/plan_json.h"
 #include "core/project/project_file.h"
 #include "core/run/hdf5_reader.h"
@@ -69,9 +70,9 @@ std::vector<float> pore_shares(const Textile& textile, YarnKind kind)
 void write_provenance(hid_t file, const RunRecord& run)
 {
     const h5::Handle provenance = h5::create_group(file, "provenance");
-    h5::write_text(provenance.get(), "program", std::string("Hygroloom ") + HYGROLOOM_VERSION);
-    h5::write_text(provenance.get(), "version", HYGROLOOM_VERSION);
-    h5::write_text(provenance.get(), "commit", HYGROLOOM_COMMIT);
+    h5::write_text(provenance.get(), "program", std::string("Hygroloom ") + program_version());
+    h5::write_text(provenance.get(), "version", program_version());
+    h5::write_text(provenance.get(), "commit", program_commit());
     h5::write_text(provenance.get(), "fabric", run.fabric);
     h5::write_text(provenance.get(), "experiment", run.experiment);
     h5::write_text(provenance.get(), "backend", run.backend);

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/base/version.h"
 #include "core/project/atomic_file.h"
 #include "core/run/byte_lock.h"
 #include "core/study/csv_rows.h"
@@ -47,8 +48,6 @@ std::string whole_lines(const std::filesystem::path& file)
 }
 
 } // namespace
-
-const char* program_commit() { return HYGROLOOM_COMMIT; }
 
 KeptRows::KeptRows(std::size_t rows, std::size_t metrics)
     : metric_count_(metrics), states_(rows, State::missing), metrics_(rows * metrics, std::numeric_limits<double>::quiet_NaN()),

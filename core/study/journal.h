@@ -68,7 +68,4 @@ private:
     bool torn_ = false;                              ///< its last line is not whole, and cannot be taken off
 };
 
-/// The commit that this program was built from.
-const char* program_commit();
-
 } // namespace hygroloom

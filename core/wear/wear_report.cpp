@@ -4,6 +4,7 @@
 #include "core/analysis/line_chart.h"
 #include "core/analysis/svg.h"
 #include "core/base/units.h"
+#include "core/base/version.h"
 #include "core/project/project_json.h"
 
 #include <fmt/format.h>
@@ -161,7 +162,7 @@ std::string input(const WearRecord& record)
 
 std::string origin(const WearRecord& record, const WearMetrics& metrics)
 {
-    return table(row("program", std::string("Hygroloom ") + HYGROLOOM_VERSION, "") + row("commit", HYGROLOOM_COMMIT, "") +
+    return table(row("program", std::string("Hygroloom ") + program_version(), "") + row("commit", program_commit(), "") +
                  row("garment", record.layout.garment, "") + row("experiment", record.layout.experiment, "") +
                  row("cells", std::to_string(record.layout.cells.size()), "", record.layout.cells_in_words) +
                  row("fidelity", record.fidelity, "") + row("backend", record.backend, "") + row("device", record.device, "") +

@@ -10,6 +10,7 @@
 
 using namespace hygroloom;
 
+namespace tst_moisture_tester {
 namespace {
 
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
@@ -288,5 +289,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMoistureTester)
+} // namespace tst_moisture_tester
+
+QTEST_APPLESS_MAIN(tst_moisture_tester::TestMoistureTester)
 #include "tst_moisture_tester.moc"

@@ -16,6 +16,7 @@
 
 using namespace hygroloom;
 
+namespace tst_morphology {
 namespace {
 
 bool near(double value, double expected, double share) { return std::abs(value - expected) <= share * std::abs(expected); }
@@ -296,5 +297,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMorphology)
+} // namespace tst_morphology
+
+QTEST_APPLESS_MAIN(tst_morphology::TestMorphology)
 #include "tst_morphology.moc"

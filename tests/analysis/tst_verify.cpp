@@ -21,14 +21,15 @@ Changes smaller(const std::string& name)
     static const std::map<std::string, Changes> all{
         {"hydrostatic", {{"particles", "4000"}}},
         {"laplace_pressure", {{"particles", "5000"}}},
-        {"experiments_agree", {{"duration_s", "0.2"}}},
+        {"sessile_drop", {{"particles", "2000"}}},
+        {"experiments_agree", {{"duration_s", "0.1"}}},
         {"goes_on_on_cpu", {{"duration_s", "0.2"}}},
         {"measured_n6", {{"duration_s", "120"}}},
         {"measured_t3", {{"sample_mm", "24"}, {"volume_ul", "10"}}},
         {"measured_t4", {{"sample_mm", "24"}, {"volume_ul", "10"}}},
-        {"measured_t6", {{"duration_s", "1800"}}},
-        {"measured_t7", {{"duration_s", "20"}}},
-        {"measured_t8", {{"duration_s", "40"}}},
+        {"measured_t6", {{"duration_s", "1200"}}},
+        {"measured_t7", {{"duration_s", "10"}}},
+        {"measured_t8", {{"duration_s", "20"}}},
     };
     const auto found = all.find(name);
     return found == all.end() ? Changes() : found->second;
@@ -120,7 +121,7 @@ private Q_SLOTS:
         QTest::newRow("a drop swings with three lobes") << "rayleigh_drop"
                                                         << "mode=3 particles=4000";
         QTest::newRow("a shallow column") << "hydrostatic"
-                                          << "depth_mm=15 particles=8000";
+                                          << "depth_mm=15 particles=4000";
         QTest::newRow("a deep column") << "hydrostatic"
                                        << "depth_mm=45 particles=4000";
         QTest::newRow("a drop fired at a dense fabric") << "impact"

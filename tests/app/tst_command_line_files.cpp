@@ -18,6 +18,7 @@
 
 using namespace hygroloom;
 
+namespace tst_command_line_files {
 namespace {
 
 /// In a shell, with redirections and what goes before.
@@ -339,5 +340,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCommandLineFiles)
+} // namespace tst_command_line_files
+
+QTEST_GUILESS_MAIN(tst_command_line_files::TestCommandLineFiles)
 #include "tst_command_line_files.moc"

@@ -13,6 +13,7 @@
 
 using namespace hygroloom;
 
+namespace tst_fabric_parts {
 namespace {
 
 const char* const cloth = R"({
@@ -267,5 +268,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestFabricParts)
+} // namespace tst_fabric_parts
+
+QTEST_GUILESS_MAIN(tst_fabric_parts::TestFabricParts)
 #include "tst_fabric_parts.moc"

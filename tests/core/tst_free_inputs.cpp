@@ -11,6 +11,7 @@
 
 using namespace hygroloom;
 
+namespace tst_free_inputs {
 namespace {
 
 /// Of cotton with a finish whose contact angle is given as 35 degrees and known within 20.
@@ -111,5 +112,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFreeInputs)
+} // namespace tst_free_inputs
+
+QTEST_APPLESS_MAIN(tst_free_inputs::TestFreeInputs)
 #include "tst_free_inputs.moc"

@@ -8,6 +8,7 @@
 
 using namespace hygroloom;
 
+namespace tst_material {
 namespace {
 
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
@@ -150,5 +151,7 @@ private Q_SLOTS:
     void blendsWithoutIsothermUseTheMasterCurve() { QVERIFY(!blended_material({}, {{"acrylic", 0.5}, {"polyester", 0.5}}).gab.given()); }
 };
 
-QTEST_APPLESS_MAIN(TestMaterial)
+} // namespace tst_material
+
+QTEST_APPLESS_MAIN(tst_material::TestMaterial)
 #include "tst_material.moc"

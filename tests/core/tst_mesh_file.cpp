@@ -18,6 +18,7 @@
 using namespace hygroloom;
 namespace fs = std::filesystem;
 
+namespace tst_mesh_file {
 namespace {
 
 Fabric fabric()
@@ -489,5 +490,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMeshFile)
+} // namespace tst_mesh_file
+
+QTEST_APPLESS_MAIN(tst_mesh_file::TestMeshFile)
 #include "tst_mesh_file.moc"

@@ -9,6 +9,7 @@
 
 using namespace hygroloom;
 
+namespace tst_quantities {
 namespace {
 
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
@@ -298,5 +299,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestQuantities)
+} // namespace tst_quantities
+
+QTEST_APPLESS_MAIN(tst_quantities::TestQuantities)
 #include "tst_quantities.moc"

@@ -6,6 +6,7 @@
 
 using namespace hygroloom;
 
+namespace tst_units {
 namespace {
 bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 } // namespace
@@ -52,5 +53,7 @@ private Q_SLOTS:
     void aMicrolitreIsACubicMillimetre() { QVERIFY(near(cubic_metre_from_ul(1), 1e-9, 1e-24)); }
 };
 
-QTEST_APPLESS_MAIN(TestUnits)
+} // namespace tst_units
+
+QTEST_APPLESS_MAIN(tst_units::TestUnits)
 #include "tst_units.moc"

@@ -12,6 +12,7 @@
 
 using namespace hygroloom;
 
+namespace tst_weave_analysis {
 namespace {
 
 using Counts = std::vector<long>;
@@ -223,5 +224,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWeaveAnalysis)
+} // namespace tst_weave_analysis
+
+QTEST_APPLESS_MAIN(tst_weave_analysis::TestWeaveAnalysis)
 #include "tst_weave_analysis.moc"

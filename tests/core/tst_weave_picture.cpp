@@ -11,6 +11,7 @@
 
 using namespace hygroloom;
 
+namespace tst_weave_picture {
 namespace {
 
 std::string refusal(const std::string& bytes, bool picture = false)
@@ -154,5 +155,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWeavePicture)
+} // namespace tst_weave_picture
+
+QTEST_APPLESS_MAIN(tst_weave_picture::TestWeavePicture)
 #include "tst_weave_picture.moc"

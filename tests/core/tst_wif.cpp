@@ -15,6 +15,7 @@
 
 using namespace hygroloom;
 
+namespace tst_wif {
 namespace {
 
 std::string path_of(const char* file) { return std::string(HYGROLOOM_SOURCE_DIR "/tests/data/wif/") + file; }
@@ -442,5 +443,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWif)
+} // namespace tst_wif
+
+QTEST_APPLESS_MAIN(tst_wif::TestWif)
 #include "tst_wif.moc"

@@ -9,6 +9,7 @@
 
 using namespace hygroloom;
 
+namespace tst_measured_geometry {
 namespace {
 
 Design example(const QString& file)
@@ -137,5 +138,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMeasuredGeometry)
+} // namespace tst_measured_geometry
+
+QTEST_APPLESS_MAIN(tst_measured_geometry::TestMeasuredGeometry)
 #include "tst_measured_geometry.moc"

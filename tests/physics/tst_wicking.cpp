@@ -11,6 +11,7 @@
 
 using namespace hygroloom;
 
+namespace tst_wicking {
 namespace {
 constexpr double tension = 0.07274, density = 998.2, viscosity = 1.0016e-3; // water at 20 C
 bool within(double value, double expected, double relative) { return std::abs(value - expected) <= relative * std::abs(expected); }
@@ -168,5 +169,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWicking)
+} // namespace tst_wicking
+
+QTEST_APPLESS_MAIN(tst_wicking::TestWicking)
 #include "tst_wicking.moc"

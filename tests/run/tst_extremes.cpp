@@ -20,6 +20,7 @@
 
 using namespace hygroloom;
 
+namespace tst_extremes {
 namespace {
 
 constexpr int chunk_size = 10;
@@ -214,5 +215,7 @@ private:
     std::map<std::string, int> covered_;
 };
 
-QTEST_APPLESS_MAIN(TestExtremes)
+} // namespace tst_extremes
+
+QTEST_APPLESS_MAIN(tst_extremes::TestExtremes)
 #include "tst_extremes.moc"

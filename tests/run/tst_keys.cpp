@@ -19,6 +19,7 @@
 
 using namespace hygroloom;
 
+namespace tst_keys {
 namespace {
 
 const char* const cloth = R"({
@@ -383,5 +384,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestKeys)
+} // namespace tst_keys
+
+QTEST_APPLESS_MAIN(tst_keys::TestKeys)
 #include "tst_keys.moc"

@@ -15,6 +15,7 @@
 
 using namespace hygroloom;
 
+namespace tst_late_frames {
 namespace {
 
 /// Gives frames as a GPU does: some time after they were taken, to whoever asks.
@@ -347,5 +348,7 @@ private:
     std::vector<Frame> expected_; // of brief()
 };
 
-QTEST_APPLESS_MAIN(TestLateFrames)
+} // namespace tst_late_frames
+
+QTEST_APPLESS_MAIN(tst_late_frames::TestLateFrames)
 #include "tst_late_frames.moc"

@@ -18,6 +18,7 @@
 
 using namespace hygroloom;
 
+namespace tst_part_watch {
 namespace {
 
 /// A microlitre on polyester that it wets well. The estimate takes for granted that liquid stops where it fills a fifth of the pores; given
@@ -422,5 +423,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPartWatch)
+} // namespace tst_part_watch
+
+QTEST_GUILESS_MAIN(tst_part_watch::TestPartWatch)
 #include "tst_part_watch.moc"

@@ -22,6 +22,7 @@
 
 using namespace hygroloom;
 
+namespace tst_recording_writer {
 namespace {
 
 constexpr double mark_of_older = 77; ///< s, as the wall time
@@ -285,5 +286,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRecordingWriter)
+} // namespace tst_recording_writer
+
+QTEST_GUILESS_MAIN(tst_recording_writer::TestRecordingWriter)
 #include "tst_recording_writer.moc"

@@ -21,6 +21,7 @@
 
 using namespace hygroloom;
 
+namespace tst_run {
 namespace {
 
 // What is checked here does not depend on how fine a drop is.
@@ -322,5 +323,7 @@ private:
     QTemporaryDir folder_;
 };
 
-QTEST_APPLESS_MAIN(TestRun)
+} // namespace tst_run
+
+QTEST_APPLESS_MAIN(tst_run::TestRun)
 #include "tst_run.moc"

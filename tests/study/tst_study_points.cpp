@@ -12,6 +12,7 @@
 
 using namespace hygroloom;
 
+namespace tst_study_points {
 namespace {
 
 Factor range(const char* path, double low, double high)
@@ -185,5 +186,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStudyPoints)
+} // namespace tst_study_points
+
+QTEST_APPLESS_MAIN(tst_study_points::TestStudyPoints)
 #include "tst_study_points.moc"

@@ -16,6 +16,7 @@
 using namespace hygroloom;
 using Role = StudyColumnRole;
 
+namespace tst_study_results {
 namespace {
 
 StudyColumn numbers(const char* name, Role role, std::vector<double> values) { return {name, role, true, std::move(values), {}, {}}; }
@@ -220,5 +221,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStudyResults)
+} // namespace tst_study_results
+
+QTEST_APPLESS_MAIN(tst_study_results::TestStudyResults)
 #include "tst_study_results.moc"

@@ -44,7 +44,8 @@ template <typename Application, typename Test> int run_test_in(int count, char**
 #undef QTEST_APPLESS_MAIN
 #undef QTEST_GUILESS_MAIN
 #undef QTEST_MAIN
-#define QTEST_APPLESS_MAIN(Test) static const bool taken_up = hygroloom::take_up_test(__FILE__, hygroloom::run_test<Test>);
-#define QTEST_GUILESS_MAIN(Test)                                                                                                           \
-    static const bool taken_up = hygroloom::take_up_test(__FILE__, hygroloom::run_test_in<QCoreApplication, Test>);
-#define QTEST_MAIN(Test) static const bool taken_up = hygroloom::take_up_test(__FILE__, hygroloom::run_test_in<QApplication, Test>);
+#define HYGROLOOM_TAKE_UP(number, run) static const bool taken_up_##number = hygroloom::take_up_test(__FILE__, run);
+#define HYGROLOOM_TAKE_UP_AS(number, run) HYGROLOOM_TAKE_UP(number, run) // several tests may be compiled as one file
+#define QTEST_APPLESS_MAIN(Test) HYGROLOOM_TAKE_UP_AS(__COUNTER__, hygroloom::run_test<Test>)
+#define QTEST_GUILESS_MAIN(Test) HYGROLOOM_TAKE_UP_AS(__COUNTER__, (hygroloom::run_test_in<QCoreApplication, Test>))
+#define QTEST_MAIN(Test) HYGROLOOM_TAKE_UP_AS(__COUNTER__, (hygroloom::run_test_in<QApplication, Test>))

@@ -17,6 +17,7 @@
 
 using namespace hygroloom;
 
+namespace tst_far_cloth {
 namespace {
 
 const QSize picture(320, 256);
@@ -239,5 +240,7 @@ private:
     TextileRenderer renderer_;
 };
 
-QTEST_MAIN(TestFarCloth)
+} // namespace tst_far_cloth
+
+QTEST_MAIN(tst_far_cloth::TestFarCloth)
 #include "tst_far_cloth.moc"

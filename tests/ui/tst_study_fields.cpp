@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a study may change, as people read it and pick it, and what its charts are drawn from.
+#include "study_test.h"
 #include "tests/support/drop_design.h"
 #include "ui/basics/preferences.h"
 #include "ui/study/factor_form.h"
@@ -15,14 +16,6 @@
 #include <cmath>
 
 using namespace hygroloom;
-
-namespace {
-
-constexpr const char* ends = "fabrics[0].ends_per_cm";
-constexpr const char* angle = "fabrics[0].contact_angle_deg";
-constexpr const char* volume = "experiments[0].droplets[0].volume_ul";
-
-} // namespace
 
 class TestStudyFields : public QObject {
     Q_OBJECT

@@ -2,6 +2,7 @@
 // The page of studies: what is set up is what runs, rows come to the table and the charts, and a row becomes a fabric of the project.
 #include "core/project/atomic_file.h"
 #include "core/study/slurm.h"
+#include "study_test.h"
 #include "tests/support/drop_design.h"
 #include "ui/document/document.h"
 #include "ui/study/cluster_dialog.h"
@@ -31,10 +32,7 @@ using namespace hygroloom;
 
 namespace {
 
-constexpr int patience = 60000; // ms
-constexpr const char* ends = "fabrics[0].ends_per_cm";
-constexpr const char* angle = "fabrics[0].contact_angle_deg";
-constexpr const char* volume = "experiments[0].droplets[0].volume_ul";
+constexpr int study_patience = 60000; // ms
 
 void type(QLineEdit* field, const QString& text)
 {
@@ -73,8 +71,9 @@ struct Bench {
     {
         QSignalSpy shown(&page, &StudyPage::shown);
         page.run();
-        QTRY_VERIFY_WITH_TIMEOUT(
-            !page.job().running() && !shown.isEmpty() && page.results() && page.results()->table.rows() == page.results()->rows, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!page.job().running() && !shown.isEmpty() && page.results() &&
+                                     page.results()->table.rows() == page.results()->rows,
+                                 study_patience);
     }
 
     QTemporaryDir folder;
@@ -177,7 +176,7 @@ private Q_SLOTS:
         Bench bench;
         bench.makeSmall(12);
         QSignalSpy told(&bench.page, &StudyPage::costForetold);
-        QTRY_VERIFY_WITH_TIMEOUT(!told.isEmpty(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!told.isEmpty(), study_patience);
         QVERIFY2(bench.page.cost().startsWith("12 runs (12 points), "), qPrintable(bench.page.cost()));
     }
 
@@ -202,11 +201,11 @@ private Q_SLOTS:
         bench.makeSmall(40);
         QSignalSpy ended(&bench.page.job(), &StudyTask::ended);
         bench.page.run();
-        QTRY_VERIFY_WITH_TIMEOUT(bench.page.job().progress().share > 0, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.page.job().progress().share > 0, study_patience);
         QElapsedTimer clock;
         clock.start();
         bench.page.job().cancel();
-        QVERIFY(ended.wait(patience));
+        QVERIFY(ended.wait(study_patience));
         qInfo("stopped after %lld ms", clock.elapsed());
         QVERIFY2(clock.elapsed() < 1000, "a stop takes long"); // 0.3 s on a machine that does nothing else
         QVERIFY(bench.page.job().outcome().cancelled);
@@ -220,7 +219,7 @@ private Q_SLOTS:
         bench.runToTheEnd();
         bench.page.setup().setPoints(Sampling::latin_hypercube, 3);
         bench.page.run();
-        QTRY_VERIFY_WITH_TIMEOUT(!bench.page.job().running(), patience);
+        QTRY_VERIFY_WITH_TIMEOUT(!bench.page.job().running(), study_patience);
         QVERIFY(!bench.sentences.isEmpty());
         QVERIFY2(bench.sentences.last().contains("another study"), qPrintable(bench.sentences.last()));
     }
@@ -245,7 +244,7 @@ private Q_SLOTS:
         QVERIFY(again && again->isVisible() && again->isEnabled());
         QSignalSpy ended(&bench.page.job(), &StudyTask::ended);
         again->click();
-        QVERIFY(ended.wait(patience));
+        QVERIFY(ended.wait(study_patience));
         QCOMPARE(bench.page.job().outcome().progress.kept, std::size_t{1}); // only the other ran
         QCOMPARE(bench.page.job().outcome().progress.failed, std::size_t{1});
     }
@@ -313,7 +312,7 @@ private Q_SLOTS:
             QElapsedTimer clock;
             clock.start();
             bench.page.openResults(file);
-            QVERIFY(shown.wait(patience));
+            QVERIFY(shown.wait(study_patience));
             bench.page.repaint();
             qInfo("100 000 rows: %lld ms", clock.elapsed());
             QVERIFY(bench.page.results()->of);
@@ -341,7 +340,7 @@ private Q_SLOTS:
         writeTable(file, 500);
         QSignalSpy shown(&bench.page, &StudyPage::shown);
         bench.page.openResults(file);
-        QVERIFY(shown.wait(patience));
+        QVERIFY(shown.wait(study_patience));
         ParallelChart& chart = bench.page.parallel().chart();
         chart.resize(900, 500);
         const StudyAxis& axis = bench.page.results()->axes[1];
@@ -369,7 +368,7 @@ private Q_SLOTS:
         writeTable(file, 20);
         QSignalSpy shown(&bench.page, &StudyPage::shown);
         bench.page.openResults(file);
-        QVERIFY(shown.wait(patience));
+        QVERIFY(shown.wait(study_patience));
         PairsChart& chart = bench.page.pairs().chart();
         chart.resize(800, 500);
         QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.placeOf(7)->toPoint());
@@ -399,10 +398,10 @@ private Q_SLOTS:
         Q_EMIT bench.page.indices().computeRequested();
         const QString reason = QString::fromStdString(why_no_analysis());
         if (!reason.isEmpty()) {
-            QTRY_COMPARE_WITH_TIMEOUT(bench.page.indices().note(), reason, patience);
+            QTRY_COMPARE_WITH_TIMEOUT(bench.page.indices().note(), reason, study_patience);
             return;
         }
-        QTRY_VERIFY_WITH_TIMEOUT(bench.page.results()->has_indices, patience);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.page.results()->has_indices, study_patience);
         QVERIFY(!bench.page.results()->indices.empty());
     }
 

@@ -17,6 +17,7 @@
 
 using namespace hygroloom;
 
+namespace tst_own_zones {
 namespace {
 
 constexpr double duration = 30, side = 20e-3; // s, m
@@ -318,5 +319,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestOwnZones)
+} // namespace tst_own_zones
+
+QTEST_GUILESS_MAIN(tst_own_zones::TestOwnZones)
 #include "tst_own_zones.moc"

@@ -6,6 +6,7 @@
 
 using namespace hygroloom;
 
+namespace tst_seams {
 namespace {
 
 constexpr double width = 0.128, height = 0.128, seam_at = 0.064; // m: 224 ends beside the seam, whole cells of 8, 14 and 16
@@ -107,5 +108,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSeams)
+} // namespace tst_seams
+
+QTEST_GUILESS_MAIN(tst_seams::TestSeams)
 #include "tst_seams.moc"

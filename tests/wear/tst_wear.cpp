@@ -19,6 +19,7 @@
 
 using namespace hygroloom;
 
+namespace tst_wear {
 namespace {
 
 constexpr double rate = 40'000; // g/m2 h
@@ -365,5 +366,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWear)
+} // namespace tst_wear
+
+QTEST_GUILESS_MAIN(tst_wear::TestWear)
 #include "tst_wear.moc"

@@ -13,6 +13,7 @@
 
 using namespace hygroloom;
 
+namespace tst_wear_course {
 namespace {
 
 constexpr double duration = 60;
@@ -247,5 +248,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWearCourse)
+} // namespace tst_wear_course
+
+QTEST_GUILESS_MAIN(tst_wear_course::TestWearCourse)
 #include "tst_wear_course.moc"

@@ -14,6 +14,7 @@
 
 using namespace hygroloom;
 
+namespace tst_wear_keys {
 namespace {
 
 /// A key of the schema, its place in the project below, and another value.
@@ -158,5 +159,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWearKeys)
+} // namespace tst_wear_keys
+
+QTEST_GUILESS_MAIN(tst_wear_keys::TestWearKeys)
 #include "tst_wear_keys.moc"
