@@ -26,7 +26,7 @@ vec3 cut_face(vec3 base, vec3 from, vec3 towards)
     grid.x += 0.5 * mod(floor(grid.y), 2.0);
     float blur = clamp(1.0 - 1.4 * max(fwidth(grid.x), fwidth(grid.y)), 0.0, 1.0);
     float dot_shade = smoothstep(0.28, 0.46, length(fract(grid) - 0.5));
-    return base * (0.80 - 0.30 * blur * dot_shade);
+    return base * (0.60 - 0.38 * blur * dot_shade);
 }
 
 void main()
@@ -58,11 +58,11 @@ void main()
     fine *= on_skin;
     vec3 around = normalize(cross(along, n) + vec3(1e-6));
     vec3 bent = normalize(n + (0.22 * blur * cos(wave) + 0.22 * fine * cos(fine_wave)) * around);
-    float groove = 1.0 + 0.05 * blur * sin(wave) + 0.05 * fine * sin(fine_wave); // as bright as without, on the whole
+    float groove = 1.0 + 0.1 * blur * sin(wave) + 0.1 * fine * sin(fine_wave); // as bright as without, on the whole
 
-    float cover = natural > 0.5 ? clamp(wet, 0.0, 1.0) : smoothstep(0.25 * bare, 1.5 * bare, wet);
-    vec3 lamp = lamp_direction(to_eye);
-    float reach = open * light_at_height(at.z);
-    float shine = pow(max(dot(bent, normalize(lamp + to_eye)), 0.0), mix(12.0, 40.0, cover)) * mix(0.04, 0.28, cover);
-    color = vec4(light_on(base * groove, bent * reach, reach, lamp) + vec3(shine * reach), fibres);
+    float cover = under_water(wet, bare);
+    vec3 lamp = lamp_from(to_eye, side);
+    float shine = gloss(fibre_shine(bent, lamp, to_eye), film_shine(bent, lamp, to_eye, side), cover);
+    float reach = open * light_at_depth(at.z * side / half_thickness);
+    color = vec4(reach * (base * groove * matt_light(bent, lamp, side) + vec3(shine)), fibres);
 }

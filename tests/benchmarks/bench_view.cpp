@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The picture in 3D, 1280 x 800: frames a second while it is turned, milliseconds at rest, and the light of dry and wet cloth, at five
-// distances. bench_view [FOLDER] also saves the pictures. Needs a display: xvfb-run.
+// distances. bench_view [FOLDER [PIXELS ...]] also saves the pictures; PIXELS are the widths of a pitch, 0 for the whole sample. Needs a
+// display: xvfb-run.
 #include "core/project/project_file.h"
 #include "ui/basics/appearance.h"
 #include "ui/picture/textile_canvas.h"
@@ -122,6 +123,9 @@ int main(int argc, char** argv)
     QApplication application(argc, argv);
     useResources();
     const QString folder = argc > 1 ? QString(argv[1]) : QString();
+    std::vector<double> pitches;
+    for (int i = 2; i < argc; ++i) { pitches.push_back(QString(argv[i]).toDouble()); }
+    if (pitches.empty()) { pitches = {0, 8, 17, 60, 250, 500}; }
     for (const bool dyed : {false, true}) {
         auto design = std::make_shared<Design>(read_project(HYGROLOOM_SOURCE_DIR "/resources/examples/textile-F.hygro"));
         if (dyed) {
@@ -145,7 +149,7 @@ int main(int argc, char** argv)
         request.design = design;
         request.whole = swatch_region(design->fabrics[0], 20);
         canvas.setView(prepare_view(request, canvas.sceneView(), Framing::few_repeats, [] { return false; }));
-        for (const double pitch : {0.0, 8.0, 17.0, 60.0, 250.0, 500.0}) { measure(canvas, pitch, folder, dyed ? "dyed" : "undyed"); }
+        for (const double pitch : pitches) { measure(canvas, pitch, folder, dyed ? "dyed" : "undyed"); }
     }
     return 0;
 }

@@ -28,11 +28,22 @@ struct Grey {
     float& of(int x, int y) { return at[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
 };
 
-Grey greyOf(const QImage& image)
+/// Luminance of linear light (Rec. 709), means of squares of that many pixels. The target has no samples.
+Grey luminanceOf(QOpenGLFramebufferObject& target, int times)
 {
-    Grey grey{image.width(), image.height(), {}};
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) { grey.at.push_back(static_cast<float>(qGray(image.pixel(x, y)))); }
+    const int width = target.width(), height = target.height();
+    std::vector<float> texels(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    target.bind();
+    QOpenGLContext::currentContext()->functions()->glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, texels.data());
+    target.release();
+    Grey grey{width / times, height / times, {}};
+    grey.at.resize(static_cast<std::size_t>(grey.width) * static_cast<std::size_t>(grey.height));
+    const float* texel = texels.data();
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x, texel += 4) {
+            grey.of(x / times, grey.height - 1 - y / times) +=
+                (0.2126F * texel[0] + 0.7152F * texel[1] + 0.0722F * texel[2]) / static_cast<float>(times * times);
+        }
     }
     return grey;
 }
@@ -185,22 +196,19 @@ private:
         return request;
     }
 
-    QImage drawn(const std::shared_ptr<const PreviewFabric>& fabric, SceneView view, int times)
+    Grey drawn(const std::shared_ptr<const PreviewFabric>& fabric, SceneView view, int times)
     {
         FabricScene scene;
         scene.setFabric(fabric);
         complete(scene, renderer_, view);
-        QOpenGLFramebufferObjectFormat format;
-        format.setAttachment(QOpenGLFramebufferObject::Depth);
-        format.setSamples(times > 1 ? 4 : 0);
-        QOpenGLFramebufferObject target(picture * times, format);
-        target.bind();
+        const auto target = lightPicture(picture * times, times > 1 ? 4 : 0), light = lightPicture(picture * times);
+        target->bind();
         PictureColors colors = pictureColors(QPalette());
         colors.background = QColor(160, 150, 140); // about as the cloth: its edge does not count
-        renderer_.draw(view, scene.batches(), target.size(), colors);
-        target.release();
-        const QImage image = target.toImage().convertToFormat(QImage::Format_RGB32);
-        return times > 1 ? image.scaled(picture, Qt::IgnoreAspectRatio, Qt::SmoothTransformation) : image;
+        renderer_.draw(view, scene.batches(), target->size(), colors);
+        target->release();
+        QOpenGLFramebufferObject::blitFramebuffer(light.get(), target.get());
+        return luminanceOf(*light, times);
     }
 
     Misses missesOf(double side_mm, int farther, double turn, double lift)
@@ -215,9 +223,9 @@ private:
         view.camera.zoom(1.0 / farther, {0.5 * picture.width(), 0.5 * picture.height()}, view.size);
         const double pitch = pitch_scale(*fabric, view) / view.camera.millimetrePerPixel(view.size);
         const double sigma = std::max(3.0, pitch);
-        Grey seen = blurred(greyOf(drawn(fabric, view, 1)), sigma);
+        Grey seen = blurred(drawn(fabric, view, 1), sigma);
         view.detail = std::max<double>(finer, 60 / pitch); // yarns as tubes, however far
-        Grey real = blurred(greyOf(drawn(fabric, view, finer)), sigma);
+        Grey real = blurred(drawn(fabric, view, finer), sigma);
         double sum = 0, squares = 0, bright = 0, pixels = 0;
         const int edge = static_cast<int>(2 * sigma) + 1;
         for (int y = edge; y < picture.height() - edge; ++y) {

@@ -10,6 +10,8 @@
 #include <QVector3D>
 #include <QVector4D>
 
+#include <cmath>
+
 namespace hygroloom {
 
 namespace {
@@ -41,9 +43,19 @@ PictureColors pictureColors(const QPalette& palette)
     return colors;
 }
 
-QVector3D rgb(const QColor& color)
+QVector3D lightOf(const QColor& color)
 {
-    return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
+    const auto light = [](float value) { return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F); };
+    return {light(static_cast<float>(color.redF())), light(static_cast<float>(color.greenF())), light(static_cast<float>(color.blueF()))};
+}
+
+std::unique_ptr<QOpenGLFramebufferObject> lightPicture(const QSize& pixels, int samples)
+{
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::Depth);
+    format.setInternalTextureFormat(GL_RGBA16F);
+    format.setSamples(samples);
+    return std::make_unique<QOpenGLFramebufferObject>(pixels, format);
 }
 
 QVector4D cutOf(const SceneView& view)
@@ -58,7 +70,9 @@ QString loadShaders(QOpenGLShaderProgram& program, const QString& name, bool fad
     const QByteArray version = "#version 330 core\n";
     const bool lit = name == "yarn" || name == "flat" || name == "repeat";
     const QByteArray own = textOf(name + ".vert");
-    const QByteArray shared = lit ? (fading ? "#define FADING\n" : "") + textOf("light.glsl") : QByteArray();
+    const QByteArray shared =
+        lit ? (fading ? "#define FADING\n" : "") + QByteArray("#define real float\n") + textOf("cloth_light.glsl") + textOf("light.glsl")
+            : QByteArray();
     if (program.addShaderFromSourceCode(QOpenGLShader::Vertex, version + (own.isEmpty() ? textOf("whole.vert") : own)) &&
         program.addShaderFromSourceCode(QOpenGLShader::Fragment, version + shared + textOf(name + ".frag")) && program.link()) {
         return {};

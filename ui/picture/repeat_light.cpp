@@ -49,10 +49,10 @@ void RepeatLight::setPicture(const RepeatPicture& picture)
     gl_->glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, picture.width, picture.height, RepeatPicture::layers, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                       picture.texels.data());
     gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, looks_);
-    gl_->glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, n, n, 2, 0, GL_RGBA, GL_FLOAT, picture.looks.data());
+    gl_->glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, n, n, 4, 0, GL_RGBA, GL_FLOAT, &picture.looks);
     gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
     gl_->glBindTexture(GL_TEXTURE_2D, light_);
-    gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width, picture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, picture.width, picture.height, 0, GL_RGBA, GL_FLOAT, nullptr);
     gl_->glBindTexture(GL_TEXTURE_2D, 0);
     size_ = {picture.width, picture.height};
     lit_from_ = {};

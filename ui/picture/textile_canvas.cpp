@@ -51,6 +51,7 @@ TextileCanvas::~TextileCanvas()
 {
     makeCurrent();
     sampled_.reset();
+    light_.reset();
     scene_picture_.reset();
     samples_.release();
     renderer_.release();
@@ -285,16 +286,12 @@ void TextileCanvas::drawScene()
     const QSize pixels = size() * devicePixelRatioF();
     const bool samples = settled && still_seconds_ < too_slow_for_samples;
     if (!scene_picture_ || scene_picture_->size() != pixels) {
-        scene_picture_ = std::make_unique<QOpenGLFramebufferObject>(pixels, QOpenGLFramebufferObject::Depth);
+        scene_picture_ = std::make_unique<QOpenGLFramebufferObject>(pixels);
+        light_ = lightPicture(pixels);
         sampled_.reset();
     }
-    if (samples && !sampled_) {
-        QOpenGLFramebufferObjectFormat format;
-        format.setAttachment(QOpenGLFramebufferObject::Depth);
-        format.setSamples(4);
-        sampled_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
-    }
-    QOpenGLFramebufferObject& target = samples ? *sampled_ : *scene_picture_;
+    if (samples && !sampled_) { sampled_ = lightPicture(pixels, 4); }
+    QOpenGLFramebufferObject& target = samples ? *sampled_ : *light_;
     target.bind();
     QElapsedTimer timer;
     timer.start();
@@ -306,7 +303,8 @@ void TextileCanvas::drawScene()
         still_seconds_ = 1e-3 * static_cast<double>(timer.elapsed()) / (samples ? 2.5 : 1);
     }
     target.release();
-    if (samples) { QOpenGLFramebufferObject::blitFramebuffer(scene_picture_.get(), sampled_.get()); }
+    if (samples) { QOpenGLFramebufferObject::blitFramebuffer(light_.get(), sampled_.get()); }
+    renderer_.encode(*light_, *scene_picture_);
     scene_changed_ = false;
     if (!scene_.wanted().empty()) { Q_EMIT meshesWanted(); }
     if (was_fading_) { fade_.start(); }
@@ -339,7 +337,7 @@ void TextileCanvas::drawSample()
     samples_.sample().release();
     samples_.add();
     sampled_times_ = samples_.count();
-    if (sampled_times_ >= fewest_samples) { samples_.copyTo(*scene_picture_); }
+    if (sampled_times_ >= fewest_samples) { renderer_.encode(samples_.mean(), *scene_picture_); }
     if (sampled_times_ < samplesWanted()) { more_.start(0); }
 }
 

@@ -235,8 +235,9 @@ private:
     SampleSum samples_; ///< of the picture at rest
     int sampled_times_ = 0;
     bool sample_due_ = false;
-    bool at_once_ = false; ///< a few samples in one go
-    std::unique_ptr<QOpenGLFramebufferObject> sampled_;
+    bool at_once_ = false;                              ///< a few samples in one go
+    std::unique_ptr<QOpenGLFramebufferObject> sampled_; ///< linear light, as the next
+    std::unique_ptr<QOpenGLFramebufferObject> light_;
     std::unique_ptr<QOpenGLFramebufferObject> scene_picture_;
 };
 

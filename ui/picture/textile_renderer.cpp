@@ -32,7 +32,7 @@ bool TextileRenderer::initialize()
     for (const int fading : {0, 1}) {
         if (!load(yarns_[fading], "yarn", fading) || !load(flats_[fading], "flat", fading)) { return false; }
     }
-    if (!load(blend_, "blend", false)) { return false; }
+    if (!load(blend_, "blend", false) || !load(encode_, "encode", false)) { return false; }
     makeTextures();
     makeSquare();
     problem_ = repeat_light_.initialize(gl_);
@@ -98,7 +98,9 @@ void TextileRenderer::release()
         gl_->glDeleteTextures(3, textures);
         water_ = 0;
     }
-    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &blend_}) { program->removeAllShaders(); }
+    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &blend_, &encode_}) {
+        program->removeAllShaders();
+    }
 }
 
 void TextileRenderer::setFabric(std::shared_ptr<const PreviewFabric> fabric)
@@ -203,12 +205,9 @@ void TextileRenderer::setColors(const PictureColors& colors)
     const auto load = [this](unsigned texture, const std::vector<const Yarn*>& yarns, const QColor& undyed, float along) {
         std::vector<float> texels;
         for (const Yarn* yarn : yarns) {
-            const QColor shown = yarn->color ? QColor(yarn->color->red, yarn->color->green, yarn->color->blue) : undyed;
+            const QVector3D shown = lightOf(yarn->color ? QColor(yarn->color->red, yarn->color->green, yarn->color->blue) : undyed);
             const double turns = yarn->twist_per_m * metre_from_mm(along) * (yarn->twist_direction == TwistDirection::z ? 1 : -1);
-            for (const double value :
-                 {static_cast<double>(shown.redF()), static_cast<double>(shown.greenF()), static_cast<double>(shown.blueF()), turns}) {
-                texels.push_back(static_cast<float>(value));
-            }
+            texels.insert(texels.end(), {shown.x(), shown.y(), shown.z(), static_cast<float>(turns)});
         }
         gl_->glBindTexture(GL_TEXTURE_2D, texture);
         gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
@@ -225,7 +224,7 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
 {
     ++picture_number_;
     gl_->glViewport(0, 0, pixels.width(), pixels.height());
-    const QVector3D clear = rgb(colors.background);
+    const QVector3D clear = lightOf(colors.background);
     const bool belt =
         std::any_of(batches.begin(), batches.end(), [](const CellBatch& batch) { return !batch.of(CellRole::fibres).empty(); });
     gl_->glClearColor(clear.x(), clear.y(), clear.z(), belt ? 0 : 1);
@@ -238,6 +237,23 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
     }
     liquid_.draw(view, colors, pixels, fabric_ ? 0.5F * fabric_->pitch().z() : 0.0F);
     gl_->glDisable(GL_DEPTH_TEST);
+}
+
+void TextileRenderer::encode(QOpenGLFramebufferObject& light, QOpenGLFramebufferObject& shown)
+{
+    shown.bind();
+    gl_->glViewport(0, 0, shown.width(), shown.height());
+    gl_->glDisable(GL_DEPTH_TEST);
+    gl_->glActiveTexture(GL_TEXTURE0);
+    gl_->glBindTexture(GL_TEXTURE_2D, light.texture());
+    encode_.bind();
+    encode_.setUniformValue("picture", 0);
+    flat_array_.bind();
+    gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
+    flat_array_.release();
+    encode_.release();
+    gl_->glBindTexture(GL_TEXTURE_2D, 0);
+    shown.release();
 }
 
 void TextileRenderer::drawFabric(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors,
@@ -266,7 +282,7 @@ void TextileRenderer::blendBelt(const SceneView& view, const std::vector<CellBat
     for (const bool fibres : {false, true}) {
         auto& picture = belt_pictures_[fibres ? 1 : 0];
         drawFabric(view, batches, colors, fibres ? CellRole::fibres : CellRole::skins);
-        if (!picture || picture->size() != pixels) { picture = std::make_unique<QOpenGLFramebufferObject>(pixels); }
+        if (!picture || picture->size() != pixels) { picture = lightPicture(pixels); }
         gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned>(target));
         gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture->handle());
         gl_->glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT,
@@ -313,8 +329,9 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     program.setUniformValue("water_scale", full > 0 ? static_cast<float>(1 / full) : 0.0F);
     // Water leaves dry yarns their colour; warmth is shown of every yarn.
     program.setUniformValue("bare", colors.water == WaterColors::warmth ? 1e-6F : 0.02F);
-    program.setUniformValue("background", (colors.shadow && side > 0 ? 1 - ground_dark : 1) * rgb(colors.background)); // seen through gaps
-    program.setUniformValue("marked_color", rgb(colors.marked));
+    program.setUniformValue("background",
+                            (colors.shadow && side > 0 ? 1 - ground_dark : 1) * lightOf(colors.background)); // seen through gaps
+    program.setUniformValue("marked_color", lightOf(colors.marked));
     gl_->glUniform2i(program.uniformLocation("marked"), marked_.kind == YarnKind::warp ? 0 : 1, marked_.yarn);
     program.setUniformValue("half_thickness", 0.5F * pitch.z());
     program.setUniformValue("pitch", QVector3D(pitch.x(), pitch.y(), side * picture_.level));
@@ -346,7 +363,17 @@ void TextileRenderer::placeInstances(const std::vector<CellInstance>& instances)
 void TextileRenderer::bindTextures(WaterColors water)
 {
     if (!ramp_ || ramp_colors_ != water) {
-        ramp_ = std::make_unique<QOpenGLTexture>(waterRamp(water), QOpenGLTexture::DontGenerateMipMaps);
+        const QImage ramp = waterRamp(water);
+        std::vector<float> texels;
+        for (int i = 0; i < ramp.width(); ++i) {
+            const QVector3D light = lightOf(ramp.pixelColor(i, 0));
+            texels.insert(texels.end(), {light.x(), light.y(), light.z(), 1});
+        }
+        ramp_ = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
+        ramp_->setSize(ramp.width(), 1);
+        ramp_->setFormat(QOpenGLTexture::RGBA32F);
+        ramp_->allocateStorage(QOpenGLTexture::RGBA, QOpenGLTexture::Float32);
+        ramp_->setData(QOpenGLTexture::RGBA, QOpenGLTexture::Float32, texels.data());
         ramp_->setMinMagFilters(QOpenGLTexture::Linear, QOpenGLTexture::Linear);
         ramp_->setWrapMode(QOpenGLTexture::ClampToEdge);
         ramp_colors_ = water;

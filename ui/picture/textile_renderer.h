@@ -42,7 +42,10 @@ public:
     /// Whether free liquid is drawn as its particles instead of the surface round them.
     void setParticlesShown(bool shown) { liquid_.setParticlesShown(shown); }
     void setMarked(const YarnNumber& yarn) { marked_ = yarn; }
+    /// Into the target that is bound, in linear light: a lightPicture().
     void draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
+    /// From linear light, without samples, to the values that a display takes.
+    void encode(QOpenGLFramebufferObject& light, QOpenGLFramebufferObject& shown);
 
 private:
     struct TubeMesh {
@@ -79,6 +82,7 @@ private:
     QOpenGLShaderProgram yarns_[2]; ///< whole, fading
     QOpenGLShaderProgram flats_[2];
     QOpenGLShaderProgram blend_;
+    QOpenGLShaderProgram encode_;
     std::unique_ptr<QOpenGLFramebufferObject> belt_pictures_[2]; ///< with skins, with fibres
     QOpenGLVertexArrayObject flat_array_;
     QOpenGLBuffer flat_vertices_{QOpenGLBuffer::VertexBuffer};
