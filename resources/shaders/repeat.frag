@@ -1,6 +1,7 @@
 // A repeat's light as seen from the view's middle. What it gives may be averaged: flat.frag multiplies it by the yarns' colours.
 uniform sampler2DArray repeat_picture; // see RepeatPicture
 uniform vec3 to_eye;
+uniform vec2 wound;                    // tangents of the angles of twist, of ends and of picks
 
 out vec4 color; // light of ends and of picks; how much is covered
 
@@ -11,9 +12,12 @@ vec4 layer(int which)
     return vec4((texel.xyz * 255.0 - 128.0) / 127.0, texel.w);
 }
 
-float light_of(vec4 skin, vec3 lamp)
+float light_of(vec4 skin, vec3 along, float twisted, vec3 lamp)
 {
-    return skin.w > 0.0 ? skin.w * matt_light(normalize(skin.xyz), lamp, side) : 0.0;
+    if (skin.w <= 0.0)
+        return 0.0;
+    vec3 n = normalize(skin.xyz);
+    return skin.w * matt_light(n, fibre_direction(n, along, twisted), lamp, to_eye, side);
 }
 
 void main()
@@ -21,5 +25,7 @@ void main()
     vec3 lamp = lamp_from(to_eye, side);
     int first = side > 0.0 ? 0 : 2;
     float covered = texelFetch(repeat_picture, ivec3(gl_FragCoord.xy, 4), 0).r;
-    color = vec4(light_of(layer(first), lamp), light_of(layer(first + 1), lamp), covered, 1.0);
+    float ends = light_of(layer(first), vec3(0.0, 1.0, 0.0), wound.x, lamp);
+    float picks = light_of(layer(first + 1), vec3(1.0, 0.0, 0.0), wound.y, lamp);
+    color = vec4(ends, picks, covered, 1.0);
 }

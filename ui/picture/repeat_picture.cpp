@@ -63,9 +63,10 @@ std::optional<Seen> seen_at(const YarnField& field, double x, double y, int side
 /// The repeat whose picture is made, endlessly repeated.
 struct Repeated {
     const YarnField& field;
-    double x, y;           ///< m, of its corner
-    double width, height;  ///< m
-    double half_thickness; ///< m
+    double x, y;                ///< m, of its corner
+    double width, height;       ///< m
+    double half_thickness;      ///< m
+    std::array<float, 2> wound; ///< see RepeatPicture
 
     Vec3d folded(const Vec3d& point) const
     {
@@ -144,9 +145,11 @@ void look_from(const Repeated& cloth, const Vec3d& towards, MeanLook& look, Mean
         const auto seen = first_seen(cloth, from, -1.0 * towards);
         if (!seen) { continue; }
         const double reach = reach_of(cloth.field, seen->point, seen->normal, side) / rays_per_look;
-        (seen->kind == YarnKind::warp ? look.warp : look.weft) +=
-            static_cast<float>(reach * cloth_light::matt_light(seen->normal, lamp, side));
-        shine.fibres += static_cast<float>(reach * cloth_light::fibre_shine(seen->normal, lamp, towards));
+        const bool is_warp = seen->kind == YarnKind::warp;
+        const Vec3d fibres = cloth_light::fibre_direction(seen->normal, is_warp ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0},
+                                                          static_cast<double>(cloth.wound[is_warp ? 0 : 1]));
+        (is_warp ? look.warp : look.weft) += static_cast<float>(reach * cloth_light::matt_light(seen->normal, fibres, lamp, towards, side));
+        shine.fibres += static_cast<float>(reach * cloth_light::fibre_shine(seen->normal, fibres, lamp, towards));
         shine.film += static_cast<float>(reach * cloth_light::film_shine(seen->normal, lamp, towards, side));
         look.covered += 1.0F / rays_per_look;
     }
@@ -169,6 +172,12 @@ void add_looks(RepeatPicture& picture, const Repeated& cloth)
 
 } // namespace
 
+double perimeter_of(const Textile& textile, YarnKind kind)
+{
+    const YarnPoint point = yarn_point(textile, kind, 0, 0, 0);
+    return pi * (point.half_width + point.half_height);
+}
+
 RepeatPicture picture_of_repeat(const PreviewFabric& fabric)
 {
     const Textile& textile = fabric.textile;
@@ -178,6 +187,10 @@ RepeatPicture picture_of_repeat(const PreviewFabric& fabric)
     const auto texels_for = [](int crossings) {
         return static_cast<int>(std::min(most_texels, std::bit_ceil(texels_per_crossing * static_cast<unsigned>(crossings))));
     };
+    const auto wound = [&](const Yarn& yarn, YarnKind kind) {
+        return static_cast<float>(yarn.twist_per_m * (yarn.twist_direction == TwistDirection::z ? 1 : -1) * perimeter_of(textile, kind));
+    };
+    picture.wound = {wound(*fabric.end_yarns.front(), YarnKind::warp), wound(*fabric.pick_yarns.front(), YarnKind::weft)};
     picture.width = texels_for(picture.ends);
     picture.height = texels_for(picture.picks);
     // Away from the edge where there is room: the picture stands for the middle.
@@ -214,7 +227,7 @@ RepeatPicture picture_of_repeat(const PreviewFabric& fabric)
     }
     picture.level = covered > 0 ? static_cast<float>(mm_from_metre(level / covered)) : 0.0F;
     picture.covered = static_cast<float>(0.5 * covered / static_cast<double>(texels)); // counted from both sides
-    add_looks(picture, {field, x0, y0, dx * picture.width, dy * picture.height, textile.half_thickness()});
+    add_looks(picture, {field, x0, y0, dx * picture.width, dy * picture.height, textile.half_thickness(), picture.wound});
     return picture;
 }
 

@@ -17,6 +17,9 @@ struct MeanShine {
     float fibres = 0, film = 0, unused[2] = {};
 };
 
+/// Round a yarn at its first crossing, m.
+double perimeter_of(const Textile& textile, YarnKind kind);
+
 /// One period seen square on.
 /// Layers of 4 bytes a texel: ends from the top, picks from the top, ends from below, picks from below, how much is covered.
 /// The first four hold openness times normal (128 is 0) and openness itself; nothing where the other yarns are in front.
@@ -28,8 +31,9 @@ struct RepeatPicture {
     int width = 0; ///< a power of 2, as height: then texels of coarser pictures are means of finer ones
     int height = 0;
     std::vector<std::uint8_t> texels;
-    float level = 0;   ///< mm, mean height of what is seen, above the fabric's middle
-    float covered = 1; ///< share of the area
+    std::array<float, 2> wound{}; ///< tangents of the angles that fibres have on the first end and the first pick
+    float level = 0;              ///< mm, mean height of what is seen, above the fabric's middle
+    float covered = 1;            ///< share of the area
     /// From directions whose x and y go from -1 to 1 in even steps, row by row; first from the top, then from below.
     struct {
         std::array<MeanLook, 2 * looks_each_way * looks_each_way> seen{};

@@ -333,6 +333,8 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
                             (colors.shadow && side > 0 ? 1 - ground_dark : 1) * lightOf(colors.background)); // seen through gaps
     program.setUniformValue("marked_color", lightOf(colors.marked));
     gl_->glUniform2i(program.uniformLocation("marked"), marked_.kind == YarnKind::warp ? 0 : 1, marked_.yarn);
+    const auto around = [&](YarnKind kind, float along) { return static_cast<float>(mm_from_metre(perimeter_of(textile, kind))) / along; };
+    program.setUniformValue("winding", QVector2D(around(YarnKind::warp, pitch.y()), around(YarnKind::weft, pitch.x())));
     program.setUniformValue("half_thickness", 0.5F * pitch.z());
     program.setUniformValue("pitch", QVector3D(pitch.x(), pitch.y(), side * picture_.level));
     program.setUniformValue("period", QVector2D(static_cast<float>(picture_.ends), static_cast<float>(picture_.picks)));

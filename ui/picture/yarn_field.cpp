@@ -127,7 +127,7 @@ double YarnField::openness(const Vec3d& point, const Vec3d& normal) const
     return 1 - hidden;
 }
 
-double shade_of(double openness) { return 0.45 + 0.55 * std::sqrt(openness); }
+double shade_of(double openness) { return 0.25 + 0.75 * openness; }
 
 std::optional<YarnHit> first_skin(const Textile& textile, const Vec3d& from, const Vec3d& direction, const std::optional<CutPlane>& cut)
 {
