@@ -54,7 +54,8 @@ private Q_SLOTS:
     {
         const Vec3d along_x{1, 0, 0};
         for (const double lean : {30.0, 50.0}) {
-            const double across = fibre_shine(up, along_x, leaning(lean, false), up), along = fibre_shine(up, along_x, leaning(lean, true), up);
+            const double across = fibre_shine(up, along_x, leaning(lean, false), up),
+                         along = fibre_shine(up, along_x, leaning(lean, true), up);
             QVERIFY2(across > 2 * along, qPrintable(QString("%1: %2 and %3").arg(lean).arg(across).arg(along)));
             QVERIFY(matt_light(up, along_x, leaning(lean, false), up, 1) > 1.1 * matt_light(up, along_x, leaning(lean, true), up, 1));
         }

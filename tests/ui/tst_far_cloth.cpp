@@ -2,6 +2,7 @@
 // Cloth from afar shows no bands that it does not have: its picture, blurred, is that of all its yarns drawn far finer. Needs a display:
 // xvfb-run. At rest it is drawn until its edges are smooth, and then no more.
 #include "core/project/library.h"
+#include "core/project/wet_look.h"
 #include "ui/basics/appearance.h"
 #include "ui/picture/framing.h"
 #include "ui/picture/swatch_painter.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 using namespace hygroloom;
@@ -21,6 +23,7 @@ namespace {
 
 const QSize picture(320, 256);
 constexpr int finer = 4;
+constexpr double fibre_gloss = 0.05;
 
 struct Grey {
     int width = 0, height = 0;
@@ -123,6 +126,67 @@ private Q_SLOTS:
         QVERIFY2(std::abs(misses.brighter) < 0.08, qPrintable(QString::number(misses.brighter)));
     }
 
+    void wetClothIsAsMuchDarkerAsTheLawOfTheFilmSays_data()
+    {
+        QTest::addColumn<double>("pixels");
+        for (const double pixels : {3, 16, 60, 400}) { QTest::addRow("a pitch of %g pixels", pixels) << pixels; }
+    }
+    void wetClothIsAsMuchDarkerAsTheLawOfTheFilmSays()
+    {
+        QFETCH(double, pixels);
+        const auto fabric = prepare_fabric(cloth(20));
+        context_.makeCurrent(surface_.get());
+        renderer_.setFabric(fabric);
+        const SceneView view = viewOf(*fabric, pixels);
+        PictureColors colors = pictureColors(QPalette());
+        colors.water = WaterColors::natural;
+        colors.background = Qt::black; // what is seen through gaps does not get wet
+        const auto lightOfCloth = [&](float saturation) {
+            renderer_.setWater(std::vector<float>(static_cast<std::size_t>(fabric->textile.segments()), saturation), 1);
+            Grey seen = drawn(fabric, view, 1, colors);
+            double sum = 0;
+            for (int y = seen.height / 4; y < 3 * seen.height / 4; ++y) {
+                for (int x = seen.width / 4; x < 3 * seen.width / 4; ++x) { sum += static_cast<double>(seen.of(x, y)); }
+            }
+            return sum;
+        };
+        const double seen = lightOfCloth(1) / lightOfCloth(0);
+        renderer_.setWater({}, 1);
+        double dry = 0, wet = 0; // by the law; a plain weave shows as much of both systems
+        for (const QColor& color : {colors.warp, colors.weft}) {
+            const QVector3D light = lightOf(color);
+            for (const auto& [axis, weight] : {std::pair(0, 0.2126), {1, 0.7152}, {2, 0.0722}}) {
+                dry += 0.5 * weight * static_cast<double>(light[axis]);
+                wet += 0.5 * weight * wet_reflectance(static_cast<double>(light[axis]));
+            }
+        }
+        qInfo("wet over dry: %.3f, by the law without gloss %.3f", seen, wet / dry);
+        // Water takes the gloss of the fibres, which is less than 5 % of their light, and gives that of the film: 2 % of what comes, from
+        // skins that lean up to 6.6 %.
+        QVERIFY2(seen > wet / dry - fibre_gloss && seen < (wet + diffuse_reflection(water_index)) / dry,
+                 qPrintable(QString("%1, by the law %2").arg(seen).arg(wet / dry)));
+        if (!seen_near_) { seen_near_ = seen; }
+        QVERIFY2(std::abs(seen - *seen_near_) < 0.03, "near and far differ");
+    }
+
+    void fibresAreLeftOutWhereAPictureIsNotToBeSoFine()
+    {
+        FabricScene scene;
+        const auto fabric = prepare_fabric(cloth(20));
+        scene.setFabric(fabric);
+        SceneView view = viewOf(*fabric, 400);
+        const auto finest = [&] {
+            int level = 0;
+            scene.update(view, 0, [](const MeshKey&) { return true; });
+            scene.settle();
+            for (const CellBatch& batch : scene.batches()) { level = std::max(level, batch.key.level); }
+            return level;
+        };
+        QCOMPARE(finest(), fibre_level);
+        view.finest = fibre_level - 1;
+        QCOMPARE(finest(), fibre_level - 1);
+    }
+
     void atRestThePictureIsDrawnAFewTimesMoreAndThenNoMore()
     {
         TextileCanvas canvas;
@@ -196,15 +260,31 @@ private:
         return request;
     }
 
+    /// From above, aslant.
+    static SceneView viewOf(const PreviewFabric& fabric, double pitch_pixels)
+    {
+        SceneView view;
+        view.size = picture;
+        view.camera.lookFrom(-28, 48);
+        view.camera = framed(view.camera, fabric, Framing::few_repeats, view.size);
+        const double now = pitch_scale(fabric, view) / view.camera.millimetrePerPixel(view.size);
+        view.camera.zoom(pitch_pixels / now, {0.5 * picture.width(), 0.5 * picture.height()}, view.size);
+        return view;
+    }
+
     Grey drawn(const std::shared_ptr<const PreviewFabric>& fabric, SceneView view, int times)
+    {
+        PictureColors colors = pictureColors(QPalette());
+        colors.background = QColor(160, 150, 140); // about as the cloth: its edge does not count
+        return drawn(fabric, view, times, colors);
+    }
+    Grey drawn(const std::shared_ptr<const PreviewFabric>& fabric, const SceneView& view, int times, const PictureColors& colors)
     {
         FabricScene scene;
         scene.setFabric(fabric);
         complete(scene, renderer_, view);
         const auto target = lightPicture(picture * times, times > 1 ? 4 : 0), light = lightPicture(picture * times);
         target->bind();
-        PictureColors colors = pictureColors(QPalette());
-        colors.background = QColor(160, 150, 140); // about as the cloth: its edge does not count
         renderer_.draw(view, scene.batches(), target->size(), colors);
         target->release();
         QOpenGLFramebufferObject::blitFramebuffer(light.get(), target.get());
@@ -245,6 +325,7 @@ private:
     std::unique_ptr<QOffscreenSurface> surface_;
     QOpenGLContext context_;
     TextileRenderer renderer_;
+    std::optional<double> seen_near_; ///< wet over dry, of the first distance
 };
 
 QTEST_MAIN(TestFarCloth)

@@ -2,7 +2,6 @@
 // The picture of the fabric: what is drawn how finely, choosing, measuring, cutting open. Needs a display: xvfb-run.
 #include "core/base/units.h"
 #include "core/project/project_file.h"
-#include "core/project/wet_look.h"
 #include "core/solver/droplet.h"
 #include "ui/picture/view_bar.h"
 #include "ui/weave/point_paper.h"
@@ -33,19 +32,6 @@ std::array<double, 3> meanColor(const QImage& picture)
     }
     for (double& value : sum) { value /= static_cast<double>(middle.width()) * middle.height(); }
     return sum;
-}
-
-/// Mean luminance of its middle, of linear light (IEC 61966-2-1, Rec. 709).
-double luminance(const QImage& picture)
-{
-    double sum = 0;
-    const QRect middle(picture.width() / 4, picture.height() / 4, picture.width() / 2, picture.height() / 2);
-    for (int y = middle.top(); y <= middle.bottom(); ++y) {
-        for (int x = middle.left(); x <= middle.right(); ++x) {
-            sum += static_cast<double>(QVector3D::dotProduct(lightOf(picture.pixelColor(x, y)), {0.2126F, 0.7152F, 0.0722F}));
-        }
-    }
-    return sum / (static_cast<double>(middle.width()) * middle.height());
 }
 
 /// Share of the pixels that stand out from all four neighbours.
@@ -219,35 +205,6 @@ private Q_SLOTS:
         QVERIFY2(half[1] < dry[1] && half[1] > wet[1] && wet[1] < 0.95 * dry[1], qPrintable(QString("%1 %2").arg(dry[1]).arg(wet[1])));
         QVERIFY(wet[0] >= wet[1] && wet[1] > wet[2]); // no blue
         QVERIFY(difference(half, ranged) < 0.5);      // how wet yarns look depends on no range of colours
-    }
-
-    void wetClothIsAsMuchDarkerAsTheLawOfTheFilmSays_data() { naturallyWetYarnsDarkenAndKeepTheirHue_data(); }
-    void wetClothIsAsMuchDarkerAsTheLawOfTheFilmSays()
-    {
-        QFETCH(double, pixels);
-        zoom(pixels * canvas_->camera().millimetrePerPixel(QSizeF(canvas_->size())) / canvas_->fabric()->pitch().x());
-        const auto segments = static_cast<std::size_t>(canvas_->fabric()->textile.segments());
-        canvas_->setWaterColors(WaterColors::natural);
-        canvas_->setWater(std::vector<float>(segments, 0.0F), 1);
-        const double dry = luminance(window_->viewport().picture());
-        canvas_->setWater(std::vector<float>(segments, 1.0F), 1);
-        const double wet = luminance(window_->viewport().picture());
-        canvas_->setWater({}, 1);
-        canvas_->setWaterColors(WaterColors::blue);
-        const PictureColors colors = pictureColors(canvas_->palette());
-        double dry_law = 0, wet_law = 0; // of both systems, of which a plain weave shows as much
-        for (const QColor& color : {colors.warp, colors.weft}) {
-            const QVector3D light = lightOf(color);
-            for (const auto& [axis, weight] : {std::pair(0, 0.2126), {1, 0.7152}, {2, 0.0722}}) {
-                dry_law += 0.5 * weight * static_cast<double>(light[axis]);
-                wet_law += 0.5 * weight * wet_reflectance(static_cast<double>(light[axis]));
-            }
-        }
-        const double law = wet_law / dry_law, seen = wet / dry;
-        qInfo("wet over dry: %.3f, by the law without gloss %.3f", seen, law);
-        // Gloss gives back no more than a film throws back from outside.
-        QVERIFY2(seen > law - 0.015 && seen < law + diffuse_reflection(water_index) / dry_law * 0.5,
-                 qPrintable(QString("%1, by the law %2").arg(seen).arg(law)));
     }
 
     void stripesHaveTheColoursOfTheDraft()

@@ -6,11 +6,14 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 #include <QVector3D>
 #include <QVector4D>
 
 #include <cmath>
+#include <vector>
 
 namespace hygroloom {
 
@@ -56,6 +59,54 @@ std::unique_ptr<QOpenGLFramebufferObject> lightPicture(const QSize& pixels, int 
     format.setInternalTextureFormat(GL_RGBA16F);
     format.setSamples(samples);
     return std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+}
+
+QString DisplayEncoder::initialize()
+{
+    nothing_.create();
+    return loadShaders(program_, "encode");
+}
+
+void DisplayEncoder::release()
+{
+    nothing_.destroy();
+    program_.removeAllShaders();
+}
+
+void DisplayEncoder::encode(QOpenGLFramebufferObject& light, QOpenGLFramebufferObject& shown)
+{
+    QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
+    shown.bind();
+    gl->glViewport(0, 0, shown.width(), shown.height());
+    gl->glDisable(GL_DEPTH_TEST);
+    gl->glActiveTexture(GL_TEXTURE0);
+    gl->glBindTexture(GL_TEXTURE_2D, light.texture());
+    program_.bind();
+    program_.setUniformValue("picture", 0);
+    nothing_.bind();
+    gl->glDrawArrays(GL_TRIANGLES, 0, 3);
+    nothing_.release();
+    program_.release();
+    gl->glBindTexture(GL_TEXTURE_2D, 0);
+    shown.release();
+}
+
+std::unique_ptr<QOpenGLTexture> lightRamp(WaterColors colors)
+{
+    const QImage ramp = waterRamp(colors);
+    std::vector<float> texels;
+    for (int i = 0; i < ramp.width(); ++i) {
+        const QVector3D light = lightOf(ramp.pixelColor(i, 0));
+        texels.insert(texels.end(), {light.x(), light.y(), light.z(), 1});
+    }
+    auto texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
+    texture->setSize(ramp.width(), 1);
+    texture->setFormat(QOpenGLTexture::RGBA32F);
+    texture->allocateStorage(QOpenGLTexture::RGBA, QOpenGLTexture::Float32);
+    texture->setData(QOpenGLTexture::RGBA, QOpenGLTexture::Float32, texels.data());
+    texture->setMinMagFilters(QOpenGLTexture::Linear, QOpenGLTexture::Linear);
+    texture->setWrapMode(QOpenGLTexture::ClampToEdge);
+    return texture;
 }
 
 QVector4D cutOf(const SceneView& view)

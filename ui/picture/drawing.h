@@ -8,6 +8,8 @@
 #include <QColor>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLShaderProgram>
+#include <QOpenGLTexture>
+#include <QOpenGLVertexArrayObject>
 #include <QPalette>
 
 #include <memory>
@@ -34,6 +36,23 @@ PictureColors pictureColors(const QPalette& palette);
 QVector3D lightOf(const QColor& color);
 /// A target for that: half floats with depth. samples: of a pixel, 0 for none.
 std::unique_ptr<QOpenGLFramebufferObject> lightPicture(const QSize& pixels, int samples = 0);
+
+/// From linear light to the values that a display takes. All members need the same current context.
+class DisplayEncoder {
+public:
+    /// The driver's complaint about the shader, or nothing.
+    QString initialize();
+    void release();
+    /// Both are as large; light has no samples.
+    void encode(QOpenGLFramebufferObject& light, QOpenGLFramebufferObject& shown);
+
+private:
+    QOpenGLShaderProgram program_;
+    QOpenGLVertexArrayObject nothing_; ///< of a triangle that needs no vertices
+};
+
+/// The colours of water in linear light, from little to much.
+std::unique_ptr<QOpenGLTexture> lightRamp(WaterColors colors);
 
 /// The plane of the view's cut, for shaders: a point is kept where its product with the first three is at most the fourth, in mm.
 QVector4D cutOf(const SceneView& view);

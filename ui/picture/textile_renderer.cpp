@@ -32,11 +32,12 @@ bool TextileRenderer::initialize()
     for (const int fading : {0, 1}) {
         if (!load(yarns_[fading], "yarn", fading) || !load(flats_[fading], "flat", fading)) { return false; }
     }
-    if (!load(blend_, "blend", false) || !load(encode_, "encode", false)) { return false; }
+    if (!load(blend_, "blend", false)) { return false; }
     makeTextures();
     makeSquare();
     problem_ = repeat_light_.initialize(gl_);
     if (problem_.isEmpty()) { problem_ = ground_.initialize(gl_); }
+    if (problem_.isEmpty()) { problem_ = encoder_.initialize(); }
     if (problem_.isEmpty()) { problem_ = liquid_.initialize(gl_, flat_vertices_); }
     return problem_.isEmpty();
 }
@@ -89,6 +90,7 @@ void TextileRenderer::release()
     liquid_.release();
     repeat_light_.release();
     ground_.release();
+    encoder_.release();
     flat_array_.destroy();
     for (QOpenGLBuffer* buffer : {&flat_vertices_, &instances_}) { buffer->destroy(); }
     ramp_.reset();
@@ -98,9 +100,7 @@ void TextileRenderer::release()
         gl_->glDeleteTextures(3, textures);
         water_ = 0;
     }
-    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &blend_, &encode_}) {
-        program->removeAllShaders();
-    }
+    for (QOpenGLShaderProgram* program : {&yarns_[0], &yarns_[1], &flats_[0], &flats_[1], &blend_}) { program->removeAllShaders(); }
 }
 
 void TextileRenderer::setFabric(std::shared_ptr<const PreviewFabric> fabric)
@@ -239,23 +239,6 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
     gl_->glDisable(GL_DEPTH_TEST);
 }
 
-void TextileRenderer::encode(QOpenGLFramebufferObject& light, QOpenGLFramebufferObject& shown)
-{
-    shown.bind();
-    gl_->glViewport(0, 0, shown.width(), shown.height());
-    gl_->glDisable(GL_DEPTH_TEST);
-    gl_->glActiveTexture(GL_TEXTURE0);
-    gl_->glBindTexture(GL_TEXTURE_2D, light.texture());
-    encode_.bind();
-    encode_.setUniformValue("picture", 0);
-    flat_array_.bind();
-    gl_->glDrawArrays(GL_TRIANGLES, 0, 3);
-    flat_array_.release();
-    encode_.release();
-    gl_->glBindTexture(GL_TEXTURE_2D, 0);
-    shown.release();
-}
-
 void TextileRenderer::drawFabric(const SceneView& view, const std::vector<CellBatch>& batches, const PictureColors& colors,
                                  std::optional<CellRole> belt)
 {
@@ -365,19 +348,7 @@ void TextileRenderer::placeInstances(const std::vector<CellInstance>& instances)
 void TextileRenderer::bindTextures(WaterColors water)
 {
     if (!ramp_ || ramp_colors_ != water) {
-        const QImage ramp = waterRamp(water);
-        std::vector<float> texels;
-        for (int i = 0; i < ramp.width(); ++i) {
-            const QVector3D light = lightOf(ramp.pixelColor(i, 0));
-            texels.insert(texels.end(), {light.x(), light.y(), light.z(), 1});
-        }
-        ramp_ = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
-        ramp_->setSize(ramp.width(), 1);
-        ramp_->setFormat(QOpenGLTexture::RGBA32F);
-        ramp_->allocateStorage(QOpenGLTexture::RGBA, QOpenGLTexture::Float32);
-        ramp_->setData(QOpenGLTexture::RGBA, QOpenGLTexture::Float32, texels.data());
-        ramp_->setMinMagFilters(QOpenGLTexture::Linear, QOpenGLTexture::Linear);
-        ramp_->setWrapMode(QOpenGLTexture::ClampToEdge);
+        ramp_ = lightRamp(water);
         ramp_colors_ = water;
     }
     const std::pair<int, unsigned> textures[] = {

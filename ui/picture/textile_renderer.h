@@ -45,7 +45,7 @@ public:
     /// Into the target that is bound, in linear light: a lightPicture().
     void draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
     /// From linear light, without samples, to the values that a display takes.
-    void encode(QOpenGLFramebufferObject& light, QOpenGLFramebufferObject& shown);
+    void encode(QOpenGLFramebufferObject& light, QOpenGLFramebufferObject& shown) { encoder_.encode(light, shown); }
 
 private:
     struct TubeMesh {
@@ -82,7 +82,6 @@ private:
     QOpenGLShaderProgram yarns_[2]; ///< whole, fading
     QOpenGLShaderProgram flats_[2];
     QOpenGLShaderProgram blend_;
-    QOpenGLShaderProgram encode_;
     std::unique_ptr<QOpenGLFramebufferObject> belt_pictures_[2]; ///< with skins, with fibres
     QOpenGLVertexArrayObject flat_array_;
     QOpenGLBuffer flat_vertices_{QOpenGLBuffer::VertexBuffer};
@@ -98,6 +97,7 @@ private:
     std::unique_ptr<QOpenGLTexture> ramp_;
     WaterColors ramp_colors_ = WaterColors::blue;
     GroundPainter ground_;
+    DisplayEncoder encoder_;
     LiquidPainter liquid_;
 };
 
