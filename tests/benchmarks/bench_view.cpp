@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <vector>
 
 using namespace hygroloom;
@@ -34,16 +35,18 @@ void rest(TextileCanvas& canvas)
 }
 
 /// Seconds from one shown picture to the next while an arrow key is held, without the first few.
-std::vector<double> turning(TextileCanvas& canvas)
+std::vector<double> turning(TextileCanvas& canvas, double& processor_seconds)
 {
     constexpr int first = 6, counted = 24;
     std::vector<double> seconds;
     QElapsedTimer clock;
     QEventLoop waits;
     int shown = 0;
+    std::clock_t began = 0;
     const auto connection = QObject::connect(&canvas, &QOpenGLWidget::frameSwapped, [&] {
         if (shown > first) { seconds.push_back(1e-9 * static_cast<double>(clock.nsecsElapsed())); }
         clock.start();
+        if (shown == first) { began = std::clock(); }
         if (++shown > first + counted) {
             waits.quit();
         } else {
@@ -53,6 +56,7 @@ std::vector<double> turning(TextileCanvas& canvas)
     canvas.turnBy({3, 0});
     waits.exec();
     QObject::disconnect(connection);
+    processor_seconds = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC / counted; // of all cores
     return seconds;
 }
 
@@ -90,7 +94,8 @@ void measure(TextileCanvas& canvas, double pitch_pixels, const QString& folder, 
     }
     canvas.setWater({}, 1);
     rest(canvas);
-    std::vector<double> seconds = turning(canvas);
+    double processor_seconds = 0;
+    std::vector<double> seconds = turning(canvas, processor_seconds);
     std::sort(seconds.begin(), seconds.end());
     QElapsedTimer clock;
     clock.start();
@@ -101,10 +106,11 @@ void measure(TextileCanvas& canvas, double pitch_pixels, const QString& folder, 
     const QImage wet = canvas.picture();
     canvas.setWater({}, 1);
     const double before = luminance(dry), after = luminance(wet);
-    std::printf("%-8s pitch %3.0f pixels: median %5.1f frames/s, slowest %5.1f, %8zu triangles, smooth after %.2f s; light %.4f, wet %.4f: "
+    std::printf("%-8s pitch %3.0f pixels: median %5.1f frames/s, slowest %5.1f, %4.0f ms of processor a frame, %8zu triangles, smooth "
+                "after %.2f s; light %.4f, wet %.4f: "
                 "%.1f %% less\n",
-                cloth, pitch_pixels, 1 / seconds[seconds.size() / 2], 1 / seconds.back(), canvas.triangles(), rested, before, after,
-                100 * (1 - after / before));
+                cloth, pitch_pixels, 1 / seconds[seconds.size() / 2], 1 / seconds.back(), 1e3 * processor_seconds, canvas.triangles(),
+                rested, before, after, 100 * (1 - after / before));
     std::fflush(stdout);
     if (!folder.isEmpty()) {
         const auto save = [&](const QImage& picture, const char* state) {
