@@ -7,6 +7,7 @@ flat in int is_weft;
 flat in vec4 dry;           // alpha: turns per crossing, signed
 flat in float chosen;
 flat in float fade;
+flat in float is_cut;
 flat in float is_fibre;
 
 uniform sampler2D ramp;       // colours of water
@@ -65,8 +66,7 @@ void main()
     float fine = clamp(1.0 - 1.6 * fwidth(fine_phase), 0.0, 1.0);
     float fine_wave = 6.2831853 * fine_phase;
     vec3 along = is_weft == 1 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-    float cut_end = (1.0 - is_fibre) * smoothstep(0.8, 0.95, abs(dot(n, along)));
-    float on_skin = (1.0 - is_fibre) * (1.0 - cut_end);
+    float on_skin = (1.0 - is_fibre) * (1.0 - is_cut);
     blur *= on_skin * (1.0 - 0.5 * fine);
     fine *= on_skin;
     vec3 around = normalize(cross(along, n) + vec3(1e-6));
@@ -76,7 +76,10 @@ void main()
     float cover = under_water(wet, bare);
     vec3 lamp = lamp_from(to_eye, side);
     vec3 t = is_fibre > 0.5 ? own_direction() : fibre_direction(bent, along, dry.a * (is_weft == 1 ? winding.y : winding.x));
-    groove *= mix(1.0, fibre_ends(is_weft == 1 ? at.yz : at.xz), cut_end);
+    if (is_cut > 0.5) {
+        t = n; // light goes in along the fibres
+        groove = fibre_ends(is_weft == 1 ? at.yz : at.xz);
+    }
     float shine = gloss(fibre_shine(bent, t, lamp, to_eye), film_shine(bent, lamp, to_eye, side), cover);
     float reach = open * light_at_depth(at.z * side / half_thickness);
     color = vec4(reach * (base * groove * matt_light(bent, t, lamp, to_eye, side) + vec3(shine)), fibres);

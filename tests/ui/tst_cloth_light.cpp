@@ -53,10 +53,10 @@ private Q_SLOTS:
     void fibresThrowLightAcrossThemselvesAndNotAlong()
     {
         const Vec3d along_x{1, 0, 0};
-        for (const double lean : {30.0, 50.0}) {
+        for (const auto& [lean, least] : {std::pair(30.0, 1.5), {50.0, 4.0}}) { // the bell alone: 2.0 and 5.3
             const double across = fibre_shine(up, along_x, leaning(lean, false), up),
                          along = fibre_shine(up, along_x, leaning(lean, true), up);
-            QVERIFY2(across > 2 * along, qPrintable(QString("%1: %2 and %3").arg(lean).arg(across).arg(along)));
+            QVERIFY2(across > least * along, qPrintable(QString("%1: %2 and %3").arg(lean).arg(across).arg(along)));
             QVERIFY(matt_light(up, along_x, leaning(lean, false), up, 1) > 1.1 * matt_light(up, along_x, leaning(lean, true), up, 1));
         }
         // The highlight is where both inclinations are opposite: it moves along the fibre with the lamp.
