@@ -63,11 +63,11 @@ void sharpen_hairs(const YarnFibres& fibres, int sides, YarnMesh& tubes)
 }
 
 /// Share of light that gets to a skin so deep in a yarn past the fibres over it, which lie at random: Cauchy's mean chord between circles
-/// of a radius, pi r (1 - packing) / (2 packing). White fibres pass on what they do not let by: less than half is lost.
+/// of a radius, pi r (1 - packing) / (2 packing). White fibres pass on what they do not let by: less than a third is lost.
 double light_through(const YarnType& type, double depth)
 {
     const double chord = 0.5 * pi * drawn_fibre_radius(type) * (1 - type.packing) / type.packing;
-    return 0.55 + 0.45 * std::exp(-std::max(depth, 0.0) / std::max(chord, 1e-9));
+    return 0.7 + 0.3 * std::exp(-std::max(depth, 0.0) / std::max(chord, 1e-9));
 }
 
 } // namespace
@@ -90,7 +90,7 @@ void add_fibres(const PreviewFabric& fabric, const TextileRegion& part, const Ya
             const float* n = &skins.normals[3 * i];
             const Vec3d at_skin{p[0], p[1], p[2]};
             const double open =
-                (0.5 + 0.5 * std::sqrt(field.openness(at_skin, {n[0], n[1], n[2]}))) * light_through(type, -field.distance(at_skin));
+                (0.65 + 0.35 * std::sqrt(field.openness(at_skin, {n[0], n[1], n[2]}))) * light_through(type, -field.distance(at_skin));
             CellVertex vertex{};
             vertex.position[0] = static_cast<float>(mm_from_metre(p[0])) - corner.x();
             vertex.position[1] = static_cast<float>(mm_from_metre(p[1])) - corner.y();

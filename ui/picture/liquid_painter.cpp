@@ -102,7 +102,7 @@ void LiquidPainter::prepare(QOpenGLShaderProgram& program, const SceneView& view
 void LiquidPainter::drawSurface(const SceneView& view, const PictureColors& colors, float face)
 {
     prepare(surface_, view, colors);
-    surface_.setUniformValue("tinted", colors.water == WaterColors::natural ? 0.08F : 0.42F);
+    surface_.setUniformValue("tinted", colors.water == WaterColors::natural ? 0.08F : 0.6F);
     surface_.setUniformValue("face", view.camera.eye().z() >= 0 ? face : -face);
     surface_.setUniformValue("below", 0);
     gl_->glActiveTexture(GL_TEXTURE0);
