@@ -22,6 +22,6 @@ void main()
     float side = eye.z >= 0.0 ? 1.0 : -1.0;
     vec3 lamp = normalize(vec3(-0.35, 0.3, 0.9 * side) + 0.5 * towards);
     float shine = pow(max(dot(n, normalize(lamp + towards)), 0.0), 60.0);
-    vec3 lit = tint * (0.45 + 0.25 * (0.5 + 0.5 * n.z * side) + 0.45 * max(dot(n, lamp), 0.0)) * (0.65 + 0.35 * height);
-    color = vec4(lit + vec3(0.35 * shine), covered);
+    vec3 lit = tint * (0.17 + 0.2 * (0.5 + 0.5 * n.z * side) + 0.85 * max(dot(n, lamp), 0.0)) * (0.39 + 0.61 * height);
+    color = vec4(lit + vec3(0.35 * shine), covered); // linear light
 }

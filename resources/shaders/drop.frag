@@ -30,7 +30,7 @@ void main()
     float mirrored = 0.02 + 0.98 * pow(1.0 - across, 5.0); // Schlick 1994
     float shine = pow(max(dot(n, normalize(lamp + to_eye)), 0.0), 160.0);
     vec3 back = reflect(-to_eye, n);
-    vec3 sky = mix(vec3(0.42, 0.47, 0.52), vec3(0.96, 0.98, 1.0), smoothstep(-0.2, 0.9, back.z * side));
-    vec3 through = mix(seen_through(n, to_eye), tint * (0.62 + 0.38 * max(dot(n, lamp), 0.0)), tinted);
-    color = vec4(mix(through * mix(0.82, 1.0, across), sky, mirrored) + vec3(0.85 * shine), 1.0);
+    vec3 sky = mix(vec3(0.15, 0.19, 0.23), vec3(0.91, 0.95, 1.0), smoothstep(-0.2, 0.9, back.z * side));
+    vec3 through = mix(seen_through(n, to_eye), tint * (0.35 + 0.65 * max(dot(n, lamp), 0.0)), tinted);
+    color = vec4(mix(through * mix(0.65, 1.0, across), sky, mirrored) + vec3(0.85 * shine), 1.0);
 }

@@ -1,6 +1,7 @@
 in vec2 crossing;
 flat in float fade;
-in vec4 mean;       // see flat.vert
+in vec3 mean;       // see flat.vert
+in vec2 shine;      // of fibres, of a film of water
 flat in vec3 above;
 in float steepness; // 1 from straight above, 0 along the cloth
 
@@ -25,7 +26,7 @@ out vec4 color;
 vec3 light_here()
 {
     float finest = max(length(dFdx(crossing)), length(dFdy(crossing))); // crossings in a pixel
-    vec3 here = texture(repeat_light, crossing / period, 1.5 * smoothstep(0.3, 0.7, finest)).rgb / vec3(0.75, 0.75, 1.0);
+    vec3 here = texture(repeat_light, crossing / period, 1.5 * smoothstep(0.3, 0.7, finest)).rgb;
     here = mix(above, here, 0.5 + 0.5 * steepness); // flatter from the side
     float seen_through = min((1.0 - mean.b) / max(1.0 - above.b, 0.001), 1.0);
     float in_gaps = 0.7 * (1.0 - seen_through); // of the mean light, where one sees yarns below instead of the background
@@ -51,6 +52,6 @@ void main()
     vec2 amount = water_scale > 0.0 ? texture(water, share).rg * water_scale : vec2(0.0);
     vec3 end_base = wetted(ramp, end_dry, amount.r, bare), pick_base = wetted(ramp, pick_dry, amount.g, bare);
     float thin = clamp((belt.x * gl_FragCoord.w - belt.y) / (belt.z - belt.y), 0.0, 1.0);
-    float shine = mean.a * mix(1.0, 3.8, dot(clamp(amount, 0.0, 1.0), mean.rg) / max(mean.r + mean.g, 0.001)); // about what wet yarns have
-    color = vec4(end_base * light.r + pick_base * light.g + background * light.b + shine, 1.0 - over_tubes * thin);
+    float wet = (under_water(amount.r, bare) * mean.r + under_water(amount.g, bare) * mean.g) / max(mean.r + mean.g, 0.001);
+    color = vec4(end_base * light.r + pick_base * light.g + background * light.b + gloss(shine.x, shine.y, wet), 1.0 - over_tubes * thin);
 }

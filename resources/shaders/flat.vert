@@ -12,7 +12,8 @@ uniform sampler2DArray looks;   // see RepeatPicture: what the whole looks like 
 
 out vec2 crossing;            // counted from the fabric's corner
 flat out float fade;
-out vec4 mean;                // light of ends and of picks, how much is covered, and the shine of dry yarns, looked at from here
+out vec3 mean;                // light of ends and of picks, and how much is covered, looked at from here
+out vec2 shine;               // of fibres, of a film of water
 flat out vec3 above;          // of the first three from straight above, as repeat_light has them
 out float steepness;
 
@@ -24,8 +25,11 @@ void main()
     fade = cell_fade.z;
     vec3 to_eye = normalize(eye - at);
     vec2 nodes = vec2(textureSize(looks, 0).xy);
-    mean = textureLod(looks, vec3((0.5 * to_eye.xy + 0.5) * (nodes - 1.0) / nodes + 0.5 / nodes, side > 0.0 ? 0.0 : 1.0), 0.0);
-    above = textureLod(repeat_light, vec2(0.5), 20.0).rgb / vec3(0.75, 0.75, 1.0);
+    vec2 node = (0.5 * to_eye.xy + 0.5) * (nodes - 1.0) / nodes + 0.5 / nodes;
+    float face = side > 0.0 ? 0.0 : 1.0;
+    mean = textureLod(looks, vec3(node, face), 0.0).rgb;
+    shine = textureLod(looks, vec3(node, face + 2.0), 0.0).rg;
+    above = textureLod(repeat_light, vec2(0.5), 20.0).rgb;
     steepness = abs(to_eye.z);
     gl_ClipDistance[0] = cut.w - dot(cut.xyz, at);
     gl_Position = view_projection * vec4(at, 1.0);

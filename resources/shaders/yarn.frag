@@ -7,26 +7,39 @@ flat in int is_weft;
 flat in vec4 dry;           // alpha: turns per crossing, signed
 flat in float chosen;
 flat in float fade;
-flat in float smooth_skin;
+flat in float is_cut;
+flat in float is_fibre;
 
 uniform sampler2D ramp;       // colours of water
 uniform float bare;           // share of full water below which the fabric's own colour shows
 uniform vec4 cut;
+uniform vec2 winding;          // of ends and of picks: a yarn's perimeter over the distance of crossings along it
 uniform vec3 fibre_belt;      // pixels of a pitch at depth 1, begin and end of the belt where fibres take over
 
 out vec4 color;               // alpha: share of the fibres in that belt
+
+// Light on the ends of fibres in a plane that cuts a yarn.
+float fibre_ends(vec2 plane)
+{
+    vec2 grid = plane * 26.0 / half_thickness * 0.3;
+    grid.x += 0.5 * mod(floor(grid.y), 2.0);
+    float blur = clamp(1.0 - 1.4 * max(fwidth(grid.x), fwidth(grid.y)), 0.0, 1.0);
+    return 0.60 - 0.38 * blur * (smoothstep(0.28, 0.46, length(fract(grid) - 0.5)) - 0.5);
+}
 
 // The inside of a yarn is only seen where it is cut: shown as a flat cut, with the ends of its fibres.
 vec3 cut_face(vec3 base, vec3 from, vec3 towards)
 {
     float along = (cut.w - dot(cut.xyz, from)) / dot(cut.xyz, towards);
     vec3 q = from + along * towards;
-    vec2 plane = abs(cut.x) > 0.5 ? q.yz : abs(cut.y) > 0.5 ? q.xz : q.xy;
-    vec2 grid = plane * 26.0 / half_thickness * 0.3;
-    grid.x += 0.5 * mod(floor(grid.y), 2.0);
-    float blur = clamp(1.0 - 1.4 * max(fwidth(grid.x), fwidth(grid.y)), 0.0, 1.0);
-    float dot_shade = smoothstep(0.28, 0.46, length(fract(grid) - 0.5));
-    return base * (0.80 - 0.30 * blur * dot_shade);
+    return base * fibre_ends(abs(cut.x) > 0.5 ? q.yz : abs(cut.y) > 0.5 ? q.xz : q.xy);
+}
+
+// Of a fibre: across the yarn and up, the rest along it.
+vec3 own_direction()
+{
+    float rest = sqrt(max(1.0 - dot(on_yarn, on_yarn), 0.0));
+    return is_weft == 1 ? vec3(rest, on_yarn) : vec3(on_yarn.x, rest, on_yarn.y);
 }
 
 void main()
@@ -53,16 +66,21 @@ void main()
     float fine = clamp(1.0 - 1.6 * fwidth(fine_phase), 0.0, 1.0);
     float fine_wave = 6.2831853 * fine_phase;
     vec3 along = is_weft == 1 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
-    float on_skin = (1.0 - smooth_skin) * (1.0 - smoothstep(0.8, 0.95, abs(dot(n, along)))); // none on cut ends
+    float on_skin = (1.0 - is_fibre) * (1.0 - is_cut);
     blur *= on_skin * (1.0 - 0.5 * fine);
     fine *= on_skin;
     vec3 around = normalize(cross(along, n) + vec3(1e-6));
     vec3 bent = normalize(n + (0.22 * blur * cos(wave) + 0.22 * fine * cos(fine_wave)) * around);
-    float groove = 1.0 + 0.05 * blur * sin(wave) + 0.05 * fine * sin(fine_wave); // as bright as without, on the whole
+    float groove = 1.0 + 0.1 * blur * sin(wave) + 0.1 * fine * sin(fine_wave); // as bright as without, on the whole
 
-    float cover = natural > 0.5 ? clamp(wet, 0.0, 1.0) : smoothstep(0.25 * bare, 1.5 * bare, wet);
-    vec3 lamp = lamp_direction(to_eye);
-    float reach = open * light_at_height(at.z);
-    float shine = pow(max(dot(bent, normalize(lamp + to_eye)), 0.0), mix(12.0, 40.0, cover)) * mix(0.04, 0.28, cover);
-    color = vec4(light_on(base * groove, bent * reach, reach, lamp) + vec3(shine * reach), fibres);
+    float cover = under_water(wet, bare);
+    vec3 lamp = lamp_from(to_eye, side);
+    vec3 t = is_fibre > 0.5 ? own_direction() : fibre_direction(bent, along, dry.a * (is_weft == 1 ? winding.y : winding.x));
+    if (is_cut > 0.5) {
+        t = n; // light goes in along the fibres
+        groove = fibre_ends(is_weft == 1 ? at.yz : at.xz);
+    }
+    float shine = gloss(fibre_shine(bent, t, lamp, to_eye), film_shine(bent, lamp, to_eye, side), cover);
+    float reach = open * light_at_depth(at.z * side / half_thickness);
+    color = vec4(reach * (base * groove * matt_light(bent, t, lamp, to_eye, side) + vec3(shine)), fibres);
 }

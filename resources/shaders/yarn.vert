@@ -1,7 +1,7 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 shape;       // normal, openness
-layout(location = 2) in vec2 place;       // along in crossings, once round is 1
-layout(location = 3) in uvec4 crossing;   // end and pick in the cell, 1 for a pick, 1 for a fibre
+layout(location = 2) in vec2 place;       // see CellVertex
+layout(location = 3) in uvec4 crossing;   // end and pick in the cell, see CellVertex
 layout(location = 4) in vec4 cell;        // corner, first end and pick
 layout(location = 5) in vec3 cell_fade;   // size, fade
 
@@ -22,7 +22,8 @@ flat out int is_weft;
 flat out vec4 dry;
 flat out float chosen;
 flat out float fade;
-flat out float smooth_skin;   // 1: no fibres wind round it
+flat out float is_cut;        // 1: the end of a yarn that is cut off
+flat out float is_fibre;      // 1: on_yarn has its direction, no fibres wind round it
 
 void main()
 {
@@ -30,9 +31,10 @@ void main()
     facing = shape.xyz;
     open = shape.w;
     fade = cell_fade.z;
-    smooth_skin = float(crossing.w);
+    is_fibre = crossing.w == 1u ? 1.0 : 0.0;
+    is_cut = crossing.w == 2u ? 1.0 : 0.0;
     is_weft = int(crossing.z);
-    on_yarn = place + vec2(is_weft == 1 ? cell.z : cell.w, 0.0);
+    on_yarn = place + (crossing.w == 1u ? vec2(0.0) : vec2(is_weft == 1 ? cell.z : cell.w, 0.0));
     ivec2 where = ivec2(crossing.xy) + ivec2(cell.zw);
     vec2 amount = water_scale > 0.0 ? texelFetch(water, where, 0).rg * water_scale : vec2(0.0);
     wet = is_weft == 1 ? amount.g : amount.r;

@@ -2,6 +2,7 @@
 // Cloth from afar shows no bands that it does not have: its picture, blurred, is that of all its yarns drawn far finer. Needs a display:
 // xvfb-run. At rest it is drawn until its edges are smooth, and then no more.
 #include "core/project/library.h"
+#include "core/project/wet_look.h"
 #include "ui/basics/appearance.h"
 #include "ui/picture/framing.h"
 #include "ui/picture/swatch_painter.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 using namespace hygroloom;
@@ -29,11 +31,22 @@ struct Grey {
     float& of(int x, int y) { return at[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)]; }
 };
 
-Grey greyOf(const QImage& image)
+/// Luminance of linear light (Rec. 709), means of squares of that many pixels. The target has no samples.
+Grey luminanceOf(QOpenGLFramebufferObject& target, int times)
 {
-    Grey grey{image.width(), image.height(), {}};
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) { grey.at.push_back(static_cast<float>(qGray(image.pixel(x, y)))); }
+    const int width = target.width(), height = target.height();
+    std::vector<float> texels(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    target.bind();
+    QOpenGLContext::currentContext()->functions()->glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, texels.data());
+    target.release();
+    Grey grey{width / times, height / times, {}};
+    grey.at.resize(static_cast<std::size_t>(grey.width) * static_cast<std::size_t>(grey.height));
+    const float* texel = texels.data();
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x, texel += 4) {
+            grey.of(x / times, grey.height - 1 - y / times) +=
+                (0.2126F * texel[0] + 0.7152F * texel[1] + 0.0722F * texel[2]) / static_cast<float>(times * times);
+        }
     }
     return grey;
 }
@@ -113,6 +126,66 @@ private Q_SLOTS:
         QVERIFY2(std::abs(misses.brighter) < 0.08, qPrintable(QString::number(misses.brighter)));
     }
 
+    void wetClothIsAsMuchDarkerAsTheLawOfTheFilmSays_data()
+    {
+        QTest::addColumn<double>("pixels");
+        for (const double pixels : {3, 16, 60, 400}) { QTest::addRow("a pitch of %g pixels", pixels) << pixels; }
+    }
+    void wetClothIsAsMuchDarkerAsTheLawOfTheFilmSays()
+    {
+        QFETCH(double, pixels);
+        const auto fabric = prepare_fabric(cloth(20));
+        context_.makeCurrent(surface_.get());
+        renderer_.setFabric(fabric);
+        const SceneView view = viewOf(*fabric, pixels);
+        PictureColors colors = pictureColors(QPalette());
+        colors.water = WaterColors::natural;
+        colors.background = Qt::black; // what is seen through gaps does not get wet
+        const auto lightOfCloth = [&](float saturation) {
+            renderer_.setWater(std::vector<float>(static_cast<std::size_t>(fabric->textile.segments()), saturation), 1);
+            Grey seen = drawn(fabric, view, 1, colors);
+            double sum = 0;
+            for (int y = seen.height / 4; y < 3 * seen.height / 4; ++y) {
+                for (int x = seen.width / 4; x < 3 * seen.width / 4; ++x) { sum += static_cast<double>(seen.of(x, y)); }
+            }
+            return sum;
+        };
+        const double seen = lightOfCloth(1) / lightOfCloth(0);
+        renderer_.setWater({}, 1);
+        const bool one_yarn = pixels > 0.5 * picture.width(); // then most of the picture is one end, else as much of both systems is seen
+        double dry = 0, wet = 0;                              // by the law
+        for (const QColor& color : {colors.warp, one_yarn ? colors.warp : colors.weft}) {
+            const QVector3D light = lightOf(color);
+            for (const auto& [axis, weight] : {std::pair(0, 0.2126), {1, 0.7152}, {2, 0.0722}}) {
+                dry += 0.5 * weight * static_cast<double>(light[axis]);
+                wet += 0.5 * weight * wet_reflectance(static_cast<double>(light[axis]));
+            }
+        }
+        qInfo("wet over dry: %.3f, by the law without gloss %.3f", seen, wet / dry);
+        // A film mirrors 2 % of what comes square on, and takes part of what the fibres mirrored.
+        QVERIFY2(seen > wet / dry - (1 - film_entry) && seen < (wet + 1 - film_entry) / dry, qPrintable(QString::number(seen)));
+        if (!seen_first_) { seen_first_ = seen; }
+        QVERIFY2(one_yarn || std::abs(seen - *seen_first_) < 0.01, "near and far differ");
+    }
+
+    void fibresAreLeftOutWhereAPictureIsNotToBeSoFine()
+    {
+        FabricScene scene;
+        const auto fabric = prepare_fabric(cloth(20));
+        scene.setFabric(fabric);
+        SceneView view = viewOf(*fabric, 400);
+        const auto finest = [&] {
+            int level = 0;
+            scene.update(view, 0, [](const MeshKey&) { return true; });
+            scene.settle();
+            for (const CellBatch& batch : scene.batches()) { level = std::max(level, batch.key.level); }
+            return level;
+        };
+        QCOMPARE(finest(), fibre_level);
+        view.finest = fibre_level - 1;
+        QCOMPARE(finest(), fibre_level - 1);
+    }
+
     void atRestThePictureIsDrawnAFewTimesMoreAndThenNoMore()
     {
         TextileCanvas canvas;
@@ -186,22 +259,35 @@ private:
         return request;
     }
 
-    QImage drawn(const std::shared_ptr<const PreviewFabric>& fabric, SceneView view, int times)
+    /// From above, aslant.
+    static SceneView viewOf(const PreviewFabric& fabric, double pitch_pixels)
+    {
+        SceneView view;
+        view.size = picture;
+        view.camera.lookFrom(-28, 48);
+        view.camera = framed(view.camera, fabric, Framing::few_repeats, view.size);
+        const double now = pitch_scale(fabric, view) / view.camera.millimetrePerPixel(view.size);
+        view.camera.zoom(pitch_pixels / now, {0.5 * picture.width(), 0.5 * picture.height()}, view.size);
+        return view;
+    }
+
+    Grey drawn(const std::shared_ptr<const PreviewFabric>& fabric, SceneView view, int times)
+    {
+        PictureColors colors = pictureColors(QPalette());
+        colors.background = QColor(160, 150, 140); // about as the cloth: its edge does not count
+        return drawn(fabric, view, times, colors);
+    }
+    Grey drawn(const std::shared_ptr<const PreviewFabric>& fabric, const SceneView& view, int times, const PictureColors& colors)
     {
         FabricScene scene;
         scene.setFabric(fabric);
         complete(scene, renderer_, view);
-        QOpenGLFramebufferObjectFormat format;
-        format.setAttachment(QOpenGLFramebufferObject::Depth);
-        format.setSamples(times > 1 ? 4 : 0);
-        QOpenGLFramebufferObject target(picture * times, format);
-        target.bind();
-        PictureColors colors = pictureColors(QPalette());
-        colors.background = QColor(160, 150, 140); // about as the cloth: its edge does not count
-        renderer_.draw(view, scene.batches(), target.size(), colors);
-        target.release();
-        const QImage image = target.toImage().convertToFormat(QImage::Format_RGB32);
-        return times > 1 ? image.scaled(picture, Qt::IgnoreAspectRatio, Qt::SmoothTransformation) : image;
+        const auto target = lightPicture(picture * times, times > 1 ? 4 : 0), light = lightPicture(picture * times);
+        target->bind();
+        renderer_.draw(view, scene.batches(), target->size(), colors);
+        target->release();
+        QOpenGLFramebufferObject::blitFramebuffer(light.get(), target.get());
+        return luminanceOf(*light, times);
     }
 
     Misses missesOf(double side_mm, int farther, double turn, double lift)
@@ -216,9 +302,9 @@ private:
         view.camera.zoom(1.0 / farther, {0.5 * picture.width(), 0.5 * picture.height()}, view.size);
         const double pitch = pitch_scale(*fabric, view) / view.camera.millimetrePerPixel(view.size);
         const double sigma = std::max(3.0, pitch);
-        Grey seen = blurred(greyOf(drawn(fabric, view, 1)), sigma);
+        Grey seen = blurred(drawn(fabric, view, 1), sigma);
         view.detail = std::max<double>(finer, 60 / pitch); // yarns as tubes, however far
-        Grey real = blurred(greyOf(drawn(fabric, view, finer)), sigma);
+        Grey real = blurred(drawn(fabric, view, finer), sigma);
         double sum = 0, squares = 0, bright = 0, pixels = 0;
         const int edge = static_cast<int>(2 * sigma) + 1;
         for (int y = edge; y < picture.height() - edge; ++y) {
@@ -238,6 +324,7 @@ private:
     std::unique_ptr<QOffscreenSurface> surface_;
     QOpenGLContext context_;
     TextileRenderer renderer_;
+    std::optional<double> seen_first_; ///< wet over dry, of the first distance
 };
 
 } // namespace tst_far_cloth

@@ -108,6 +108,7 @@ private:
         vertex.crossing[0] = static_cast<std::uint8_t>(is_warp ? own : at);
         vertex.crossing[1] = static_cast<std::uint8_t>(is_warp ? at : own);
         vertex.crossing[2] = is_warp ? 0 : 1;
+        vertex.crossing[3] = cap != 0 ? 2 : 0;
         mesh_.vertices.push_back(vertex);
     }
 

@@ -6,9 +6,14 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 #include <QVector3D>
 #include <QVector4D>
+
+#include <cmath>
+#include <vector>
 
 namespace hygroloom {
 
@@ -41,9 +46,67 @@ PictureColors pictureColors(const QPalette& palette)
     return colors;
 }
 
-QVector3D rgb(const QColor& color)
+QVector3D lightOf(const QColor& color)
 {
-    return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()), static_cast<float>(color.blueF())};
+    const auto light = [](float value) { return value <= 0.04045F ? value / 12.92F : std::pow((value + 0.055F) / 1.055F, 2.4F); };
+    return {light(static_cast<float>(color.redF())), light(static_cast<float>(color.greenF())), light(static_cast<float>(color.blueF()))};
+}
+
+std::unique_ptr<QOpenGLFramebufferObject> lightPicture(const QSize& pixels, int samples)
+{
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::Depth);
+    format.setInternalTextureFormat(GL_RGBA16F);
+    format.setSamples(samples);
+    return std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+}
+
+QString DisplayEncoder::initialize()
+{
+    nothing_.create();
+    return loadShaders(program_, "encode");
+}
+
+void DisplayEncoder::release()
+{
+    nothing_.destroy();
+    program_.removeAllShaders();
+}
+
+void DisplayEncoder::encode(QOpenGLFramebufferObject& light, QOpenGLFramebufferObject& shown)
+{
+    QOpenGLFunctions* gl = QOpenGLContext::currentContext()->functions();
+    shown.bind();
+    gl->glViewport(0, 0, shown.width(), shown.height());
+    gl->glDisable(GL_DEPTH_TEST);
+    gl->glActiveTexture(GL_TEXTURE0);
+    gl->glBindTexture(GL_TEXTURE_2D, light.texture());
+    program_.bind();
+    program_.setUniformValue("picture", 0);
+    nothing_.bind();
+    gl->glDrawArrays(GL_TRIANGLES, 0, 3);
+    nothing_.release();
+    program_.release();
+    gl->glBindTexture(GL_TEXTURE_2D, 0);
+    shown.release();
+}
+
+std::unique_ptr<QOpenGLTexture> lightRamp(WaterColors colors)
+{
+    const QImage ramp = waterRamp(colors);
+    std::vector<float> texels;
+    for (int i = 0; i < ramp.width(); ++i) {
+        const QVector3D light = lightOf(ramp.pixelColor(i, 0));
+        texels.insert(texels.end(), {light.x(), light.y(), light.z(), 1});
+    }
+    auto texture = std::make_unique<QOpenGLTexture>(QOpenGLTexture::Target2D);
+    texture->setSize(ramp.width(), 1);
+    texture->setFormat(QOpenGLTexture::RGBA32F);
+    texture->allocateStorage(QOpenGLTexture::RGBA, QOpenGLTexture::Float32);
+    texture->setData(QOpenGLTexture::RGBA, QOpenGLTexture::Float32, texels.data());
+    texture->setMinMagFilters(QOpenGLTexture::Linear, QOpenGLTexture::Linear);
+    texture->setWrapMode(QOpenGLTexture::ClampToEdge);
+    return texture;
 }
 
 QVector4D cutOf(const SceneView& view)
@@ -58,7 +121,9 @@ QString loadShaders(QOpenGLShaderProgram& program, const QString& name, bool fad
     const QByteArray version = "#version 330 core\n";
     const bool lit = name == "yarn" || name == "flat" || name == "repeat";
     const QByteArray own = textOf(name + ".vert");
-    const QByteArray shared = lit ? (fading ? "#define FADING\n" : "") + textOf("light.glsl") : QByteArray();
+    const QByteArray shared =
+        lit ? (fading ? "#define FADING\n" : "") + QByteArray("#define real float\n") + textOf("cloth_light.glsl") + textOf("light.glsl")
+            : QByteArray();
     if (program.addShaderFromSourceCode(QOpenGLShader::Vertex, version + (own.isEmpty() ? textOf("whole.vert") : own)) &&
         program.addShaderFromSourceCode(QOpenGLShader::Fragment, version + shared + textOf(name + ".frag")) && program.link()) {
         return {};

@@ -6,8 +6,13 @@
 #include "ui/picture/fabric_scene.h"
 
 #include <QColor>
+#include <QOpenGLFramebufferObject>
 #include <QOpenGLShaderProgram>
+#include <QOpenGLTexture>
+#include <QOpenGLVertexArrayObject>
 #include <QPalette>
+
+#include <memory>
 
 namespace hygroloom {
 
@@ -27,8 +32,27 @@ struct PictureColors {
 /// For a widget with this palette.
 PictureColors pictureColors(const QPalette& palette);
 
-/// Red, green and blue, each from 0 to 1.
-QVector3D rgb(const QColor& color);
+/// Red, green and blue of a display (sRGB, IEC 61966-2-1) as shares of linear light, which pictures are drawn in.
+QVector3D lightOf(const QColor& color);
+/// A target for that: half floats with depth. samples: of a pixel, 0 for none.
+std::unique_ptr<QOpenGLFramebufferObject> lightPicture(const QSize& pixels, int samples = 0);
+
+/// From linear light to the values that a display takes. All members need the same current context.
+class DisplayEncoder {
+public:
+    /// The driver's complaint about the shader, or nothing.
+    QString initialize();
+    void release();
+    /// Both are as large; light has no samples.
+    void encode(QOpenGLFramebufferObject& light, QOpenGLFramebufferObject& shown);
+
+private:
+    QOpenGLShaderProgram program_;
+    QOpenGLVertexArrayObject nothing_; ///< of a triangle that needs no vertices
+};
+
+/// The colours of water in linear light, from little to much.
+std::unique_ptr<QOpenGLTexture> lightRamp(WaterColors colors);
 
 /// The plane of the view's cut, for shaders: a point is kept where its product with the first three is at most the fourth, in mm.
 QVector4D cutOf(const SceneView& view);

@@ -146,7 +146,7 @@ void FabricScene::chooseLevel(Cell cell, const SceneView& view, bool level_cut, 
 {
     State& s = state(cell);
     const auto [pixels, least_pixels] = pitchPixels(cell, view);
-    int level = level_for(pixels, s.level);
+    int level = std::min(level_for(pixels, s.level), view.finest);
     s.belt = level == fibre_level ? least_pixels < fibre_belt_pixels[1] : level > 0 && least_pixels < belt_pixels[1];
     if (level_cut && level < fibre_level) {
         level = std::max(level, 1);

@@ -48,6 +48,7 @@ struct SceneView {
     Camera camera;
     QSizeF size;                 ///< of the picture
     double detail = 1;           ///< how much finer than usual; device pixels per pixel among it
+    int finest = fibre_level;    ///< level that is drawn at most
     std::optional<CutPlane> cut; ///< metres
     QPointF shift;               ///< pixels, by which the picture is drawn beside its place
 

@@ -34,6 +34,42 @@ YarnMesh tubes_of(const YarnFibres& fibres)
     return mesh;
 }
 
+/// Of the strand at a vertex, with the yarn: its normals round a ring lie square to it.
+Vec3d direction_at(const YarnMesh& tubes, std::size_t vertex, int sides, bool is_warp)
+{
+    const std::size_t ring = vertex - vertex % static_cast<std::size_t>(sides);
+    const float* a = &tubes.normals[3 * ring];
+    const float* b = a + 3;
+    const Vec3d along = cross(Vec3d{a[0], a[1], a[2]}, Vec3d{b[0], b[1], b[2]});
+    const double size = std::max(length(along), 1e-12);
+    return ((is_warp ? along.y : along.x) < 0 ? -1 / size : 1 / size) * along;
+}
+
+/// Hairs end in points, as cut fibres of staple do, not in pipes.
+void sharpen_hairs(const YarnFibres& fibres, int sides, YarnMesh& tubes)
+{
+    constexpr float tip = 0.2F; // of the radius
+    std::size_t vertex = 0;
+    for (int strand = 0; strand < fibres.strands(); ++strand) {
+        vertex += fibres.vertices(strand);
+        if (!fibres.is_hair(strand)) { continue; }
+        float* last = &tubes.positions[3 * (vertex - static_cast<std::size_t>(sides))];
+        for (int axis = 0; axis < 3; ++axis) {
+            float middle = 0;
+            for (int k = 0; k < sides; ++k) { middle += last[3 * k + axis] / static_cast<float>(sides); }
+            for (int k = 0; k < sides; ++k) { last[3 * k + axis] = middle + tip * (last[3 * k + axis] - middle); }
+        }
+    }
+}
+
+/// Share of light that gets to a skin so deep in a yarn past the fibres over it, which lie at random: Cauchy's mean chord between circles
+/// of a radius, pi r (1 - packing) / (2 packing). White fibres pass on what they do not let by: less than a third is lost.
+double light_through(const YarnType& type, double depth)
+{
+    const double chord = 0.5 * pi * drawn_fibre_radius(type) * (1 - type.packing) / type.packing;
+    return 0.7 + 0.3 * std::exp(-std::max(depth, 0.0) / std::max(chord, 1e-9));
+}
+
 } // namespace
 
 void add_fibres(const PreviewFabric& fabric, const TextileRegion& part, const YarnField& field, CellMesh& mesh)
@@ -45,12 +81,16 @@ void add_fibres(const PreviewFabric& fabric, const TextileRegion& part, const Ya
     const auto add = [&](YarnKind kind, int yarn) {
         const bool is_warp = kind == YarnKind::warp;
         const YarnFibres fibres(textile, options, kind, yarn, is_warp ? part.first_pick : part.first_end, is_warp ? part.picks : part.ends);
-        const YarnMesh skins = tubes_of(fibres);
+        YarnMesh skins = tubes_of(fibres);
+        sharpen_hairs(fibres, options.sides, skins);
+        const YarnType& type = textile.type(kind, yarn);
         const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
         for (std::size_t i = 0; i < skins.segment_of_vertex.size(); ++i) {
             const float* p = &skins.positions[3 * i];
             const float* n = &skins.normals[3 * i];
-            const double open = 0.76 + 0.24 * std::sqrt(field.openness({p[0], p[1], p[2]}, {n[0], n[1], n[2]}));
+            const Vec3d at_skin{p[0], p[1], p[2]};
+            const double open =
+                (0.65 + 0.35 * std::sqrt(field.openness(at_skin, {n[0], n[1], n[2]}))) * light_through(type, -field.distance(at_skin));
             CellVertex vertex{};
             vertex.position[0] = static_cast<float>(mm_from_metre(p[0])) - corner.x();
             vertex.position[1] = static_cast<float>(mm_from_metre(p[1])) - corner.y();
@@ -59,6 +99,9 @@ void add_fibres(const PreviewFabric& fabric, const TextileRegion& part, const Ya
             for (int k = 0; k < 4; ++k) {
                 vertex.shape[k] = static_cast<std::int16_t>(std::lround(32767 * std::clamp(shape[k], -1.0, 1.0)));
             }
+            const Vec3d direction = direction_at(skins, i, options.sides, is_warp);
+            vertex.along = static_cast<float>(is_warp ? direction.x : direction.y);
+            vertex.around = static_cast<float>(direction.z);
             const int along = skins.segment_of_vertex[i] % (is_warp ? textile.picks() : textile.ends());
             const int at = std::clamp(along - (is_warp ? part.first_pick : part.first_end), 0, (is_warp ? part.picks : part.ends) - 1);
             const int own = yarn - (is_warp ? part.first_end : part.first_pick);

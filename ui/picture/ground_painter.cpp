@@ -34,7 +34,7 @@ void GroundPainter::draw(const SceneView& view, const PreviewFabric& fabric, con
     program_.setUniformValue("aside", below * QVector2D(0.5F, -0.4F)); // away from the lamp of light.glsl
     program_.setUniformValue("soft", 0.045F * side);
     program_.setUniformValue("dark", ground_dark);
-    program_.setUniformValue("background", rgb(background));
+    program_.setUniformValue("background", lightOf(background));
     gl_->glDepthMask(GL_FALSE);
     gl_->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE); // alpha is of the belt alone
     nothing_.bind();

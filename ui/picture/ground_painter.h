@@ -9,7 +9,7 @@
 
 namespace hygroloom {
 
-constexpr float ground_dark = 0.3F; ///< share of the background's light that the shadow takes
+constexpr float ground_dark = 0.5F; ///< share of the background's light that the shadow takes
 
 /// All members need the same current context.
 class GroundPainter {

@@ -82,7 +82,7 @@ void LiquidPainter::takeBelow(const QSize& pixels)
 {
     int target = 0;
     gl_->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-    if (!below_ || below_->size() != pixels) { below_ = std::make_unique<QOpenGLFramebufferObject>(pixels); }
+    if (!below_ || below_->size() != pixels) { below_ = lightPicture(pixels); }
     gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned>(target));
     gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, below_->handle());
     gl_->glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
@@ -94,7 +94,7 @@ void LiquidPainter::prepare(QOpenGLShaderProgram& program, const SceneView& view
     program.bind();
     program.setUniformValue("view_projection", view.clip());
     program.setUniformValue("eye", view.camera.eye());
-    program.setUniformValue("tint", rgb(waterColor(0.42, colors.water)));
+    program.setUniformValue("tint", lightOf(waterColor(0.42, colors.water)));
     program.setUniformValue("cut", cutOf(view));
     gl_->glEnable(GL_CLIP_DISTANCE0);
 }
@@ -102,7 +102,7 @@ void LiquidPainter::prepare(QOpenGLShaderProgram& program, const SceneView& view
 void LiquidPainter::drawSurface(const SceneView& view, const PictureColors& colors, float face)
 {
     prepare(surface_, view, colors);
-    surface_.setUniformValue("tinted", colors.water == WaterColors::natural ? 0.08F : 0.42F);
+    surface_.setUniformValue("tinted", colors.water == WaterColors::natural ? 0.08F : 0.6F);
     surface_.setUniformValue("face", view.camera.eye().z() >= 0 ? face : -face);
     surface_.setUniformValue("below", 0);
     gl_->glActiveTexture(GL_TEXTURE0);

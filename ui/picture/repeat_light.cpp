@@ -49,11 +49,12 @@ void RepeatLight::setPicture(const RepeatPicture& picture)
     gl_->glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA8, picture.width, picture.height, RepeatPicture::layers, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                       picture.texels.data());
     gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, looks_);
-    gl_->glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, n, n, 2, 0, GL_RGBA, GL_FLOAT, picture.looks.data());
+    gl_->glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, n, n, 4, 0, GL_RGBA, GL_FLOAT, &picture.looks);
     gl_->glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
     gl_->glBindTexture(GL_TEXTURE_2D, light_);
-    gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture.width, picture.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    gl_->glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16F, picture.width, picture.height, 0, GL_RGBA, GL_FLOAT, nullptr);
     gl_->glBindTexture(GL_TEXTURE_2D, 0);
+    wound_ = {picture.wound[0], picture.wound[1]};
     size_ = {picture.width, picture.height};
     lit_from_ = {};
 }
@@ -75,6 +76,7 @@ void RepeatLight::lightFrom(const QVector3D& to_eye)
     program_.bind();
     program_.setUniformValue("repeat_picture", 0);
     program_.setUniformValue("to_eye", to_eye);
+    program_.setUniformValue("wound", wound_);
     program_.setUniformValue("side", to_eye.z() >= 0 ? 1.0F : -1.0F);
     nothing_.bind();
     gl_->glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -8,6 +8,7 @@
 
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLVertexArrayObject>
+#include <QVector2D>
 
 namespace hygroloom {
 
@@ -31,6 +32,7 @@ private:
     unsigned looks_ = 0;
     unsigned light_ = 0;
     unsigned target_ = 0; ///< framebuffer that draws into the light
+    QVector2D wound_;
     QSize size_;
     QVector3D lit_from_;
 };

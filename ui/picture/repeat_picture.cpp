@@ -2,6 +2,7 @@
 #include "ui/picture/repeat_picture.h"
 
 #include "core/base/units.h"
+#include "ui/picture/cloth_light.h"
 #include "ui/picture/yarn_field.h"
 
 #include <algorithm>
@@ -17,16 +18,9 @@ constexpr unsigned texels_per_crossing = 16;
 constexpr int rays_per_look = 128;
 constexpr double steepest = 0.97; // from the side: x and y of a direction are not farther out
 
-/// Light that reaches a height of the fabric past its surface; the deeper the less.
-double light_at_height(double height, double half_thickness)
-{
-    const double t = std::clamp((height / half_thickness + 1.0) / 1.75, 0.0, 1.0);
-    return 0.70 + 0.30 * t * t * (3 - 2 * t);
-}
-
 double reach_of(const YarnField& field, const Vec3d& point, const Vec3d& normal, int side)
 {
-    return shade_of(field.openness(point, normal)) * light_at_height(side * point.z, field.textile().half_thickness());
+    return shade_of(field.openness(point, normal)) * cloth_light::light_at_depth(side * point.z / field.textile().half_thickness());
 }
 
 struct Seen {
@@ -66,24 +60,13 @@ std::optional<Seen> seen_at(const YarnField& field, double x, double y, int side
     return seen;
 }
 
-/// Light on white, as resources/shaders/light.glsl has it; shine as yarn.frag has it.
-double light_on(const Vec3d& normal, double reach, const Vec3d& lamp, int side)
-{
-    return reach * (0.19 * (1 + normal.z * side) + 0.64 * std::max(dot(normal, lamp), 0.0) + 0.12);
-}
-
-double shine_of(const Vec3d& normal, double reach, const Vec3d& lamp, const Vec3d& towards)
-{
-    const Vec3d half = lamp + towards;
-    return 0.04 * reach * std::pow(std::max(dot(normal, half) / length(half), 0.0), 12.0);
-}
-
 /// The repeat whose picture is made, endlessly repeated.
 struct Repeated {
     const YarnField& field;
-    double x, y;           ///< m, of its corner
-    double width, height;  ///< m
-    double half_thickness; ///< m
+    double x, y;                ///< m, of its corner
+    double width, height;       ///< m
+    double half_thickness;      ///< m
+    std::array<float, 2> wound; ///< see RepeatPicture
 
     Vec3d folded(const Vec3d& point) const
     {
@@ -150,13 +133,10 @@ std::optional<Seen> first_seen(const Repeated& cloth, Vec3d point, const Vec3d& 
 }
 
 /// towards: unit, to the eye.
-MeanLook look_from(const Repeated& cloth, const Vec3d& towards)
+void look_from(const Repeated& cloth, const Vec3d& towards, MeanLook& look, MeanShine& shine)
 {
     const int side = towards.z > 0 ? 1 : -1;
-    Vec3d lamp = Vec3d{-0.35, 0.3, 0.9 * side} + 0.5 * towards;
-    lamp = (1 / length(lamp)) * lamp;
-    MeanLook look;
-    constexpr float one = 1.0F / rays_per_look;
+    const Vec3d lamp = cloth_light::lamp_from(towards, side);
     for (int ray = 0; ray < rays_per_look; ++ray) {
         // An even spread: multiples of the powers of 1 / 1.3247..., whose cube is itself and one.
         const double u = ray * 0.7548776662466927 + 0.5, v = ray * 0.5698402909980532 + 0.5;
@@ -164,12 +144,15 @@ MeanLook look_from(const Repeated& cloth, const Vec3d& towards)
                          1.01 * side * cloth.half_thickness};
         const auto seen = first_seen(cloth, from, -1.0 * towards);
         if (!seen) { continue; }
-        const double reach = reach_of(cloth.field, seen->point, seen->normal, side);
-        (seen->kind == YarnKind::warp ? look.warp : look.weft) += one * static_cast<float>(light_on(seen->normal, reach, lamp, side));
-        look.shine += one * static_cast<float>(shine_of(seen->normal, reach, lamp, towards));
-        look.covered += one;
+        const double reach = reach_of(cloth.field, seen->point, seen->normal, side) / rays_per_look;
+        const bool is_warp = seen->kind == YarnKind::warp;
+        const Vec3d fibres = cloth_light::fibre_direction(seen->normal, is_warp ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0},
+                                                          static_cast<double>(cloth.wound[is_warp ? 0 : 1]));
+        (is_warp ? look.warp : look.weft) += static_cast<float>(reach * cloth_light::matt_light(seen->normal, fibres, lamp, towards, side));
+        shine.fibres += static_cast<float>(reach * cloth_light::fibre_shine(seen->normal, fibres, lamp, towards));
+        shine.film += static_cast<float>(reach * cloth_light::film_shine(seen->normal, lamp, towards, side));
+        look.covered += 1.0F / rays_per_look;
     }
-    return look;
 }
 
 void add_looks(RepeatPicture& picture, const Repeated& cloth)
@@ -182,11 +165,18 @@ void add_looks(RepeatPicture& picture, const Repeated& cloth)
             y *= steepest / out;
         }
         const double z = std::sqrt(1 - x * x - y * y);
-        picture.looks[static_cast<std::size_t>(node)] = look_from(cloth, {x, y, node < n * n ? z : -z});
+        const auto at = static_cast<std::size_t>(node);
+        look_from(cloth, {x, y, node < n * n ? z : -z}, picture.looks.seen[at], picture.looks.shine[at]);
     }
 }
 
 } // namespace
+
+double perimeter_of(const Textile& textile, YarnKind kind)
+{
+    const YarnPoint point = yarn_point(textile, kind, 0, 0, 0);
+    return pi * (point.half_width + point.half_height);
+}
 
 RepeatPicture picture_of_repeat(const PreviewFabric& fabric)
 {
@@ -197,6 +187,10 @@ RepeatPicture picture_of_repeat(const PreviewFabric& fabric)
     const auto texels_for = [](int crossings) {
         return static_cast<int>(std::min(most_texels, std::bit_ceil(texels_per_crossing * static_cast<unsigned>(crossings))));
     };
+    const auto wound = [&](const Yarn& yarn, YarnKind kind) {
+        return static_cast<float>(yarn.twist_per_m * (yarn.twist_direction == TwistDirection::z ? 1 : -1) * perimeter_of(textile, kind));
+    };
+    picture.wound = {wound(*fabric.end_yarns.front(), YarnKind::warp), wound(*fabric.pick_yarns.front(), YarnKind::weft)};
     picture.width = texels_for(picture.ends);
     picture.height = texels_for(picture.picks);
     // Away from the edge where there is room: the picture stands for the middle.
@@ -233,7 +227,7 @@ RepeatPicture picture_of_repeat(const PreviewFabric& fabric)
     }
     picture.level = covered > 0 ? static_cast<float>(mm_from_metre(level / covered)) : 0.0F;
     picture.covered = static_cast<float>(0.5 * covered / static_cast<double>(texels)); // counted from both sides
-    add_looks(picture, {field, x0, y0, dx * picture.width, dy * picture.height, textile.half_thickness()});
+    add_looks(picture, {field, x0, y0, dx * picture.width, dy * picture.height, textile.half_thickness(), picture.wound});
     return picture;
 }
 

@@ -27,10 +27,8 @@ void SampleSum::begin(const QSize& pixels)
 {
     count_ = 0;
     if (sum_ && sum_->size() == pixels) { return; }
-    sample_ = std::make_unique<QOpenGLFramebufferObject>(pixels, QOpenGLFramebufferObject::Depth);
-    QOpenGLFramebufferObjectFormat format;
-    format.setInternalTextureFormat(GL_RGBA16F);
-    sum_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+    sample_ = lightPicture(pixels);
+    sum_ = lightPicture(pixels);
 }
 
 void SampleSum::add()
@@ -54,8 +52,6 @@ void SampleSum::add()
     gl_->glDisable(GL_BLEND);
     sum_->release();
 }
-
-void SampleSum::copyTo(QOpenGLFramebufferObject& picture) { QOpenGLFramebufferObject::blitFramebuffer(&picture, sum_.get()); }
 
 /// By the powers of 1 / 1.3247..., whose cube is itself and one: any number of places lies evenly.
 QPointF SampleSum::nextShift() const

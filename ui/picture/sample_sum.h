@@ -26,8 +26,8 @@ public:
     /// Takes in what was drawn there.
     void add();
     int count() const { return count_; }
-    /// The mean of all that were added.
-    void copyTo(QOpenGLFramebufferObject& picture);
+    /// The mean of all that were added, in linear light.
+    QOpenGLFramebufferObject& mean() { return *sum_; }
     /// Where the next is drawn, in pixels beside its place: evenly spread over one pixel.
     QPointF nextShift() const;
 

@@ -19,7 +19,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr const char* picture_version = "2"; // to be raised when meshes or framing change; shaders count by themselves
+constexpr const char* picture_version = "3"; // to be raised when meshes or framing change; shaders count by themselves
 constexpr double swatch_mm = 5;
 constexpr double least_threads = 6; // across the picture of a coarse fabric
 constexpr int oversampling = 2;
@@ -132,15 +132,15 @@ QImage SwatchPainter::draw(const PreviewRequest& request, double side_mm)
     scene.setFabric(fabric);
     renderer_->setFabric(fabric);
     complete(scene, *renderer_, view);
-    QOpenGLFramebufferObjectFormat format;
-    format.setAttachment(QOpenGLFramebufferObject::Depth);
-    format.setSamples(4);
-    QOpenGLFramebufferObject target(view.size.toSize(), format);
-    if (!target.isValid()) { return {}; }
-    target.bind();
-    renderer_->draw(view, scene.batches(), target.size(), colors_);
-    target.release();
-    return target.toImage().convertToFormat(QImage::Format_RGB32).scaled(pixels_, pixels_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const auto sampled = lightPicture(view.size.toSize(), 4), light = lightPicture(view.size.toSize());
+    QOpenGLFramebufferObject shown(view.size.toSize());
+    if (!sampled->isValid() || !light->isValid() || !shown.isValid()) { return {}; }
+    sampled->bind();
+    renderer_->draw(view, scene.batches(), sampled->size(), colors_);
+    sampled->release();
+    QOpenGLFramebufferObject::blitFramebuffer(light.get(), sampled.get());
+    renderer_->encode(*light, shown);
+    return shown.toImage().convertToFormat(QImage::Format_RGB32).scaled(pixels_, pixels_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
 } // namespace hygroloom

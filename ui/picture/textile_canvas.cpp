@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace hygroloom {
@@ -12,8 +13,10 @@ namespace hygroloom {
 namespace {
 
 constexpr int still_after_ms = 160;
-constexpr double slow_picture = 0.12; // s: then less is drawn while moving
-constexpr double moving_detail = 0.6; // of a slow picture
+// While it moves a picture that takes longer is drawn with fewer pixels, and as coarse as one so small would be; at rest it is whole.
+constexpr double moving_seconds = 0.035;                      // leaves the window its time in 1/15 s
+constexpr double moving_shares[] = {1, 0.7, 0.5, 0.35, 0.25}; // of width and height
+constexpr int coarsest = static_cast<int>(std::size(moving_shares)) - 1;
 constexpr int samples_at_rest = 16;
 constexpr int fewest_samples = 4; // before these are there, the first picture stays
 constexpr double sampling_seconds = 4;
@@ -51,6 +54,8 @@ TextileCanvas::~TextileCanvas()
 {
     makeCurrent();
     sampled_.reset();
+    light_.reset();
+    coarse_picture_.reset();
     scene_picture_.reset();
     samples_.release();
     renderer_.release();
@@ -108,7 +113,8 @@ SceneView TextileCanvas::sceneView() const
     SceneView view;
     view.camera = camera_;
     view.size = QSizeF(size());
-    view.detail = devicePixelRatioF() * (moving_ && still_seconds_ > slow_picture ? moving_detail : 1.0);
+    view.detail = devicePixelRatioF() * (moving_ ? moving_shares[moving_step_] : 1.0);
+    if (moving_ && moving_step_ > 0) { view.finest = fibre_level - 1; }
     view.cut = cut();
     return view;
 }
@@ -257,6 +263,10 @@ PictureColors TextileCanvas::colors() const
 
 void TextileCanvas::redraw(bool moving)
 {
+    if (moving && !moving_) { // from what the picture took at rest
+        moving_step_ = least_step_ = 0;
+        while (moving_step_ < coarsest && still_seconds_ * std::pow(moving_shares[moving_step_], 2) > moving_seconds) { ++moving_step_; }
+    }
     moving_ = moving;
     scene_changed_ = true;
     more_.stop();
@@ -280,33 +290,42 @@ void TextileCanvas::drawScene()
     const double seconds = was_fading_ && since_drawn_.isValid() ? 1e-3 * static_cast<double>(since_drawn_.elapsed()) : 0;
     since_drawn_.start();
     scene_.update(view, seconds, [this](const MeshKey& key) { return renderer_.has(key); });
+    const bool coarse = moving_ && moving_step_ > 0;
+    if (coarse) { scene_.settle(); } // cells that fade are drawn twice
     was_fading_ = scene_.fading();
     const bool settled = !moving_ && !was_fading_;
-    const QSize pixels = size() * devicePixelRatioF();
+    const QSize whole = size() * devicePixelRatioF();
+    const QSize pixels = coarse ? (QSizeF(whole) * moving_shares[moving_step_]).toSize().expandedTo({1, 1}) : whole;
     const bool samples = settled && still_seconds_ < too_slow_for_samples;
-    if (!scene_picture_ || scene_picture_->size() != pixels) {
-        scene_picture_ = std::make_unique<QOpenGLFramebufferObject>(pixels, QOpenGLFramebufferObject::Depth);
+    if (!scene_picture_ || scene_picture_->size() != whole) {
+        scene_picture_ = std::make_unique<QOpenGLFramebufferObject>(whole);
         sampled_.reset();
     }
-    if (samples && !sampled_) {
-        QOpenGLFramebufferObjectFormat format;
-        format.setAttachment(QOpenGLFramebufferObject::Depth);
-        format.setSamples(4);
-        sampled_ = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
-    }
-    QOpenGLFramebufferObject& target = samples ? *sampled_ : *scene_picture_;
+    if (!light_ || light_->size() != pixels) { light_ = lightPicture(pixels); }
+    if (samples && !sampled_) { sampled_ = lightPicture(pixels, 4); }
+    QOpenGLFramebufferObject& target = samples ? *sampled_ : *light_;
     target.bind();
     QElapsedTimer timer;
     timer.start();
     renderer_.setMarked(selected_);
     renderer_.setParticlesShown(particles_shown_);
     renderer_.draw(view, scene_.batches(), pixels, colors());
-    if (settled) {
+    if (settled || moving_) {
         context()->functions()->glFinish();
-        still_seconds_ = 1e-3 * static_cast<double>(timer.elapsed()) / (samples ? 2.5 : 1);
+        const double seconds_taken = 1e-9 * static_cast<double>(timer.nsecsElapsed());
+        if (settled) { still_seconds_ = seconds_taken / (samples ? 2.5 : 1); }
+        if (moving_) { adaptToMotion(seconds_taken); }
     }
     target.release();
-    if (samples) { QOpenGLFramebufferObject::blitFramebuffer(scene_picture_.get(), sampled_.get()); }
+    if (samples) { QOpenGLFramebufferObject::blitFramebuffer(light_.get(), sampled_.get()); }
+    if (coarse) {
+        if (!coarse_picture_ || coarse_picture_->size() != pixels) { coarse_picture_ = std::make_unique<QOpenGLFramebufferObject>(pixels); }
+        renderer_.encode(*light_, *coarse_picture_);
+        QOpenGLFramebufferObject::blitFramebuffer(scene_picture_.get(), QRect({0, 0}, whole), coarse_picture_.get(), QRect({0, 0}, pixels),
+                                                  GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    } else {
+        renderer_.encode(*light_, *scene_picture_);
+    }
     scene_changed_ = false;
     if (!scene_.wanted().empty()) { Q_EMIT meshesWanted(); }
     if (was_fading_) { fade_.start(); }
@@ -317,6 +336,18 @@ void TextileCanvas::drawScene()
         more_.start(rest_before_samples_ms);
     } else {
         more_.stop();
+    }
+}
+
+/// Fewer pixels where the last picture took too long; more where they would still be quick and were not too many in this motion.
+void TextileCanvas::adaptToMotion(double seconds)
+{
+    if (seconds > moving_seconds && moving_step_ < coarsest) {
+        moving_step_ = std::min(coarsest, moving_step_ + (seconds > 3 * moving_seconds ? 2 : 1));
+        if (scene_.wanted().empty()) { least_step_ = moving_step_; } // else coarser meshes are on their way
+    } else if (moving_step_ > least_step_ &&
+               seconds * std::pow(moving_shares[moving_step_ - 1] / moving_shares[moving_step_], 2) < 0.7 * moving_seconds) {
+        --moving_step_;
     }
 }
 
@@ -339,7 +370,7 @@ void TextileCanvas::drawSample()
     samples_.sample().release();
     samples_.add();
     sampled_times_ = samples_.count();
-    if (sampled_times_ >= fewest_samples) { samples_.copyTo(*scene_picture_); }
+    if (sampled_times_ >= fewest_samples) { renderer_.encode(samples_.mean(), *scene_picture_); }
     if (sampled_times_ < samplesWanted()) { more_.start(0); }
 }
 

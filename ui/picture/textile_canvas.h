@@ -160,6 +160,7 @@ private:
     void takeView();
     void drawScene();
     void drawSample();
+    void adaptToMotion(double seconds);
     int samplesWanted() const;
     void drawOverlay(QPainter& painter);
     double drawClock(QPainter& painter, const QColor& ink);
@@ -228,6 +229,8 @@ private:
     bool scene_changed_ = true;
     bool was_fading_ = false;
     double still_seconds_ = 0; ///< what the last still picture took
+    int moving_step_ = 0;      ///< how much less is drawn while it moves
+    int least_step_ = 0;       ///< that is quick enough in this motion
     QElapsedTimer since_drawn_;
     QTimer still_;
     QTimer fade_;
@@ -235,8 +238,10 @@ private:
     SampleSum samples_; ///< of the picture at rest
     int sampled_times_ = 0;
     bool sample_due_ = false;
-    bool at_once_ = false; ///< a few samples in one go
-    std::unique_ptr<QOpenGLFramebufferObject> sampled_;
+    bool at_once_ = false;                              ///< a few samples in one go
+    std::unique_ptr<QOpenGLFramebufferObject> sampled_; ///< linear light, as the next
+    std::unique_ptr<QOpenGLFramebufferObject> light_;
+    std::unique_ptr<QOpenGLFramebufferObject> coarse_picture_; ///< while it moves
     std::unique_ptr<QOpenGLFramebufferObject> scene_picture_;
 };
 

@@ -37,6 +37,7 @@ bool TextileRenderer::initialize()
     makeSquare();
     problem_ = repeat_light_.initialize(gl_);
     if (problem_.isEmpty()) { problem_ = ground_.initialize(gl_); }
+    if (problem_.isEmpty()) { problem_ = encoder_.initialize(); }
     if (problem_.isEmpty()) { problem_ = liquid_.initialize(gl_, flat_vertices_); }
     return problem_.isEmpty();
 }
@@ -89,6 +90,7 @@ void TextileRenderer::release()
     liquid_.release();
     repeat_light_.release();
     ground_.release();
+    encoder_.release();
     flat_array_.destroy();
     for (QOpenGLBuffer* buffer : {&flat_vertices_, &instances_}) { buffer->destroy(); }
     ramp_.reset();
@@ -203,12 +205,9 @@ void TextileRenderer::setColors(const PictureColors& colors)
     const auto load = [this](unsigned texture, const std::vector<const Yarn*>& yarns, const QColor& undyed, float along) {
         std::vector<float> texels;
         for (const Yarn* yarn : yarns) {
-            const QColor shown = yarn->color ? QColor(yarn->color->red, yarn->color->green, yarn->color->blue) : undyed;
+            const QVector3D shown = lightOf(yarn->color ? QColor(yarn->color->red, yarn->color->green, yarn->color->blue) : undyed);
             const double turns = yarn->twist_per_m * metre_from_mm(along) * (yarn->twist_direction == TwistDirection::z ? 1 : -1);
-            for (const double value :
-                 {static_cast<double>(shown.redF()), static_cast<double>(shown.greenF()), static_cast<double>(shown.blueF()), turns}) {
-                texels.push_back(static_cast<float>(value));
-            }
+            texels.insert(texels.end(), {shown.x(), shown.y(), shown.z(), static_cast<float>(turns)});
         }
         gl_->glBindTexture(GL_TEXTURE_2D, texture);
         gl_->glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1000);
@@ -225,7 +224,7 @@ void TextileRenderer::draw(const SceneView& view, const std::vector<CellBatch>& 
 {
     ++picture_number_;
     gl_->glViewport(0, 0, pixels.width(), pixels.height());
-    const QVector3D clear = rgb(colors.background);
+    const QVector3D clear = lightOf(colors.background);
     const bool belt =
         std::any_of(batches.begin(), batches.end(), [](const CellBatch& batch) { return !batch.of(CellRole::fibres).empty(); });
     gl_->glClearColor(clear.x(), clear.y(), clear.z(), belt ? 0 : 1);
@@ -266,7 +265,7 @@ void TextileRenderer::blendBelt(const SceneView& view, const std::vector<CellBat
     for (const bool fibres : {false, true}) {
         auto& picture = belt_pictures_[fibres ? 1 : 0];
         drawFabric(view, batches, colors, fibres ? CellRole::fibres : CellRole::skins);
-        if (!picture || picture->size() != pixels) { picture = std::make_unique<QOpenGLFramebufferObject>(pixels); }
+        if (!picture || picture->size() != pixels) { picture = lightPicture(pixels); }
         gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned>(target));
         gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture->handle());
         gl_->glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT,
@@ -313,9 +312,12 @@ void TextileRenderer::prepare(QOpenGLShaderProgram& program, const SceneView& vi
     program.setUniformValue("water_scale", full > 0 ? static_cast<float>(1 / full) : 0.0F);
     // Water leaves dry yarns their colour; warmth is shown of every yarn.
     program.setUniformValue("bare", colors.water == WaterColors::warmth ? 1e-6F : 0.02F);
-    program.setUniformValue("background", (colors.shadow && side > 0 ? 1 - ground_dark : 1) * rgb(colors.background)); // seen through gaps
-    program.setUniformValue("marked_color", rgb(colors.marked));
+    program.setUniformValue("background",
+                            (colors.shadow && side > 0 ? 1 - ground_dark : 1) * lightOf(colors.background)); // seen through gaps
+    program.setUniformValue("marked_color", lightOf(colors.marked));
     gl_->glUniform2i(program.uniformLocation("marked"), marked_.kind == YarnKind::warp ? 0 : 1, marked_.yarn);
+    const auto around = [&](YarnKind kind, float along) { return static_cast<float>(mm_from_metre(perimeter_of(textile, kind))) / along; };
+    program.setUniformValue("winding", QVector2D(around(YarnKind::warp, pitch.y()), around(YarnKind::weft, pitch.x())));
     program.setUniformValue("half_thickness", 0.5F * pitch.z());
     program.setUniformValue("pitch", QVector3D(pitch.x(), pitch.y(), side * picture_.level));
     program.setUniformValue("period", QVector2D(static_cast<float>(picture_.ends), static_cast<float>(picture_.picks)));
@@ -346,9 +348,7 @@ void TextileRenderer::placeInstances(const std::vector<CellInstance>& instances)
 void TextileRenderer::bindTextures(WaterColors water)
 {
     if (!ramp_ || ramp_colors_ != water) {
-        ramp_ = std::make_unique<QOpenGLTexture>(waterRamp(water), QOpenGLTexture::DontGenerateMipMaps);
-        ramp_->setMinMagFilters(QOpenGLTexture::Linear, QOpenGLTexture::Linear);
-        ramp_->setWrapMode(QOpenGLTexture::ClampToEdge);
+        ramp_ = lightRamp(water);
         ramp_colors_ = water;
     }
     const std::pair<int, unsigned> textures[] = {

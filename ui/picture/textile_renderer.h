@@ -42,7 +42,10 @@ public:
     /// Whether free liquid is drawn as its particles instead of the surface round them.
     void setParticlesShown(bool shown) { liquid_.setParticlesShown(shown); }
     void setMarked(const YarnNumber& yarn) { marked_ = yarn; }
+    /// Into the target that is bound, in linear light: a lightPicture().
     void draw(const SceneView& view, const std::vector<CellBatch>& batches, const QSize& pixels, const PictureColors& colors);
+    /// From linear light, without samples, to the values that a display takes.
+    void encode(QOpenGLFramebufferObject& light, QOpenGLFramebufferObject& shown) { encoder_.encode(light, shown); }
 
 private:
     struct TubeMesh {
@@ -94,6 +97,7 @@ private:
     std::unique_ptr<QOpenGLTexture> ramp_;
     WaterColors ramp_colors_ = WaterColors::blue;
     GroundPainter ground_;
+    DisplayEncoder encoder_;
     LiquidPainter liquid_;
 };
 

@@ -48,7 +48,7 @@ private:
     std::vector<YarnSlice> slices_[2]; ///< by kind: yarn by yarn, samples along
 };
 
-/// Shade of a skin with that openness: light that comes from skin to skin softens it.
+/// Share of linear light that a skin with that openness gets: light that comes from skin to skin softens its shade.
 double shade_of(double openness);
 
 /// What a ray meets first.
