@@ -9,7 +9,7 @@ const real film_rough = 0.4;     // wet_roughness of core/project/wet_look.h
 const real film_peak = 76.125;   // exponent of that roughness: 2 / film_rough^4 - 2 (Walter et al. 2007, as Blinn's lobe)
 const real fibre_zero = 0.0465;  // the same of a fibre of refractive index 1.55 in air: between cellulose (1.53 to 1.60) and polyester
 const real fibre_under = 0.0057; // and in water: (0.217 / 2.883)^2
-const real surface_width = 0.21; // radian: 12 degrees, linen's of Sadeghi et al. 2013; nobody measured cotton's
+const real surface_width = 0.21; // radian: 12 degrees, linen's of Sadeghi et al. 2013; we know no measurement of cotton
 const real volume_width = 0.42;  // 24 degrees, the same
 const real isotropic = 0.5;      // share of the light through fibres that has lost its direction: an assumption, they give 0.3
 

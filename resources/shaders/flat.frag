@@ -52,6 +52,8 @@ void main()
     vec2 amount = water_scale > 0.0 ? texture(water, share).rg * water_scale : vec2(0.0);
     vec3 end_base = wetted(ramp, end_dry, amount.r, bare), pick_base = wetted(ramp, pick_dry, amount.g, bare);
     float thin = clamp((belt.x * gl_FragCoord.w - belt.y) / (belt.z - belt.y), 0.0, 1.0);
-    float wet = (under_water(amount.r, bare) * mean.r + under_water(amount.g, bare) * mean.g) / max(mean.r + mean.g, 0.001);
-    color = vec4(end_base * light.r + pick_base * light.g + background * light.b + gloss(shine.x, shine.y, wet), 1.0 - over_tubes * thin);
+    vec2 part = mean.rg / max(mean.r + mean.g, 0.001);
+    float wet = dot(part, vec2(under_water(amount.r), under_water(amount.g)));
+    float glossy = 1.0 - dot(part, vec2(stained(amount.r, bare), stained(amount.g, bare)));
+    color = vec4(end_base * light.r + pick_base * light.g + background * light.b + glossy * gloss(shine.x, shine.y, wet), 1.0 - over_tubes * thin);
 }

@@ -13,19 +13,25 @@ vec3 darkened(vec3 dry, float wet)
     return mix(dry, under, clamp(wet, 0.0, 1.0));
 }
 
+// How far a yarn has the colour of its water instead of its own. That colour shows without gloss, or the legend would not have it.
+float stained(float wet, float bare)
+{
+    return natural > 0.5 ? 0.0 : smoothstep(0.25 * bare, 1.5 * bare, wet);
+}
+
 // Colour of a yarn with so much water, a share of the full colours.
 vec3 wetted(sampler2D ramp, vec3 dry, float wet, float bare)
 {
     if (natural > 0.5)
         return darkened(dry, wet);
-    vec3 stained = texture(ramp, vec2(clamp(wet, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
-    return mix(dry, stained, smoothstep(0.25 * bare, 1.5 * bare, wet));
+    vec3 of_water = texture(ramp, vec2(clamp(wet, 0.0, 1.0) * 255.0 / 256.0 + 0.5 / 256.0, 0.5)).rgb;
+    return mix(dry, of_water, stained(wet, bare));
 }
 
-// The share of its surface that is under water.
-float under_water(float wet, float bare)
+// The share of its surface that looks as if it were under water.
+float under_water(float wet)
 {
-    return natural > 0.5 ? clamp(wet, 0.0, 1.0) : smoothstep(0.25 * bare, 1.5 * bare, wet);
+    return natural > 0.5 ? clamp(wet, 0.0, 1.0) : 0.0;
 }
 
 // An even spread of thresholds over the pixels, for fading from one shape to another.

@@ -73,14 +73,14 @@ void main()
     vec3 bent = normalize(n + (0.22 * blur * cos(wave) + 0.22 * fine * cos(fine_wave)) * around);
     float groove = 1.0 + 0.1 * blur * sin(wave) + 0.1 * fine * sin(fine_wave); // as bright as without, on the whole
 
-    float cover = under_water(wet, bare);
     vec3 lamp = lamp_from(to_eye, side);
     vec3 t = is_fibre > 0.5 ? own_direction() : fibre_direction(bent, along, dry.a * (is_weft == 1 ? winding.y : winding.x));
     if (is_cut > 0.5) {
         t = n; // light goes in along the fibres
         groove = fibre_ends(is_weft == 1 ? at.yz : at.xz);
     }
-    float shine = gloss(fibre_shine(bent, t, lamp, to_eye), film_shine(bent, lamp, to_eye, side), cover);
-    float reach = open * light_at_depth(at.z * side / half_thickness);
-    color = vec4(reach * (base * groove * matt_light(bent, t, lamp, to_eye, side) + vec3(shine)), fibres);
+    float shine = gloss(fibre_shine(bent, t, lamp, to_eye), film_shine(bent, lamp, to_eye, side), under_water(wet));
+    float reach = open * light_at_depth(at.z * side / half_thickness), light = reach * groove * matt_light(bent, t, lamp, to_eye, side);
+    float in_color = stained(wet, bare);
+    color = vec4(base * mix(light, min(light, 1.0), in_color) + vec3(reach * (1.0 - in_color) * shine), fibres);
 }

@@ -4948,6 +4948,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>%1 °C</source>
         <translation>%1 °C</translation>
     </message>
+    <message>
+        <source>The last drop was wiped off</source>
+        <translation>Der letzte Tropfen wurde weggewischt</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::LessonControls</name>

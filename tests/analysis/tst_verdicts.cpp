@@ -129,7 +129,7 @@ private Q_SLOTS:
                     ++count[key][which][static_cast<std::size_t>(one.verdict)];
         const char* names[] = {"itself", "55 degrees", "open"};
         for (const auto& [key, table] : count)
-            for (std::size_t which = 0; which < 3; ++which)
+            for (const std::size_t which : repeats() > 1 ? std::vector<std::size_t>{0, 1, 2} : std::vector<std::size_t>{0, 2})
                 qInfo("%s, %s: better %d, probably %d, none %d, probably worse %d, worse %d", key.c_str(), names[which], table[which][0],
                       table[which][1], table[which][2], table[which][3], table[which][4]);
         const char* telling = experiment == "drop" ? "absorbency_time_s" : "wick_rate_mm_s05";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Every case of verify with its public values and with others, on the CPU and, where there is one, on a GPU.
+// Every case of verify with its public values or smaller ones, and with others, on the CPU and, where there is one, on a GPU.
 #include "core/base/error.h"
 #include "core/design/experiment.h"
 #include "core/verify/fits.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The picture in 3D, 1280 x 800: frames a second while it is turned, milliseconds at rest, and the light of dry and wet cloth, at five
-// distances. bench_view [FOLDER [PIXELS ...]] also saves the pictures; PIXELS are the widths of a pitch, 0 for the whole sample. Needs a
-// display: xvfb-run.
+// The picture in 3D, 1280 x 800: frames a second while it is turned, seconds until it is smooth, and the light of dry and wet cloth, at
+// six distances. bench_view [FOLDER [PIXELS ...]] also saves the pictures; PIXELS are the widths of a pitch, 0 for the whole sample. Needs
+// a display: xvfb-run.
 #include "core/project/project_file.h"
 #include "ui/basics/appearance.h"
 #include "ui/picture/textile_canvas.h"

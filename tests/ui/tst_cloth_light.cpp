@@ -7,6 +7,8 @@
 #include <QTest>
 
 using namespace hygroloom;
+
+namespace tst_cloth_light {
 using namespace hygroloom::cloth_light;
 
 namespace {
@@ -91,5 +93,7 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TestClothLight)
+} // namespace tst_cloth_light
+
+QTEST_GUILESS_MAIN(tst_cloth_light::TestClothLight)
 #include "tst_cloth_light.moc"

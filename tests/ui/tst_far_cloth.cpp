@@ -8,6 +8,7 @@
 #include "ui/picture/swatch_painter.h"
 #include "ui/picture/textile_canvas.h"
 
+#include <QElapsedTimer>
 #include <QOpenGLFramebufferObject>
 #include <QSignalSpy>
 #include <QTest>
@@ -216,6 +217,24 @@ private Q_SLOTS:
         const QImage saved = canvas.picture(); // with a few samples, without waiting for more
         QVERIFY2(levelsAlongTheEdge(saved) > 12, qPrintable(QString::number(levelsAlongTheEdge(saved))));
         QVERIFY2(levelsAlongTheEdge(smooth) > 12, qPrintable(QString::number(levelsAlongTheEdge(smooth))));
+    }
+
+    void playingDoesNotProlongMotion()
+    {
+        TextileCanvas canvas;
+        canvas.resize(picture);
+        canvas.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&canvas));
+        canvas.setView(prepare_view(cloth(20), canvas.sceneView(), Framing::whole, [] { return false; }));
+        canvas.zoomBy(1.1);
+        QVERIFY(canvas.moves());
+        QElapsedTimer clock;
+        clock.start();
+        for (float water = 0; canvas.moves() && clock.elapsed() < 3000; water += 0.01F) { // as a run that plays
+            canvas.setWater(std::vector<float>(static_cast<std::size_t>(canvas.fabric()->textile.segments()), water), 1);
+            QTest::qWait(20);
+        }
+        QVERIFY(!canvas.moves());
     }
 
 private:

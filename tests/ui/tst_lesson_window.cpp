@@ -86,6 +86,7 @@ private Q_SLOTS:
         LessonScene& scene = window_->scene();
         const QPoint at = scene.clothArea(0).center().toPoint();
         const QRect about(at - QPoint(10, 10), QSize(20, 20));
+        QTest::qWait(200); // until the cloth that was laid out is looked at
         const double dry = brightness(scene.grab(about).toImage());
         scene.drop(0, 0, 0);
         QTRY_VERIFY_WITH_TIMEOUT(dropsOn(*window_, 0) == 1 && window_->table()->view(0)->score.absorbed_s >= 0, patience);

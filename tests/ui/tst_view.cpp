@@ -78,16 +78,11 @@ private Q_SLOTS:
         canvas_->select({});
         canvas_->setMeasuring(false);
         canvas_->setSection({});
+        canvas_->setWater({}, 1);
+        canvas_->setWaterColors(WaterColors::blue);
         canvas_->setParallel(false);
         lookDown();
         canvas_->fit(Framing::few_repeats);
-    }
-
-    void aSwatchIsWholeRepeatsOfAboutItsSize()
-    {
-        const PreviewFabric& fabric = *canvas_->fabric();
-        QCOMPARE(fabric.textile.ends(), 70); // 2 cm at 35 ends per cm
-        QCOMPARE(fabric.textile.ends() % fabric.textile.weave.ends(), 0);
     }
 
     void onlyWhatIsSeenIsDrawn()
@@ -200,11 +195,25 @@ private Q_SLOTS:
         };
         canvas_->setWaterColors(WaterColors::natural);
         const auto dry = look(0, 1), half = look(0.5F, 1), wet = look(1, 1), ranged = look(0.5F, 0.5);
-        canvas_->setWater({}, 1);
-        canvas_->setWaterColors(WaterColors::blue);
         QVERIFY2(half[1] < dry[1] && half[1] > wet[1] && wet[1] < 0.95 * dry[1], qPrintable(QString("%1 %2").arg(dry[1]).arg(wet[1])));
         QVERIFY(wet[0] >= wet[1] && wet[1] > wet[2]); // no blue
         QVERIFY(difference(half, ranged) < 0.5);      // how wet yarns look depends on no range of colours
+    }
+
+    void coloursOfWaterAreThoseOfTheLegend()
+    {
+        zoom(60 * canvas_->camera().millimetrePerPixel(QSizeF(canvas_->size())) / canvas_->fabric()->pitch().x());
+        canvas_->setWaterColors(WaterColors::cividis);
+        const Textile& textile = canvas_->fabric()->textile;
+        canvas_->setWater(std::vector<float>(static_cast<std::size_t>(textile.segments()), 1.0F), 1);
+        const QImage shown = window_->viewport().picture(), legend = waterRamp(WaterColors::cividis);
+        const QColor full = legend.pixelColor(legend.width() - 1, 0); // dark blue without red, of which gloss would bring some
+        const int end = textile.ends() / 2, pick = textile.picks() / 2;
+        const QPoint on_yarn = placeOf(textile.x_of_end(end), textile.y_of_pick(pick)).toPoint();
+        for (int y = -3; y <= 3; ++y) {
+            const QColor here = shown.pixelColor(on_yarn + QPoint(0, y));
+            QVERIFY2(here.red() <= full.red() + 5 && here.blue() <= full.blue() + 5, qPrintable(here.name() + full.name()));
+        }
     }
 
     void stripesHaveTheColoursOfTheDraft()
@@ -479,9 +488,9 @@ private Q_SLOTS:
         const QImage picture = window_->viewport().picture();
         QVERIFY(picture.pixelColor(picture.width() / 2, picture.height() / 2) != QColor("#e9ecee"));
         QVERIFY(canvas_->triangles() < 20000);
-        qInfo("10 cm: %zu cells, %zu triangles", canvas_->scene().visibleCells(), canvas_->triangles());
         window_->viewport().setSwatch(first_swatch);
-        QTRY_COMPARE_WITH_TIMEOUT(canvas_->fabric()->textile.ends(), 70, 5000);
+        QTRY_COMPARE_WITH_TIMEOUT(canvas_->fabric()->textile.ends(), 70, 5000); // 2 cm at 35 a cm, and whole repeats
+        QCOMPARE(canvas_->fabric()->textile.ends() % canvas_->fabric()->textile.weave.ends(), 0);
     }
 
 private:

@@ -14,7 +14,7 @@ struct GridEntry {
     QString path;     ///< of its run; empty: there is none
     bool reading = false;
     int runs = 0;
-    std::vector<StudyJob> missing;
+    std::vector<StudyJob> missing = {};
 };
 
 struct GridColumn {

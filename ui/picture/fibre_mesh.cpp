@@ -45,7 +45,7 @@ Vec3d direction_at(const YarnMesh& tubes, std::size_t vertex, int sides, bool is
     return ((is_warp ? along.y : along.x) < 0 ? -1 / size : 1 / size) * along;
 }
 
-/// Hairs end in points, as cut fibres of staple do, not in pipes.
+/// Hairs narrow at their ends, as cut fibres of staple do.
 void sharpen_hairs(const YarnFibres& fibres, int sides, YarnMesh& tubes)
 {
     constexpr float tip = 0.2F; // of the radius

@@ -80,7 +80,7 @@ void TextileCanvas::setView(std::shared_ptr<const PreparedView> view)
     } else {
         scene_.setFabric(waiting_->fabric);
     }
-    redraw(moving_);
+    changed();
 }
 
 /// Needs the context.
@@ -125,7 +125,7 @@ void TextileCanvas::setWater(std::vector<float> values, double maximum)
     water_ = std::move(values);
     water_maximum_ = maximum;
     water_changed_ = true;
-    redraw(moving_);
+    changed();
 }
 
 void TextileCanvas::setLiquid(LiquidSurface surface)
@@ -133,19 +133,19 @@ void TextileCanvas::setLiquid(LiquidSurface surface)
     if (surface.indices.empty() && liquid_.indices.empty()) { return; }
     liquid_ = std::move(surface);
     liquid_changed_ = true;
-    redraw(moving_);
+    changed();
 }
 
 void TextileCanvas::setParticlesShown(bool shown)
 {
     particles_shown_ = shown;
-    redraw(moving_);
+    changed();
 }
 
 void TextileCanvas::setShadowShown(bool shown)
 {
     shadow_shown_ = shown;
-    redraw(moving_);
+    changed();
 }
 
 void TextileCanvas::setCaption(const PictureCaption& caption)
@@ -154,7 +154,7 @@ void TextileCanvas::setCaption(const PictureCaption& caption)
     const bool had_legend = showsLegend();
     caption_ = caption;
     if (showsLegend() != had_legend) {
-        redraw(moving_); // with or without a shadow
+        changed(); // with or without a shadow
     } else {
         update();
     }
@@ -268,17 +268,31 @@ void TextileCanvas::redraw(bool moving)
         while (moving_step_ < coarsest && still_seconds_ * std::pow(moving_shares[moving_step_], 2) > moving_seconds) { ++moving_step_; }
     }
     moving_ = moving;
-    scene_changed_ = true;
-    more_.stop();
     if (moving) {
         still_.start();
     } else {
         still_.stop();
     }
+    drawAnew();
+}
+
+void TextileCanvas::drawAnew()
+{
+    scene_changed_ = true;
+    more_.stop();
     update();
     if (camera_ != told_) {
         told_ = camera_;
         Q_EMIT cameraMoved();
+    }
+}
+
+void TextileCanvas::changed()
+{
+    if (moving_) {
+        drawAnew();
+    } else {
+        redraw(false);
     }
 }
 

@@ -117,6 +117,8 @@ public:
 
     /// The picture with its overlay, complete and with smooth edges, however long that takes.
     QImage picture();
+    /// The camera moves, or did a moment ago: coarser where the picture is slow.
+    bool moves() const { return moving_; }
     /// Whether all is drawn that will be while nothing moves.
     bool rests() const { return !moving_ && !scene_changed_ && sampled_times_ >= samplesWanted(); }
 
@@ -157,6 +159,9 @@ private:
     bool showsLegend() const { return !caption_.legend.isEmpty() && water_colors_ != WaterColors::natural; }
     void frame(Framing framing);
     void redraw(bool moving);
+    void drawAnew();
+    /// What is shown changes, which prolongs no motion.
+    void changed();
     void takeView();
     void drawScene();
     void drawSample();
