@@ -202,6 +202,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.textile = options.textile ? *options.textile : textile_of_run(design, *fabric, *experiment);
     run.plan = plan_run(design, run.textile, *experiment, options.fidelity, options.forced, options.knobs, backend.name());
     run.plan.fidelity_reason = options.fidelity_reason;
+    if (options.frame_interval > 0) run.plan.frame_interval = options.frame_interval;
     run.seed = options.seed;
     run.threads = options.threads;
     run.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));

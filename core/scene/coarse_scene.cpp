@@ -185,6 +185,24 @@ std::vector<double> summed_crossings(const Blocks& blocks, std::vector<double> v
     return values;
 }
 
+/// Where a field of all segments is read and written.
+struct FieldCopy {
+    const float* from;
+    float* to;
+    bool is_amount;
+};
+/// Of the fields that are not zero everywhere.
+std::vector<FieldCopy> copies(const Frame& from, Frame& to)
+{
+    std::vector<FieldCopy> all;
+    for (const FrameField& field : frame_fields) {
+        const std::vector<float>& values = field.in(from);
+        if (std::any_of(values.begin(), values.end(), [](float value) { return value != 0; }))
+            all.push_back({values.data(), field.in(to).data(), field.is_amount});
+    }
+    return all;
+}
+
 /// kg of liquid and bound water that a face's segments have more than at the start.
 void add_up_faces(Frame& frame, const Scene& scene)
 {
@@ -253,14 +271,17 @@ Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
     frame.resize_fields(segments);
     const std::size_t shells = cells.shells.size() / cells.regain.size();
     frame.shells.resize(shells * segments);
+    const std::vector<FieldCopy> fields = copies(cells, frame);
+    const float* shells_of = cells.shells.data();
+    float* shells_to = frame.shells.data();
     const auto add = [](float& to, double factor, float value) { to += static_cast<float>(factor * static_cast<double>(value)); };
     blocks.each_segment([&](std::size_t i, const SegmentParts& parts) {
         for (std::size_t k = 0; k < parts.count; ++k) {
             const std::size_t c = parts.coarse[k];
             const double share = parts.share[k];
             const double part = share * fine.cloth.length[i] / (blocks.yarns_of(c) * coarse.cloth.length[c]); // of the cell's pores
-            for (const FrameField& field : frame_fields) add(field.in(frame)[i], field.is_amount ? part : share, field.in(cells)[c]);
-            for (std::size_t s = 0; s < shells; ++s) add(frame.shells[i * shells + s], share, cells.shells[c * shells + s]);
+            for (const FieldCopy& field : fields) add(field.to[i], field.is_amount ? part : share, field.from[c]);
+            for (std::size_t s = 0; s < shells; ++s) add(shells_to[i * shells + s], share, shells_of[c * shells + s]);
         }
     });
     add_up_faces(frame, fine);

@@ -5505,6 +5505,18 @@ Klicken zeigt diese Zeit.</translation>
         <source>g/m²</source>
         <translation>g/m²</translation>
     </message>
+    <message>
+        <source>%1, on the lower %2 of the strip</source>
+        <translation>%1, auf den unteren %2 des Streifens</translation>
+    </message>
+    <message>
+        <source>%1, on the middle %2 × %3</source>
+        <translation>%1, auf %2 × %3 in der Mitte</translation>
+    </message>
+    <message>
+        <source>The first answer takes a moment.</source>
+        <translation>Die erste Antwort dauert einen Augenblick.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::MainWindow</name>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // From an edit to its new wet map, as the live panel asks for it: 20 edits of the contact angle for each experiment of a project, after
-// enough of them that the simulated time has settled. Nothing is drawn. The median is the aim's figure.
+// enough of them that simulated time and sample have settled. Nothing is drawn. The median is the aim's figure.
 #include "core/project/project_file.h"
 #include "ui/results/live_answer.h"
 
@@ -9,6 +9,7 @@
 #include <QEventLoop>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <vector>
 
@@ -17,12 +18,13 @@ using namespace hygroloom;
 namespace {
 
 /// ms
-double time_of_edit(LiveAnswer& live, const Design& design, int experiment, double& simulated)
+double time_of_edit(LiveAnswer& live, const Design& design, int experiment, double& simulated, std::array<double, 2>& sample)
 {
     QEventLoop waits;
     const auto stop = [&] { waits.quit(); };
     const auto answered = QObject::connect(&live, &LiveAnswer::answered, [&](const std::shared_ptr<const Answer>& answer) {
-        simulated = answer->simulated;
+        simulated = answer->run->design.experiments[0].duration_s;
+        sample = answer->run->design.experiments[0].sample_mm;
         waits.quit();
     });
     const auto refused = QObject::connect(&live, &LiveAnswer::refused, stop);
@@ -46,14 +48,15 @@ int main(int argc, char** argv)
         LiveAnswer live;
         std::vector<double> times;
         double simulated = 0;
+        std::array<double, 2> sample{};
         for (int edit = 0; edit < settling + edits; ++edit) {
             Design design = read;
             design.fabrics[0].contact_angle_deg = 30.0 + edit;
-            const double time = time_of_edit(live, design, static_cast<int>(k), simulated);
+            const double time = time_of_edit(live, design, static_cast<int>(k), simulated, sample);
             if (edit >= settling) times.push_back(time);
         }
         std::sort(times.begin(), times.end());
-        std::printf("%-40s median %6.1f ms, longest %6.1f ms, of %g s\n", read.experiments[k].name.c_str(), times[times.size() / 2],
-                    times.back(), simulated);
+        std::printf("%-40s median %6.1f ms, longest %6.1f ms, of %g s on %g x %g mm\n", read.experiments[k].name.c_str(),
+                    times[times.size() / 2], times.back(), simulated, sample[0], sample[1]);
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The wet map that follows edits: it is of the design as it is, short enough for a moment, and costs nothing when nobody looks.
+#include "core/base/units.h"
 #include "core/run/runner.h"
 #include "gpu/backends.h"
 #include "tests/support/drop_design.h"
@@ -9,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QDir>
+#include <QEventLoop>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -34,6 +36,22 @@ void setAngle(Document& document, double angle, std::size_t fabric = 0)
     document.edit("angle", "angle", [&](Design& design) { design.fabrics[fabric].contact_angle_deg = angle; });
 }
 
+/// nullptr: refused
+std::shared_ptr<const Answer> answerOf(LiveAnswer& live, const Design& design, const LiveCut& cut)
+{
+    live.cutTo(design.experiments[0].name, cut);
+    std::shared_ptr<const Answer> answer;
+    QEventLoop waits;
+    QObject::connect(&live, &LiveAnswer::refused, &waits, &QEventLoop::quit);
+    QObject::connect(&live, &LiveAnswer::answered, &waits, [&](const std::shared_ptr<const Answer>& given) {
+        answer = given;
+        waits.quit();
+    });
+    live.ask(std::make_shared<const Design>(design), 0, 0);
+    waits.exec();
+    return answer;
+}
+
 double angleOf(const Answer& answer) { return answer.run->design.fabrics[0].contact_angle_deg.value_or(-1); }
 
 } // namespace
@@ -44,17 +62,105 @@ class TestLive : public QObject {
 private Q_SLOTS:
     void init() { QSettings().remove("live/refine"); }
 
-    void itsLengthFollowsTheTimeThatItTook()
+    void itsCutFollowsTheTimeThatAnswersTake()
     {
-        QCOMPARE(lengthThatFits(1, 10, 0.15), 1.0);
-        QCOMPARE(lengthThatFits(1, 10, 0.05), 2.0);
-        QCOMPARE(lengthThatFits(5, 10, 0.01), 10.0);
-        QCOMPARE(lengthThatFits(10, 10, 0.01), 10.0);
-        QCOMPARE(lengthThatFits(2, 10, 0.3), 1.0);
-        QCOMPARE(lengthThatFits(1, 10, 0.3), 0.5);
-        QCOMPARE(lengthThatFits(7, 7, 0.3), 5.0);
-        QCOMPARE(lengthThatFits(0.1, 10, 9), 0.1);
-        QCOMPARE(lengthThatFits(1000, 86400, 0.01), 2000.0);
+        const auto next = [](double length, int halvings, double duration, double wall) {
+            const LiveCut cut = nextCut({.length = length, .halvings = halvings}, duration, wall);
+            return std::pair(cut.length, cut.halvings);
+        };
+        QCOMPARE(next(1, 0, 10, 0.15), std::pair(1.0, 0)); // as it is
+        QCOMPARE(next(1, 0, 10, 0.05), std::pair(2.0, 0)); // more time
+        QCOMPARE(next(5, 2, 10, 0.01), std::pair(10.0, 2));
+        QCOMPARE(next(7, 1, 9, 0.01), std::pair(9.0, 1));
+        QCOMPARE(next(1000, 0, 86400, 0.01), std::pair(2000.0, 0));
+        QCOMPARE(next(10, 2, 10, 0.01), std::pair(10.0, 1)); // then more of the sample
+        QCOMPARE(next(10, 1, 10, 0.05), std::pair(10.0, 1));
+        QCOMPARE(next(10, 0, 10, 0.01), std::pair(10.0, 0));
+        QCOMPARE(next(2, 0, 10, 0.3), std::pair(2.0, 1)); // less of the sample
+        QCOMPARE(next(2, 5, 10, 0.3), std::pair(1.0, 5)); // then less time
+        QCOMPARE(next(1, 5, 10, 0.3), std::pair(0.5, 5));
+        QCOMPARE(next(7, 5, 7, 0.3), std::pair(5.0, 5));
+        QCOMPARE(next(0.1, 5, 10, 9), std::pair(0.1, 5));
+        QCOMPARE(next(0.05, 5, 0.05, 9), std::pair(0.05, 5));
+    }
+
+    void theFirstIsOfAPartThatFitsWhateverTheSample()
+    {
+        Design design = two_cloths(); // 35 ends and picks per cm
+        Experiment& sweat = design.experiments[0] = standard_experiment(ExperimentType::sweat);
+        sweat.sample_mm = {20, 20};
+        QCOMPARE(firstCut(design.fabrics[0], sweat).halvings, 0);
+        sweat.sample_mm = {100, 100};
+        QCOMPARE(firstCut(design.fabrics[0], sweat).halvings, 3);
+        sweat.sample_mm = {500, 500};
+        QCOMPARE(firstCut(design.fabrics[0], sweat).halvings, 5);
+    }
+
+    void itDoesNotGoBackToWhatTookTooLong()
+    {
+        LiveCut cut{.length = 2, .most_halvings = 0};
+        cut = nextCut(cut, 10, 0.07);
+        QCOMPARE(cut.length, 5.0);
+        cut = nextCut(cut, 10, 0.3);
+        QCOMPARE(cut.length, 2.0);
+        cut = nextCut(cut, 10, 0.07);
+        QCOMPARE(cut.length, 2.0);
+        cut = nextCut(cut, 10, 0.03); // another cloth
+        QCOMPARE(cut.length, 5.0);
+    }
+
+    void aCutSampleHoldsWhatFallsOnItAndARepeat()
+    {
+        Design design = two_cloths();
+        Experiment& drop = design.experiments[0];
+        const auto sides = [&](int halvings) {
+            return cutDesign(design, 0, 0, {.length = 1, .halvings = halvings}).experiments[0].sample_mm;
+        };
+        drop.sample_mm = {100, 60};
+        drop.droplets[0].volume_ul = 4.0 / 3 * pi; // a radius of 1 mm
+        drop.droplets[0].at_mm = {0, -5};
+        QCOMPARE(sides(0), (std::array<double, 2>{100, 60}));
+        QCOMPARE(sides(1), (std::array<double, 2>{50, 30}));
+        QCOMPARE(sides(9), (std::array<double, 2>{16, 16}));
+        design.fabrics[0].weave = Weave(100, 4, std::vector<std::uint8_t>(400, 1));
+        QVERIFY(sides(9)[0] >= 10 * 100 / design.fabrics[0].ends_per_cm);
+        drop = standard_experiment(ExperimentType::vertical_wicking);
+        drop.sample_mm = {5, 120};
+        QCOMPARE(sides(1), (std::array<double, 2>{5, 60}));
+        QCOMPARE(sides(9), (std::array<double, 2>{5, drop.immersion_mm + 20}));
+        drop = standard_experiment(ExperimentType::sweat);
+        drop.sample_mm = {4, 40};
+        design.fabrics[0].weave = Weave();
+        QCOMPARE(sides(9), (std::array<double, 2>{4, 5}));
+    }
+
+    /// At the edge of a cut sample water would find an end that the cloth does not have.
+    void waterAtTheEdgeAsksForMoreOfTheSample()
+    {
+        Design design = two_cloths();
+        design.experiments[0].sample_mm = {20, 20};
+        LiveAnswer live;
+        const auto answer = answerOf(live, design, {.length = 0.3, .halvings = 3});
+        QVERIFY(answer);
+        const double side = answer->run->design.experiments[0].sample_mm[0];
+        const double least = cutDesign(design, 0, 0, {.length = 0.3, .halvings = 3}).experiments[0].sample_mm[0];
+        QVERIFY2(side > least && !answer->edge_is_wet, qPrintable(QString("%1 > %2").arg(side).arg(least)));
+        QVERIFY(answer->top.stain->radius > 0.5e-3 * least); // it would have been there
+    }
+
+    /// Where all of the cloth changes alike, a part of it tells what the whole does, in wind as well.
+    void aPartOfTheSampleTellsOfTheWhole()
+    {
+        Design design = two_cloths();
+        design.experiments[0] = standard_experiment(ExperimentType::sweat);
+        design.experiments[0].name = "sweat";
+        design.experiments[0].sample_mm = {20, 20};
+        design.experiments[0].duration_s = 20;
+        LiveAnswer live;
+        const auto part = answerOf(live, design, {.length = 20, .halvings = 2}), whole = answerOf(live, design, {.length = 20});
+        QVERIFY(part && whole && !part->ofAllCloth() && whole->ofAllCloth());
+        QVERIFY2(whole->most > 0 && std::abs(part->most / whole->most - 1) < 0.02,
+                 qPrintable(QString("%1 %2").arg(part->most).arg(whole->most)));
     }
 
     void everyEditIsAnsweredByTheNewDesign()
@@ -88,7 +194,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         for (const double volume : {2.0, 0.3, 5.0, 4.0}) { // the range follows each, whatever was before
             document.edit("drop", "drop", [&](Design& design) { design.experiments[0].droplets[0].volume_ul = volume; });
-            QTRY_VERIFY_WITH_TIMEOUT(panel.answer() && panel.answer()->simulated >= panel.answer()->duration, patience);
+            QTRY_VERIFY_WITH_TIMEOUT(panel.answer() && panel.answer()->whole, patience);
             RunOptions options;
             options.fidelity = Fidelity::live;
             options.threads = 1;
@@ -172,7 +278,7 @@ private Q_SLOTS:
         LivePanel panel(document);
         panel.setVisible(true);
         QTRY_VERIFY_WITH_TIMEOUT(panel.answer(), patience);
-        QVERIFY(panel.answer()->simulated > 30);
+        QVERIFY(panel.answer()->run->design.experiments[0].duration_s > 30);
         QVERIFY(panel.answer()->top.stain->radius > 0);
     }
 

@@ -7,39 +7,15 @@
 #include "gpu/backends.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 
 namespace hygroloom {
 
 namespace {
 
-constexpr double moment = 0.2;         // s, that an answer may take
-constexpr double room_for_more = 0.08; // s; the next longer one takes at most 2.5 times as long
-constexpr double shortest = 0.1;       // s, of an experiment
-constexpr int cells_across = 2;        // crossings, of a map
-
-/// When the first drop falls, s; 0 where none does.
-double beginOf(const Experiment& experiment)
-{
-    if (!uses_field(experiment.type, "droplets") || experiment.droplets.empty()) { return 0; }
-    const auto sooner = [](const Droplet& a, const Droplet& b) { return a.time_s < b.time_s; };
-    return std::min_element(experiment.droplets.begin(), experiment.droplets.end(), sooner)->time_s;
-}
-
-/// The design with one fabric and one experiment, which lasts so long (s): errors elsewhere do not matter.
-Design trimmed(const Design& design, int fabric, int experiment, double length)
-{
-    Design one = design;
-    one.fabrics = {design.fabrics.at(static_cast<std::size_t>(fabric))};
-    one.experiments = {design.experiments.at(static_cast<std::size_t>(experiment))};
-    one.garments.clear();
-    one.wears.clear();
-    one.experiments[0].duration_s = length;
-    std::erase_if(one.experiments[0].droplets, [length](const Droplet& drop) { return drop.time_s >= length; });
-    return one;
-}
+constexpr int cells_across = 2; // crossings, of a map
+// Of a cut answer and of others: each asks for a step at least, and for a look at all of the cloth.
+constexpr double frames = 20, usual_frames = 100;
 
 QString firstError(const Design& design)
 {
@@ -49,12 +25,16 @@ QString firstError(const Design& design)
     return {};
 }
 
-std::shared_ptr<const Answer> answerTo(const Design& design, Fidelity fidelity, double duration, RunControl& control)
+/// whole: with the frames of any other run.
+std::shared_ptr<Answer> answerTo(const Design& design, Fidelity fidelity, bool whole, RunControl& control)
 {
     const auto begun = std::chrono::steady_clock::now();
     RunOptions options;
     options.fidelity = fidelity;
     options.threads = 1;
+    const Experiment& experiment = design.experiments[0];
+    const double duration = experiment.duration_s;
+    options.frame_interval = whole ? 0 : std::max((duration - beginOf(experiment)) / frames, duration / usual_frames);
     MetricsCollector collector;
     std::shared_ptr<const Frame> first, last;
     std::optional<RunRecord> record;
@@ -78,48 +58,32 @@ std::shared_ptr<const Answer> answerTo(const Design& design, Fidelity fidelity, 
     const auto backend = make_backend("cpu");
     auto answer = std::make_shared<Answer>();
     answer->run = std::make_shared<const RunRecord>(
-        run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, *backend, control, callbacks));
+        run_experiment(design, design.fabrics[0].name, experiment.name, options, *backend, control, callbacks));
     answer->top = faceMap(*answer->run, *last, *first, MapSide::top, cells_across);
     answer->bottom = faceMap(*answer->run, *last, *first, MapSide::bottom, cells_across);
     answer->most = most;
-    answer->numbers = resultsOf(*answer->run, collector.metrics());
-    answer->simulated = design.experiments[0].duration_s;
-    answer->duration = duration;
+    const Metrics metrics = collector.metrics();
+    answer->numbers = resultsOf(*answer->run, metrics);
+    answer->edge_is_wet = metrics.edge_time.has_value();
     answer->wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return answer;
 }
 
 } // namespace
 
-double lengthThatFits(double simulated, double duration, double wall)
+bool Answer::ofAllTime() const { return run->design.experiments[0].duration_s >= asked.duration_s; }
+
+bool Answer::ofAllCloth() const { return run->design.experiments[0].sample_mm == asked.sample_mm; }
+
+double Answer::wallOfAll() const
 {
-    if (wall <= moment && wall >= room_for_more) { return simulated; }
-    const bool longer = wall < room_for_more;
-    const double decade = std::pow(10.0, std::floor(std::log10(simulated) + 1e-9));
-    const std::array<double, 5> round{0.5 * decade, decade, 2 * decade, 5 * decade, 10 * decade};
-    double next = simulated;
-    if (longer) {
-        for (auto r = round.rbegin(); r != round.rend(); ++r) {
-            if (*r > simulated * 1.001) { next = *r; }
-        }
-    } else {
-        for (const double r : round) {
-            if (r < simulated * 0.999) { next = r; }
-        }
-    }
-    return std::min(duration, std::max(shortest, next));
+    const auto area = [](const Experiment& experiment) { return experiment.sample_mm[0] * experiment.sample_mm[1]; };
+    return whole ? wall : usual_frames / frames * wall * area(asked) / area(run->design.experiments[0]);
 }
 
 LiveAnswer::LiveAnswer(QObject* parent) : QObject(parent) {}
 
 LiveAnswer::~LiveAnswer() { stop(); }
-
-double LiveAnswer::lengthOf(const Experiment& experiment) const
-{
-    constexpr double unknown = 1.0; // s
-    const auto known = lengths_.find(experiment.name);
-    return std::min(experiment.duration_s, beginOf(experiment) + (known == lengths_.end() ? unknown : known->second));
-}
 
 void LiveAnswer::ask(const std::shared_ptr<const Design>& design, int fabric, int experiment, Fidelity fidelity, bool whole)
 {
@@ -127,16 +91,28 @@ void LiveAnswer::ask(const std::shared_ptr<const Design>& design, int fabric, in
     control_ = std::make_shared<RunControl>();
     working_ = true;
     const Experiment& asked = design->experiments.at(static_cast<std::size_t>(experiment));
-    const bool shortened = fidelity == Fidelity::live && !whole;
-    const double length = shortened ? lengthOf(asked) : asked.duration_s;
-    job_.run([this, design, fabric, experiment, fidelity, length, shortened, duration = asked.duration_s,
-              control = control_](const NewestJob::Turn& turn) {
-        std::shared_ptr<const Answer> answer;
+    const double duration = asked.duration_s - beginOf(asked);
+    LiveCut cut{.length = duration};
+    const bool cuts = fidelity == Fidelity::live && !whole;
+    if (cuts) {
+        const auto known = cuts_.find(asked.name);
+        cut = known == cuts_.end() ? firstCut(design->fabrics.at(static_cast<std::size_t>(fabric)), asked) : known->second;
+        cut.length = std::min(cut.length, duration);
+    }
+    job_.run([this, design, fabric, experiment, fidelity, cuts, cut, duration, control = control_](const NewestJob::Turn& turn) mutable {
+        std::shared_ptr<Answer> answer;
         QString refusal;
         try {
-            const Design one = trimmed(*design, fabric, experiment, length);
-            refusal = firstError(one);
-            if (refusal.isEmpty()) { answer = answerTo(one, fidelity, duration, *control); }
+            for (bool fits = false; !fits;) {
+                const Design one = cutDesign(*design, fabric, experiment, cut);
+                refusal = firstError(one);
+                fits = cut.halvings == 0 || refusal.isEmpty();
+                if (refusal.isEmpty()) {
+                    answer = answerTo(one, fidelity, !cuts, *control);
+                    fits = cut.halvings == 0 || !answer->edge_is_wet;
+                }
+                if (!fits) { cut = withMoreOfTheSample(cut); }
+            }
         } catch (const Cancelled&) {
             return;
         } catch (const std::bad_alloc&) {
@@ -144,25 +120,31 @@ void LiveAnswer::ask(const std::shared_ptr<const Design>& design, int fabric, in
         } catch (const std::exception& error) {
             refusal = QString::fromStdString(error.what());
         }
-        turn.deliver([this, control, answer, refusal, shortened] {
-            if (control == control_) { end(answer, refusal, shortened); }
+        if (!refusal.isEmpty()) { answer.reset(); }
+        if (answer) {
+            answer->asked = design->experiments[static_cast<std::size_t>(experiment)];
+            answer->whole = !cuts;
+            cut = nextCut(cut, duration, answer->wall);
+        }
+        turn.deliver([this, control, answer, refusal, cuts, cut] {
+            if (control != control_) { return; }
+            if (cuts && answer) { cuts_[answer->asked.name] = cut; }
+            end(answer, refusal);
         });
     });
 }
 
-void LiveAnswer::end(const std::shared_ptr<const Answer>& answer, const QString& refusal, bool shortened)
+void LiveAnswer::end(const std::shared_ptr<const Answer>& answer, const QString& refusal)
 {
     working_ = false;
-    if (!answer) {
+    if (answer) {
+        Q_EMIT answered(answer);
+    } else {
         Q_EMIT refused(refusal);
-        return;
     }
-    if (shortened) {
-        const double begin = beginOf(answer->run->design.experiments[0]);
-        lengths_[answer->run->experiment] = lengthThatFits(answer->simulated - begin, answer->duration - begin, answer->wall);
-    }
-    Q_EMIT answered(answer);
 }
+
+void LiveAnswer::cutTo(const std::string& experiment, const LiveCut& cut) { cuts_[experiment] = cut; }
 
 void LiveAnswer::stop()
 {

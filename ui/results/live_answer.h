@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What an edit comes to, while the hand is still on the slider: the experiment on one core, shortened to what fits a moment.
+// What an edit comes to, while the hand is still on the slider: the experiment on one core, cut to what fits a moment.
 #pragma once
 
 #include "core/run/run_options.h"
 #include "ui/basics/newest_job.h"
+#include "ui/results/live_cut.h"
 #include "ui/results/results_panel.h"
 #include "ui/results/water_map.h"
 
@@ -16,13 +17,15 @@ struct Answer {
     FaceMap top, bottom;
     double most = 0;             ///< mostOnFaces() of all its frames, kg/m2
     std::vector<Result> numbers; ///< those by which fabrics are compared come first
-    double simulated = 0;        ///< s
-    double duration = 0;         ///< s, of the whole experiment
-    double wall = 0;             ///< s, from the question to the answer
-};
+    Experiment asked;            ///< the whole; the run's own is what was computed of it
+    bool whole = false;          ///< nothing was cut, neither time nor sample nor frames
+    bool edge_is_wet = false;
+    double wall = 0; ///< s, from the question to the answer
 
-/// The time to simulate next, s: a step of 1, 2, 5, 10, … less where an answer took too long, one more where there is room for it.
-double lengthThatFits(double simulated, double duration, double wall);
+    bool ofAllTime() const;
+    bool ofAllCloth() const;
+    double wallOfAll() const; ///< s, that the whole may take; a guess: as if time grew with the cloth and with frames
+};
 
 class LiveAnswer : public QObject {
     Q_OBJECT
@@ -31,9 +34,11 @@ public:
     ~LiveAnswer() override;
 
     /// Begins anew with an experiment of a fabric; what is under way for an older question is cancelled. At live the experiment is
-    /// shortened unless the whole of it is asked for, at other fidelities it is whole. Preconditions: indices within the design.
+    /// cut unless the whole of it is asked for, at other fidelities it is whole. Preconditions: indices within the design.
     void ask(const std::shared_ptr<const Design>& design, int fabric, int experiment, Fidelity fidelity = Fidelity::live,
              bool whole = false);
+    /// Of the experiment's next answer, whatever the last took.
+    void cutTo(const std::string& experiment, const LiveCut& cut);
     void stop();
     bool working() const { return working_; }
 
@@ -43,11 +48,10 @@ Q_SIGNALS:
     void refused(const QString& sentence);
 
 private:
-    void end(const std::shared_ptr<const Answer>& answer, const QString& refusal, bool shortened);
-    double lengthOf(const Experiment& experiment) const;
+    void end(const std::shared_ptr<const Answer>& answer, const QString& refusal);
 
-    std::shared_ptr<RunControl> control_;   ///< of what is under way
-    std::map<std::string, double> lengths_; ///< s, that fit, by experiment
+    std::shared_ptr<RunControl> control_; ///< of what is under way
+    std::map<std::string, LiveCut> cuts_; ///< that fit, by experiment
     bool working_ = false;
     NewestJob job_; // last: it ends before the rest goes
 };

@@ -26,10 +26,24 @@ namespace {
 constexpr int own_legend_width = 92;
 constexpr int leading_numbers = 3;
 constexpr int short_pause_ms = 400, pause_ms = 1000; // without an edit, after which the whole and a finer answer are begun
-constexpr double longest_cut = 2;                    // s, that a cut answer may have taken for the whole to follow unasked
+constexpr double longest_unasked = 20;               // s, that the whole may take
 constexpr const char* refine_setting = "live/refine";
 
 QString secondsText(double seconds) { return LivePanel::tr("%1 s").arg(shownNumber(seconds, decimals_for(seconds, 3))); }
+
+/// "after 1 s of 600 s", and on how much of the sample.
+QString extentText(const Answer& answer)
+{
+    const Experiment& computed = answer.run->design.experiments[0];
+    const QString after = answer.ofAllTime()
+                              ? LivePanel::tr("after %1").arg(secondsText(computed.duration_s))
+                              : LivePanel::tr("after %1 of %2").arg(secondsText(computed.duration_s), secondsText(answer.asked.duration_s));
+    if (answer.ofAllCloth()) { return after; }
+    const auto side = [](double mm) { return valueText(mm, "mm"); };
+    return is_strip(computed.type)
+               ? LivePanel::tr("%1, on the lower %2 of the strip").arg(after, side(computed.sample_mm[1]))
+               : LivePanel::tr("%1, on the middle %2 × %3").arg(after, side(computed.sample_mm[0]), side(computed.sample_mm[1]));
+}
 
 } // namespace
 
@@ -142,6 +156,7 @@ void LivePanel::ask()
     } else if (runsOnBattery()) {
         refuse(tr("Off while this machine runs on its battery."));
     } else {
+        if (map_->map().columns == 0) { say(tr("The first answer takes a moment.")); }
         live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex());
     }
 }
@@ -151,8 +166,8 @@ void LivePanel::askFiner()
     const bool live = shown_ && shown_->run->plan.fidelity == Fidelity::live;
     const bool draft = shown_ && shown_->run->plan.fidelity == Fidelity::draft;
     if (!isVisible() || live_.working() || !(live || draft)) { return; }
-    const bool cut = live && shown_->simulated < shown_->duration;
-    if (cut && shown_->wall > longest_cut) { return; } // the whole of what is so slow is for Simulate
+    const bool cut = live && !shown_->whole;
+    if (cut && shown_->wallOfAll() > longest_unasked) { return; } // the whole of what is so slow is for Simulate
     if (!cut && !refine_->isChecked()) { return; }
     const Fidelity next = cut ? Fidelity::live : live ? Fidelity::draft : Fidelity::standard;
     live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex(), next, true);
@@ -171,13 +186,8 @@ void LivePanel::take(const std::shared_ptr<const Answer>& answer)
     map_->setMap(answer->top.cells, answer->top.stain, answer->top.size);
     showNumbers(answer->numbers);
     const QString name = QString::fromStdString(answer->run->experiment);
-    const bool whole = answer->simulated >= answer->duration;
-    say(tr("%1: %2, %3; %4.")
-            .arg(fidelityName(answer->run->plan.fidelity), name,
-                 whole ? tr("after %1").arg(secondsText(answer->simulated))
-                       : tr("after %1 of %2").arg(secondsText(answer->simulated), secondsText(answer->duration)),
-                 expectedError(answer->run->plan)));
-    if (!whole) {
+    say(tr("%1: %2, %3; %4.").arg(fidelityName(answer->run->plan.fidelity), name, extentText(*answer), expectedError(answer->run->plan)));
+    if (!answer->whole) {
         pause_.start(short_pause_ms); // numbers of the whole can be told apart from those after another edit
     } else if (refine_->isChecked() && answer->run->plan.fidelity != Fidelity::standard) {
         pause_.start(pause_ms);
