@@ -43,6 +43,20 @@ Design planned_design(const Design& design, const Climate& air)
     return whole;
 }
 
+/// A hand may start the dryer at any time.
+ModelPlan plan_of_table(const Design& planned, const Textile& textile)
+{
+    return plan_run(planned, textile, planned.experiments[0], Fidelity::live, {{"sorption", true}, {"vapour", true}, {"heat", true}});
+}
+
+/// Why drops do not stand as caps, in a sentence; empty: they do.
+std::string why_no_caps(const ModelPlan& plan, const std::string& fabric)
+{
+    for (const PlannedPart& part : plan.parts)
+        if (part.name == "cap" && !part.on) return "On \"" + fabric + "\" drops do not stand as caps: " + part.reason;
+    return {};
+}
+
 void require_closed(const Ledger& ledger)
 {
     const double all = ledger.water_delivered + ledger.water_initial + std::abs(ledger.water_evaporated);
@@ -53,6 +67,13 @@ void require_closed(const Ledger& ledger)
 bool stands(const Ledger& ledger) { return ledger.water_free > 1e-9 * ledger.water_delivered; }
 
 } // namespace
+
+std::string why_no_drops(const Design& design, const Climate& air)
+{
+    const Design whole = planned_design(design, air);
+    const Textile textile = textile_of_run(whole, whole.fabrics.at(0), whole.experiments[0]);
+    return why_no_caps(plan_of_table(whole, textile), whole.fabrics[0].name);
+}
 
 RunningCloth::RunningCloth(const Design& design, const Climate& air)
     : backend_(make_cpu_backend()), run_(std::make_shared<RunRecord>()), done_(table_experiment(air))
@@ -65,10 +86,8 @@ RunningCloth::RunningCloth(const Design& design, const Climate& air)
     run.fabric = design.fabrics.at(0).name;
     run.experiment = done_.name;
     run.textile = textile_of_run(whole, whole.fabrics[0], experiment);
-    // A hand may start the dryer at any time.
-    run.plan = plan_run(whole, run.textile, experiment, Fidelity::live, {{"sorption", true}, {"vapour", true}, {"heat", true}});
-    for (const PlannedPart& part : run.plan.parts)
-        if (part.name == "cap" && !part.on) throw Error("On \"" + run.fabric + "\" drops do not stand as caps: " + part.reason);
+    run.plan = plan_of_table(whole, run.textile);
+    if (const std::string reason = why_no_caps(run.plan, run.fabric); !reason.empty()) throw Error(reason);
     run.threads = 1;
     run.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
     run.backend = backend_->name();

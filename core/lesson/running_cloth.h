@@ -42,9 +42,12 @@ std::size_t most_kept_frames(std::size_t bytes_each);
 constexpr double drop_height_mm = 10;  ///< of a drop's lowest point over the cloth
 constexpr double squeezed_share = 0.4; ///< of the pores' volume, left while a hand squeezes: an assumption
 
+/// Why drops cannot stand on a cloth as caps, in a sentence; empty: they can. Precondition: why_not_on_table() finds nothing.
+std::string why_no_drops(const Design& design, const Climate& air);
+
 class RunningCloth {
 public:
-    /// Builds, plans and loads it. Precondition: why_not_on_table() finds nothing. Throws Error where drops cannot stand on it as caps.
+    /// Builds, plans and loads it. Precondition: why_not_on_table() finds nothing. Throws Error where why_no_drops() finds something.
     RunningCloth(const Design& design, const Climate& air);
 
     double time() const { return time_; }

@@ -1907,6 +1907,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>Tick %1 to %2 fabrics (%3 ticked).</source>
         <translation>Wählen Sie %1 bis %2 Stoffe (%3 gewählt).</translation>
     </message>
+    <message>
+        <source>%1 (drops do not stand on it)</source>
+        <translation>%1 (Tropfen stehen nicht darauf)</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::ClothsView</name>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The lesson on screen: a click is seen at once and becomes water on its cloth, words add up, steps go on, and films are written.
 #include "core/base/units.h"
+#include "core/project/library.h"
 #include "lesson_test.h"
 #include "ui/basics/film.h"
 #include "ui/lesson/cloth_choice.h"
@@ -180,6 +181,23 @@ private Q_SLOTS:
         QCOMPARE(window_->table()->cloths(), 2);
         QTRY_VERIFY_WITH_TIMEOUT(laidOut(*window_), patience);
         QVERIFY(window_->steps().isHidden());
+    }
+    void clothsThatDropsFallThroughCannotBeChosen()
+    {
+        const std::vector<Preset>& presets = shipped_presets();
+        const auto sheeting =
+            std::find_if(presets.begin(), presets.end(), [](const Preset& p) { return p.design.fabrics[0].name == "Sheeting"; });
+        QVERIFY(sheeting != presets.end());
+        Design design = sheeting->design;
+        const ClothChoice dense(design);
+        design.fabrics[0].ends_per_cm = design.fabrics[0].picks_per_cm = 3;
+        design.fabrics[0].contact_angle_deg = 120;
+        const ClothChoice open(design);
+        const auto ticks = [](const ClothChoice& choice) {
+            return choice.findChild<QListWidget*>()->item(0)->flags().testFlag(Qt::ItemIsUserCheckable);
+        };
+        QVERIFY(ticks(dense) && !ticks(open));
+        QVERIFY(open.findChild<QListWidget*>()->item(0)->toolTip().contains("caps"));
     }
     void filmedPicturesHaveAClock()
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/lesson/cloth_choice.h"
 
+#include "core/lesson/running_cloth.h"
 #include "core/project/library.h"
 
 #include <QBoxLayout>
@@ -29,6 +30,12 @@ ClothChoice::ClothChoice(const Design& design, QWidget* parent)
     setWindowTitle(tr("Cloths on the Table"));
     for (const LessonCloth& cloth : offered_) {
         auto* item = new QListWidgetItem(QString::fromStdString(cloth.title), list_);
+        if (const std::string reason = why_no_drops(cloth.design, Lesson().air); !reason.empty()) {
+            item->setFlags(Qt::NoItemFlags);
+            item->setText(tr("%1 (drops do not stand on it)").arg(item->text()));
+            item->setToolTip("<p>" + QString::fromStdString(reason).toHtmlEscaped() + "</p>");
+            continue;
+        }
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item->setCheckState(Qt::Unchecked);
     }
