@@ -3,7 +3,10 @@
 #include "core/project/library.h"
 #include "ui/picture/swatch_painter.h"
 
+#include <QColorSpace>
+#include <QColorTransform>
 #include <QDir>
+#include <QOpenGLFunctions>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -97,6 +100,32 @@ private Q_SLOTS:
         }
         QCOMPARE(painter.picture(design()).height(), pixels);
         QCOMPARE(painter.drawn(), 3);
+    }
+
+    /// Against Qt's own conversion from linear light to sRGB.
+    void lightIsEncodedForDisplays()
+    {
+        QOpenGLContext context;
+        QVERIFY(context.create() && context.makeCurrent(surface_.get()));
+        {
+            const QSize size(4, 4);
+            DisplayEncoder encoder;
+            QCOMPARE(encoder.initialize(), QString());
+            const auto light = lightCopy(size);
+            QOpenGLFramebufferObject shown(size);
+            const QColorTransform toDisplay = QColorSpace(QColorSpace::SRgbLinear).transformationToColorSpace(QColorSpace::SRgb);
+            for (const float value : {0.0F, 0.002F, 0.02F, 0.18F, 0.5F, 1.0F}) {
+                light->bind();
+                context.functions()->glClearColor(value, 0.5F * value, 0.0F, 1.0F);
+                context.functions()->glClear(GL_COLOR_BUFFER_BIT);
+                encoder.encode(*light, shown);
+                const QColor given = shown.toImage().pixelColor(1, 1), wanted = toDisplay.map(QColor::fromRgbF(value, 0.5F * value, 0.0F));
+                QVERIFY2(std::abs(given.red() - wanted.red()) <= 1 && std::abs(given.green() - wanted.green()) <= 1 && given.blue() == 0,
+                         qPrintable(QString("%1: %2 for %3").arg(value).arg(given.name(), wanted.name())));
+            }
+            encoder.release();
+        }
+        context.doneCurrent();
     }
 
     void anotherThreadMayDraw()

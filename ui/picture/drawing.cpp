@@ -61,6 +61,13 @@ std::unique_ptr<QOpenGLFramebufferObject> lightPicture(const QSize& pixels, int 
     return std::make_unique<QOpenGLFramebufferObject>(pixels, format);
 }
 
+std::unique_ptr<QOpenGLFramebufferObject> lightCopy(const QSize& pixels)
+{
+    QOpenGLFramebufferObjectFormat format;
+    format.setInternalTextureFormat(GL_RGBA16F);
+    return std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+}
+
 QString DisplayEncoder::initialize()
 {
     nothing_.create();

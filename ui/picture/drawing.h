@@ -36,6 +36,8 @@ PictureColors pictureColors(const QPalette& palette);
 QVector3D lightOf(const QColor& color);
 /// A target for that: half floats with depth. samples: of a pixel, 0 for none.
 std::unique_ptr<QOpenGLFramebufferObject> lightPicture(const QSize& pixels, int samples = 0);
+/// A target for what has been drawn, without depth.
+std::unique_ptr<QOpenGLFramebufferObject> lightCopy(const QSize& pixels);
 
 /// From linear light to the values that a display takes. All members need the same current context.
 class DisplayEncoder {

@@ -82,7 +82,7 @@ void LiquidPainter::takeBelow(const QSize& pixels)
 {
     int target = 0;
     gl_->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-    if (!below_ || below_->size() != pixels) { below_ = lightPicture(pixels); }
+    if (!below_ || below_->size() != pixels) { below_ = lightCopy(pixels); }
     gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned>(target));
     gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, below_->handle());
     gl_->glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT, GL_NEAREST);

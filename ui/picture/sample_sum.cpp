@@ -28,7 +28,7 @@ void SampleSum::begin(const QSize& pixels)
     count_ = 0;
     if (sum_ && sum_->size() == pixels) { return; }
     sample_ = lightPicture(pixels);
-    sum_ = lightPicture(pixels);
+    sum_ = lightCopy(pixels);
 }
 
 void SampleSum::add()

@@ -19,7 +19,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr const char* picture_version = "3"; // to be raised when meshes or framing change; shaders count by themselves
+constexpr const char* picture_version = "4"; // to be raised when meshes or framing change; shaders count by themselves
 constexpr double swatch_mm = 5;
 constexpr double least_threads = 6; // across the picture of a coarse fabric
 constexpr int oversampling = 2;
@@ -132,15 +132,17 @@ QImage SwatchPainter::draw(const PreviewRequest& request, double side_mm)
     scene.setFabric(fabric);
     renderer_->setFabric(fabric);
     complete(scene, *renderer_, view);
-    const auto sampled = lightPicture(view.size.toSize(), 4), light = lightPicture(view.size.toSize());
-    QOpenGLFramebufferObject shown(view.size.toSize());
-    if (!sampled->isValid() || !light->isValid() || !shown.isValid()) { return {}; }
+    const QSize drawn = view.size.toSize(), kept(pixels_, pixels_);
+    const auto sampled = lightPicture(drawn, 4), light = lightCopy(drawn), smaller = lightCopy(kept);
+    QOpenGLFramebufferObject shown(kept);
+    if (!sampled->isValid() || !light->isValid() || !smaller->isValid() || !shown.isValid()) { return {}; }
     sampled->bind();
-    renderer_->draw(view, scene.batches(), sampled->size(), colors_);
+    renderer_->draw(view, scene.batches(), drawn, colors_);
     sampled->release();
     QOpenGLFramebufferObject::blitFramebuffer(light.get(), sampled.get());
-    renderer_->encode(*light, shown);
-    return shown.toImage().convertToFormat(QImage::Format_RGB32).scaled(pixels_, pixels_, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    QOpenGLFramebufferObject::blitFramebuffer(smaller.get(), {{0, 0}, kept}, light.get(), {{0, 0}, drawn}, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    renderer_->encode(*smaller, shown);
+    return shown.toImage().convertToFormat(QImage::Format_RGB32);
 }
 
 } // namespace hygroloom

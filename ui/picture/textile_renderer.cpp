@@ -265,7 +265,7 @@ void TextileRenderer::blendBelt(const SceneView& view, const std::vector<CellBat
     for (const bool fibres : {false, true}) {
         auto& picture = belt_pictures_[fibres ? 1 : 0];
         drawFabric(view, batches, colors, fibres ? CellRole::fibres : CellRole::skins);
-        if (!picture || picture->size() != pixels) { picture = lightPicture(pixels); }
+        if (!picture || picture->size() != pixels) { picture = lightCopy(pixels); }
         gl_->glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned>(target));
         gl_->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture->handle());
         gl_->glBlitFramebuffer(0, 0, pixels.width(), pixels.height(), 0, 0, pixels.width(), pixels.height(), GL_COLOR_BUFFER_BIT,
