@@ -121,7 +121,8 @@ struct RodColumn {
     double area = 0;         ///< m2
 };
 
-/// At a suction above 0, by bisection. No area: the gap is too wide for a meniscus at that suction.
+/// At a suction above 0, by bisection. No area: the gap is too wide for a meniscus at that suction, or so wide for thin rods that both
+/// menisci would meet in the middle.
 HL_FN RodColumn rod_column(double radius, double half_gap, double contact_angle, double surface_tension, double suction)
 {
     const double meniscus = surface_tension / suction;
@@ -134,6 +135,7 @@ HL_FN RodColumn rod_column(double radius, double half_gap, double contact_angle,
     }
     const double line = 0.5 * (low + high), turned = line + contact_angle;
     const double width = radius + half_gap - radius * std::cos(line), middle = radius * std::sin(line) + meniscus * std::sin(turned);
+    if (middle <= meniscus) return {};
     const double under_meniscus = width * middle - 0.5 * meniscus * (width * std::sin(turned) + meniscus * (0.5 * pi - turned));
     const double in_rod = 0.5 * radius * radius * (line - std::sin(line) * std::cos(line));
     return {line, 4.0 * (under_meniscus - in_rod)};

@@ -35,7 +35,7 @@ Spot spot_of(double steps, int count)
 /// Outlines of all the drops that the table may need, from the flattest top to the most curved.
 std::vector<std::vector<DropOnPlate>> outlines()
 {
-    constexpr double flattest = 1e-7, ratio = 1.3, most_curved = 1e2; // over the capillary length
+    constexpr double flattest = 1e-10, ratio = 1.2, most_curved = 1e2; // over the capillary length
     std::array<double, angles> wanted{};
     for (int k = 0; k < angles; ++k) wanted[static_cast<std::size_t>(k)] = angle_of(k);
     std::vector<std::vector<DropOnPlate>> found;
@@ -80,7 +80,9 @@ CapShapes::CapShapes() : rows_(volumes, std::vector<Beside>(angles))
 
 CapShapes::Beside CapShapes::beside(double cubed, double angle) const
 {
-    const Spot v = spot_of(std::log10(cubed / smallest) * per_decade, volumes), a = spot_of((angle - first_angle) / angle_step, angles);
+    const Spot v = spot_of(std::log10(cubed / smallest) * per_decade, volumes);
+    Spot a = spot_of((angle - first_angle) / angle_step, angles);
+    if (a.at == 0) a.part = std::log1p(a.part * angle_step / first_angle) / std::log1p(angle_step / first_angle); // puddles go with a power
     const auto row = [&](int at) {
         const std::vector<Beside>& of = rows_[static_cast<std::size_t>(at)];
         return between(of[static_cast<std::size_t>(a.at)], of[static_cast<std::size_t>(a.at) + 1], a.part);

@@ -71,7 +71,7 @@ double spread_by_outlines(const Scene& scene, double volume, double time)
                                                             angle - 0.5 * (scene.caps.advancing - steepest) / pieces, scene.caps.advancing),
                                       speed_of_inertia(c.surface_tension, c.density, ball, 0, middle));
         const double takes = (next - base) / speed;
-        if (passed + takes >= time) return base + (next - base) * (time - passed) / takes;
+        if (passed + takes >= time) return std::sqrt(base * base + (next * next - base * base) * (time - passed) / takes);
         passed += takes;
         base = next;
     }

@@ -54,9 +54,12 @@ inline VerifyResult direction(VerifyResult ratio)
 }
 inline VerifyResult ratio_at_least(const std::string& name, double ratio, double limit) { return direction(at_least(name, ratio, limit)); }
 inline VerifyResult ratio_at_most(const std::string& name, double ratio, double limit) { return direction(at_most(name, ratio, limit)); }
-inline VerifyResult known_miss(VerifyResult result, const std::string& reason)
+/// A result that is known to miss, and by how much at most, in its unit. One that holds is no miss.
+inline VerifyResult known_miss(VerifyResult result, const std::string& reason, double bound)
 {
+    if (result.pass()) return result;
     result.known_miss = reason;
+    result.miss_bound = bound;
     return result;
 }
 

@@ -94,11 +94,11 @@ std::vector<VerifyResult> rise_in_synthetics(const VerifyValues& v, Backend& bac
         results.push_back(between(word + "_exponent_30_60_s", rise.exponent(30, 60), 0.4, 0.52));
         if (duration >= 600) { // shorter ones leave out what comes late
             const VerifyResult late = at_most(word + "_exponent_300_600_s", rise.exponent(300, 600), 0.4);
-            results.push_back(word == "nylon" ? known_miss(late, in_yarns) : late);
+            results.push_back(word == "nylon" ? known_miss(late, in_yarns, 0.05) : late);
             results.push_back(at_most(word + "_error_of_washburn", error_of_washburn_with_gravity(rise), 0.1));
         }
         const VerifyResult speed = between(word + "_w_60_s_mm2_s", 1e6 * rise.at(60) * rise.at(60) / 60, 10, 120);
-        results.push_back(word == "polyester" ? known_miss(speed, fast) : speed);
+        results.push_back(word == "polyester" ? known_miss(speed, fast, 90) : speed);
     }
     return results;
 }
@@ -184,7 +184,8 @@ std::vector<VerifyResult> cotton_strip(const VerifyValues&, Backend& backend)
         known_miss(
             at_least("least_fall_of_water_per_cm", least_fall, 0.02),
             "the lower half of the height is full: the room fills wherever the suction is below its entry suction, 14 cm of water; above, "
-            "the water falls by 3 to 28 % in a centimetre, then hardly, where the yarns are full and the room is dry")};
+            "the water falls by 3 to 28 % in a centimetre, then hardly, where the yarns are full and the room is dry",
+            0.021)};
 }
 
 /// T6: the same yarns and sett in three weaves, 120 min or duration_s of wicking and drying.
@@ -208,8 +209,8 @@ std::vector<VerifyResult> floats_and_wicking(const VerifyValues& v, Backend& bac
     const char* lighter =
         "water comes higher with floats (by 1 to 2 %), but they crimp less, so that there is less yarn to fill; the room's "
         "permeability knows no floats";
-    return {known_miss(ratio_at_least("early_twill_over_plain", early[1] / early[0], 1.03), lighter),
-            known_miss(ratio_at_least("early_satin_over_twill", early[2] / early[1], 1.03), lighter),
+    return {known_miss(ratio_at_least("early_twill_over_plain", early[1] / early[0], 1.03), lighter, 0.1),
+            known_miss(ratio_at_least("early_satin_over_twill", early[2] / early[1], 1.03), lighter, 0.1),
             {"late_twill_over_plain", late[1] / late[0], 1, 0.1},
             {"late_satin_over_plain", late[2] / late[0], 1, 0.1}};
 }
@@ -256,7 +257,8 @@ std::vector<VerifyResult> order_and_angle(const VerifyValues& v, Backend& backen
         results.push_back(ratio_at_most(std::string("w_in_disorder_") + of, by_order, 1));
         results.push_back(known_miss(at_most(std::string("angle_over_order_") + of, std::abs(1 - by_angle) / std::abs(1 - by_order), 1),
                                      "suction goes with the cosine of the angle, which 10 degrees change by 14 %; of disorder the closure "
-                                     "knows the spread of pores and the gate, but no rougher angle and no broken pores"));
+                                     "knows the spread of pores and the gate, but no rougher angle and no broken pores",
+                                     2.5));
     }
     return results;
 }
@@ -311,7 +313,8 @@ std::vector<VerifyCase> measured_wicking_cases()
          {},
          {},
          "Stapelbroek et al., Soft Matter 2014, doi 10.1039/C3SM52464G",
-         "Measured on solids, in the first millisecond; belongs to the cases of the free liquid, which are still to come."},
+         "Measured on solids, in the first millisecond. Caps have its root of time built in, which shows nothing; of particles it was not "
+         "tried."},
         {"measured_t5",
          "A cotton strip: its height squared is straight over time, and it holds the less water the higher.",
          {},

@@ -109,15 +109,27 @@ std::vector<VerifyResult> critical_angle(const VerifyValues& v, Backend&)
             {"gate", gate_of_dry_fibres(packing, angle), gate, 1e-3}};
 }
 
+/// m, the half gap at which both menisci meet in the middle: radius sin(line) + meniscus sin(line + angle) = meniscus, of the line that the
+/// balance gives for that gap.
+double widest_column(double radius, double angle, double meniscus)
+{
+    double low = 0, high = 0.5 * pi - angle; // the higher the line, the farther apart they are
+    for (int i = 0; i < 100; ++i) {
+        const double line = 0.5 * (low + high);
+        (radius * std::sin(line) + meniscus * std::sin(line + angle) > meniscus ? high : low) = line;
+    }
+    return std::max(0.0, meniscus * std::cos(high + angle) + radius * std::cos(high) - radius);
+}
+
 /// Expected: the angle from Princen's balance by the rule of false position, the area by slices across the column.
 std::vector<VerifyResult> rod_column_case(const VerifyValues& v, Backend&)
 {
     const double radius = metre_from_um(value(v, "rod_radius_um")), half_gap = metre_from_um(value(v, "half_gap_um"));
     const double angle = radian_from_degree(value(v, "contact_angle_deg")), meniscus = tension / value(v, "suction_pa");
-    const double widest = meniscus * std::cos(angle);
+    const double widest = widest_column(radius, angle, meniscus);
     if (half_gap >= widest)
-        throw Error(fmt::format("half_gap_um: At this suction water stands in half gaps below {:.3g} um; {} was given.",
-                                um_from_metre(widest), um_from_metre(half_gap)));
+        throw Error(fmt::format("half_gap_um: At this suction water stands in half gaps below {:.4g} um; {:g} was given.",
+                                um_from_metre(widest), value(v, "half_gap_um")));
     const RodColumn column = rod_column(radius, half_gap, angle, tension, value(v, "suction_pa"));
     const auto room = [&](double line) { return meniscus * std::cos(line + angle) + radius * std::cos(line) - radius - half_gap; };
     double low = 0, high = pi - angle, line = 0;

@@ -26,7 +26,7 @@ Json report_value(const VerifyReport& report)
         }
         if (r.rule != Rule::near) result["rule"] = r.rule == Rule::at_most ? "at_most" : "at_least";
         if (r.blind) result["blind"] = true;
-        if (!r.known_miss.empty()) result["known_miss"] = r.known_miss;
+        if (!r.known_miss.empty()) result.update({{"known_miss", r.known_miss}, {"known_miss_bound", r.miss_bound}});
         results.push_back(result);
     }
     Json json{{"case", report.name}, {"parameters", parameters_value(report.parameters)}, {"results", results}, {"wall_s", report.wall}};

@@ -153,7 +153,8 @@ std::vector<VerifyResult> drop_on_yarns(const VerifyValues& v, Backend& backend)
                    {"apparent_angle_deg", computed, expected.contact_angle * 180 / pi, 10}};
     }
     if (const char* reason = why_it_misses(v.at("fabric").word == "parallel", value(v, "contact_angle_deg"), value(v, "volume_ul")))
-        for (VerifyResult& result : results) result = known_miss(result, reason);
+        for (VerifyResult& result : results) // no angle comes out by more than 45 degrees beside it
+            result = known_miss(result, reason, result.name == "apparent_angle_deg" ? 45 : 1.5 * result.expected);
     return results;
 }
 

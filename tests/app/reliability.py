@@ -77,6 +77,20 @@ def all_finite(value):
     return not isinstance(value, float) or math.isfinite(value)
 
 
+def complaint(result):
+    """What is wrong with a run's metrics: JSON has null for what is no number, which only a metric with a note may be."""
+    metrics, ledger = result["metrics"], result["ledger"]
+    named = {note.split(":")[0] for note in metrics.get("notes", [])}
+    lost = [key for key, value in metrics.items() if value is None and key not in named]
+    lost += [key for key, values in result["series"].items() if None in values]
+    lost += [key for key, value in ledger.items() if value is None]
+    if lost:
+        return f"no number: {', '.join(lost)}"
+    moved = abs(ledger["water_in_kg"]) + abs(ledger["water_out_kg"]) + abs(ledger["water_stored_kg"]) + result["series"]["bound_water_g"][0] / 1000
+    least = 1e-18  # kg; particles give their water in quanta
+    return f"{ledger['water_imbalance_kg']} of {moved} kg are missing" if abs(ledger["water_imbalance_kg"]) > 1e-9 * moved + least else ""
+
+
 def readable(bench, recording, before=None):
     """A recording is missing, as before, or can be measured."""
     path = bench.folder / recording
@@ -90,7 +104,7 @@ def designs(bench):
     demand(all_finite(json.loads(shown.stdout)), f"design {seed}: the plan is not finite")
     run = ["simulate", "design.hygro", "--fidelity", "draft", "--backend", "cpu", "--json", "-q", *FEW, "--set", short, "-o", "run.hygrorec"]
     metrics = json.loads(bench.call(*run).stdout)
-    demand(all_finite(metrics), f"design {seed}: a metric is not finite")
+    demand(not complaint(metrics), f"design {seed}: {complaint(metrics)}")
     bench.call("measure", "run.hygrorec", "--json", "-q")
 
 

@@ -81,6 +81,10 @@ private Q_SLOTS:
         QVERIFY(within(column.contact_line, radian_from_degree(23.338), 1e-4));
         QVERIFY(within(column.area, 4058.8e-12, 1e-4));
         QCOMPARE(rod_column(100e-6, 60e-6, radian_from_degree(35), tension, 1e3).area, 0.0); // the meniscus is too narrow: 59.6 um
+        for (double half_gap = 1e-6; half_gap < 1; half_gap *= 1.2) { // between thin rods both menisci meet before that
+            const double area = rod_column(0.3e-6, half_gap, radian_from_degree(55), tension, 12).area;
+            QVERIFY(half_gap < 45e-6 ? area > 0 : half_gap < 46e-6 || area == 0);
+        }
     }
     void waterPassesAHoleAtThePressureOfItsNarrowestMeniscus()
     {

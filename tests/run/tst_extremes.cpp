@@ -9,6 +9,7 @@
 #include "core/run/plan_run.h"
 #include "core/scene/coarse_scene.h"
 #include "core/solver/cpu_solver.h"
+#include "core/solver/segments.h"
 #include "core/solver/steps/yarn_lines.h"
 #include "tests/support/random_design.h"
 
@@ -89,6 +90,22 @@ double most_regain(const Scene& scene)
     return most;
 }
 
+/// What is wrong with what the room between the yarns holds, in words; each yarn's segment shows its share of a crossing's.
+std::string complaint_of_rooms(const Scene& scene, const Frame& frame)
+{
+    const Yarns yarns = yarns_of(scene);
+    const std::size_t ends = static_cast<std::size_t>(scene.cloth.ends), picks = static_cast<std::size_t>(scene.cloth.picks);
+    for (std::size_t crossing = 0; crossing < ends * picks; ++crossing) {
+        const std::size_t end = crossing / picks, pick = crossing % picks;
+        const float at_warp = frame.between[crossing], at_weft = frame.between[ends * picks + pick * ends + end];
+        const double volume = yarns.crossing_at(static_cast<int>(end), static_cast<int>(pick)).between.volume;
+        const double most = scene.cloth.by_suction ? scene.climate.density * volume * 1.000001 : 0.0;
+        if (!(at_warp >= 0 && at_weft >= 0 && static_cast<double>(at_warp) + static_cast<double>(at_weft) <= most))
+            return fmt::format("{} and {} kg in the room of crossing {}, which holds {} kg", at_warp, at_weft, crossing, most);
+    }
+    return {};
+}
+
 /// What is wrong with a frame, in words; empty when nothing is.
 std::string complaint(const Scene& scene, const Frame& frame, double most)
 {
@@ -115,7 +132,7 @@ std::string complaint(const Scene& scene, const Frame& frame, double most)
     for (const auto& x : frame.positions)
         for (float value : x)
             if (!std::isfinite(value)) return "a particle is nowhere";
-    return {};
+    return complaint_of_rooms(scene, frame);
 }
 
 } // namespace
@@ -203,6 +220,10 @@ private:
         covered_["humidity 100 %"] += e.climate.relative_humidity == 1;
         covered_["humidity over 100 %"] += e.climate.relative_humidity > 1;
         covered_["fibres of their own"] += !design.materials.empty();
+        covered_["hairs"] += design.fabrics[0].flyaway.hair_density_per_mm > 0;
+        covered_["other weaves than plain"] += design.fabrics[0].weave.ends() > 2;
+        covered_["plied yarns"] += design.fabrics[0].warp.plies > 1;
+        covered_["yarns that touch"] += !scene.cloth.touching.empty();
         covered_["a course of the climate"] += !e.climates.empty();
         covered_["swelling"] += e.swelling;
         for (const char* part : {"wicking", "sorption", "vapour", "heat"})

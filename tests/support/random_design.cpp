@@ -66,6 +66,34 @@ void change_fibres(int index, Design& design)
     for (Yarn* yarn : {&design.fabrics[0].warp, &design.fabrics[0].weft}) yarn->material = {{"own", 1.0}};
 }
 
+/// Other fibres, and of one in two: another weave, plied yarns of filaments with a core, hairs, both faces finished, yarns that touch, odd
+/// receding angles.
+void change_cloth(int index, Design& design)
+{
+    change_fibres(index, design);
+    Dice dice(index + 3000000); // of their own
+    if (!dice.chance(0.5)) return;
+    Fabric& fabric = design.fabrics[0];
+    fabric.weave = weave_from_pattern(dice.one_of<std::string>({"plain", "twill 2/1 Z", "satin 5/2", "basket 2/2"}));
+    for (Yarn* yarn : {&fabric.warp, &fabric.weft}) {
+        yarn->plies = dice.one_of<int>({1, 2, most_plies});
+        yarn->fibres_per_yarn = std::max(yarn->fibres_per_yarn, yarn->plies);
+        yarn->ply_twist_per_m = dice.one_of<double>({0, 400, 2000});
+        if (dice.chance(0.3)) yarn->filament_count = dice.one_of<int>({fewest_filaments, 48, 5000});
+        if (dice.chance(0.2)) yarn->core = YarnCore{"elastane", dice.one_of<double>({least_core_share, most_core_share})};
+    }
+    fabric.flyaway = {dice.one_of<double>({0, 6, 1000}), dice.one_of<double>({0, 10, 1000}), dice.one_of<double>({0, 0.1, 20}),
+                      dice.one_of<double>({0, 0.4, 50})};
+    if (dice.chance(0.3)) fabric.ends_per_cm = 10 / *fabric.warp.diameter_mm * dice.one_of<double>({0.98, 1, 1.02});
+    if (dice.chance(0.3)) fabric.finish_back = dice.one_of<double>({0, 62.7, 85, 89.9, 180});
+    if (dice.chance(0.3)) fabric.contact_angle_deg = dice.one_of<double>({30, 62.7, 76.4, 84.9, 85, 85.1});
+    for (Material& own : design.materials) {
+        own.contact_angle_deg = dice.one_of<double>({0, 35, 85});
+        own.receding_angle_deg = dice.one_of<double>({0, own.contact_angle_deg});
+        own.cross_section = dice.one_of(cross_sections());
+    }
+}
+
 } // namespace
 
 Design random_design(int index, double& simulated)
@@ -125,7 +153,7 @@ Design random_design(int index, double& simulated)
     experiment.rate_g_m2_h = dice.one_of<double>({0, 10, 1000, 1e5});
     experiment.from_top = dice.chance(0.5);
     design.experiments.push_back(experiment);
-    change_fibres(index, design);
+    change_cloth(index, design);
     return design;
 }
 
