@@ -36,6 +36,7 @@ CandidateTable::CandidateTable(QWidget* parent) : QTableWidget(parent)
     verticalHeader()->hide();
     horizontalHeader()->setSortIndicatorShown(true);
     horizontalHeader()->setSortIndicator(rank_column, Qt::AscendingOrder);
+    horizontalHeader()->setTextElideMode(Qt::ElideRight); // the tool tip has the whole
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     auto* delegate = new NumberDelegate(this);
     setItemDelegate(delegate);
