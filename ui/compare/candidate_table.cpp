@@ -36,7 +36,6 @@ CandidateTable::CandidateTable(QWidget* parent) : QTableWidget(parent)
     verticalHeader()->hide();
     horizontalHeader()->setSortIndicatorShown(true);
     horizontalHeader()->setSortIndicator(rank_column, Qt::AscendingOrder);
-    horizontalHeader()->setTextElideMode(Qt::ElideRight); // the tool tip has the whole
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     auto* delegate = new NumberDelegate(this);
     setItemDelegate(delegate);
@@ -122,7 +121,7 @@ void CandidateTable::shareWidth()
 {
     int needed = 0;
     for (int i = 0; i < columnCount(); ++i) {
-        if (i >= first_number) { setColumnWidth(i, std::clamp(columnWidth(i), 150, 240)); }
+        if (i >= first_number) { setColumnWidth(i, std::clamp(columnWidth(i), 150, 320)); }
         needed += columnWidth(i);
     }
     const int numbers = columnCount() - first_number, room = viewport()->width() - needed;
