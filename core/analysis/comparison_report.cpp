@@ -207,6 +207,15 @@ std::map<std::string, std::string> description(const Candidate& candidate)
     return values;
 }
 
+/// As people read it: numbers with six digits, words without quotes.
+std::string readable(const std::string& value)
+{
+    if (value.empty()) return "–";
+    const Json json = Json::parse(value);
+    if (json.is_string()) return json.get<std::string>();
+    return json.is_number_float() ? fmt::format("{:.6g}", json.get<double>()) : value;
+}
+
 /// What the candidates' descriptions do not share.
 std::string differences(const Comparison& comparison)
 {
@@ -224,7 +233,7 @@ std::string differences(const Comparison& comparison)
         if (std::all_of(values.begin(), values.end(), [&](const std::string& value) { return value == values.front(); })) continue;
         any = true;
         body += "<tr><th>" + escaped_markup(path) + "</th>";
-        for (const std::string& value : values) body += "<td>" + escaped_markup(value.empty() ? "–" : value) + "</td>";
+        for (const std::string& value : values) body += "<td>" + escaped_markup(readable(value)) + "</td>";
         body += "</tr>\n";
     }
     return any ? keys_of_project + table(body) : "<p>Nothing: the descriptions are the same.</p>\n";

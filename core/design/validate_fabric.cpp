@@ -13,6 +13,9 @@ namespace hygroloom {
 
 namespace {
 
+// From bulky spun yarns to tight filaments. Only a guard against a diameter and a count that were not meant for each other.
+constexpr double loosest_usual_packing = 0.3, densest_usual_packing = 0.85;
+
 void require_material(const Design& design, const std::string& name, const std::string& at, IssueList& list)
 {
     if (find_material(design, name)) return;
@@ -60,7 +63,8 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     list.range_if_given(where + ".diameter_mm", "diameter of a yarn", yarn.diameter_mm, 0.01, 10, "mm");
     list.range_if_given(where + ".linear_density_tex", "linear density of a yarn", yarn.linear_density_tex, 0.05, 50000, "tex");
     list.range_if_given(where + ".packing_factor", "packing factor of a yarn", yarn.packing_factor, loosest_packing, densest_packing);
-    if (!yarn.diameter_mm && !yarn.linear_density_tex) list.error("no_size", where, "The yarn needs diameter_mm or linear_density_tex.");
+    if (!yarn.diameter_mm && !yarn.linear_density_tex)
+        list.error("no_size", where, "The yarn needs a diameter or a linear density (diameter_mm, linear_density_tex); none is given.");
     list.range_if_given(where + ".filament_count", "number of filaments", yarn.filament_count, fewest_filaments, most_filaments);
     list.range(where + ".fibres_per_yarn", "number of drawn fibres", yarn.fibres_per_yarn, 1, 500);
     list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
@@ -102,6 +106,12 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
             fmt::format(
                 "{} tex of this fibre ({:.0f} kg/m3) in a diameter of {} mm is a packing factor of {:.3g}; it must be from {} to {}.",
                 *yarn.linear_density_tex, density, *yarn.diameter_mm, packing, loosest_packing, densest_packing));
+    } else if (packing < loosest_usual_packing || packing > densest_usual_packing) {
+        list.add(
+            Severity::warning, "odd_packing", where,
+            fmt::format("{:.4g} tex of this fibre in a diameter of {:.3g} mm is a packing factor of {:.3g}; usual yarns have {} to {}. "
+                        "Leave the diameter or the linear density empty, and it is calculated.",
+                        *yarn.linear_density_tex, *yarn.diameter_mm, packing, loosest_usual_packing, densest_usual_packing));
     }
 }
 

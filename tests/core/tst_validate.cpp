@@ -286,6 +286,22 @@ private Q_SLOTS:
         design.fabrics[0].warp.linear_density_tex = 24.7;
         QVERIFY(has_error(validate(design)));
     }
+    void aCountThatWasNotMeantForTheDiameterIsWarnedOf()
+    {
+        Design design = sound();
+        Yarn& warp = design.fabrics[0].warp;
+        warp.packing_factor.reset();
+        for (const auto& [tex, odd] : {std::pair(24.35, false), std::pair(10.0, true), std::pair(45.0, true)}) { // 0.5, 0.21, 0.92
+            warp.linear_density_tex = tex;
+            const auto issues = validate(design);
+            const Issue* issue = find(issues, "odd_packing");
+            QCOMPARE(issue != nullptr, odd);
+            QVERIFY(!issue || (issue->severity == Severity::warning && issue->where == "fabrics[0].warp"));
+            QVERIFY(!has_error(issues));
+        }
+        warp.diameter_mm.reset(); // then it follows from the count
+        QVERIFY(!find(validate(design), "odd_packing"));
+    }
     void textGivesRangeAndValue()
     {
         Design design = sound();

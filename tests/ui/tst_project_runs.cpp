@@ -77,6 +77,30 @@ private Q_SLOTS:
         QVERIFY(!link->isVisibleTo(&results()) && !results().text().contains("kept"));
     }
 
+    void theKeptRunOfWhatIsChosenIsOffered()
+    {
+        run();
+        Document& document = window_->document();
+        document.editState("add", [](Design& design, DesignState& state) {
+            Fabric other = design.fabrics.front();
+            other.name = "other";
+            design.fabrics.push_back(other);
+            state.fabric = 1;
+        });
+        QVERIFY(!results().text().contains("is kept")); // what is shown is of the first
+        run();
+        document.setFabricIndex(0);
+        QVERIFY(results().text().contains("A run of the selected fabric and experiment is kept. Open it."));
+        QLabel* link = nullptr;
+        for (QLabel* label : results().findChildren<QLabel*>()) {
+            if (label->text().contains("href='chosen'")) { link = label; }
+        }
+        QVERIFY(link && link->isVisibleTo(&results()));
+        Q_EMIT link->linkActivated("chosen");
+        QTRY_VERIFY_WITH_TIMEOUT(playback().path().endsWith("run-1.hygrorec"), 20000);
+        QVERIFY(!results().text().contains("is kept"));
+    }
+
     void theFirstSaveTakesRunsAlong()
     {
         openExample();

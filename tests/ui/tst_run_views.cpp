@@ -66,6 +66,28 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(waterMaps().top().map().quantity, ShownQuantity::water, 5000);
     }
 
+    void aMapIsSavedAsItIsShown()
+    {
+        QVERIFY(run("one-drop-on-cotton", 0.2));
+        QTRY_VERIFY_WITH_TIMEOUT(waterMaps().range() > 0 && !waterMaps().top().map().water.empty(), 10000);
+        const QTemporaryDir folder;
+        const QString picture = folder.filePath("top.png"), table = folder.filePath("bottom.csv");
+        waterMaps().save(MapSide::top, picture);
+        QVERIFY(!QImage(picture).isNull());
+        waterMaps().save(MapSide::bottom, table);
+        QFile file(table);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        int cells = 0;
+        bool head = false;
+        while (!file.atEnd()) {
+            const QByteArray line = file.readLine();
+            if (line.startsWith('#')) { continue; }
+            if (std::exchange(head, true)) { ++cells; }
+        }
+        const CellMap& map = waterMaps().bottom().map();
+        QCOMPARE(cells, map.columns * map.rows);
+    }
+
     void chartsAndReportsHaveTheUsersUnits()
     {
         QVERIFY(run("one-drop-on-cotton", 0.2));

@@ -147,18 +147,19 @@ void drawScaleBar(QPainter& painter, const QPointF& lowerLeft, double millimetre
                              : shownNumber(length, 5) + QChar(0x00a0) + user.unit;
     const double height = QFontMetricsF(painter.font()).height();
     const double wide = std::max(pixels, QFontMetricsF(painter.font()).horizontalAdvance(text));
+    const QPointF start = lowerLeft + QPointF(0.5 * (wide - pixels), 0); // no word begins left of it
     painter.save();
     if (behind.isValid()) {
-        painter.fillRect(QRectF(lowerLeft.x() + 0.5 * (pixels - wide) - 6, lowerLeft.y() - height - 8, wide + 12, height + 14), behind);
+        painter.fillRect(QRectF(start.x() + 0.5 * (pixels - wide) - 6, start.y() - height - 8, wide + 12, height + 14), behind);
     }
     painter.setPen(QPen(color, 2));
-    const QPointF end = lowerLeft + QPointF(pixels, 0);
-    painter.drawLine(lowerLeft, end);
-    painter.drawLine(lowerLeft + QPointF(0, -4), lowerLeft + QPointF(0, 4));
+    const QPointF end = start + QPointF(pixels, 0);
+    painter.drawLine(start, end);
+    painter.drawLine(start + QPointF(0, -4), start + QPointF(0, 4));
     painter.drawLine(end + QPointF(0, -4), end + QPointF(0, 4));
-    painter.drawText(QRectF(lowerLeft.x() - 40, lowerLeft.y() - 6 - QFontMetricsF(painter.font()).height(), pixels + 80,
-                            QFontMetricsF(painter.font()).height()),
-                     Qt::AlignCenter, text);
+    painter.drawText(
+        QRectF(start.x() - 40, start.y() - 6 - QFontMetricsF(painter.font()).height(), pixels + 80, QFontMetricsF(painter.font()).height()),
+        Qt::AlignCenter, text);
     painter.restore();
 }
 

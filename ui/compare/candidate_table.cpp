@@ -121,7 +121,7 @@ void CandidateTable::shareWidth()
 {
     int needed = 0;
     for (int i = 0; i < columnCount(); ++i) {
-        if (i >= first_number) { setColumnWidth(i, std::clamp(columnWidth(i), 150, 240)); }
+        if (i >= first_number) { setColumnWidth(i, std::clamp(columnWidth(i), 150, 320)); }
         needed += columnWidth(i);
     }
     const int numbers = columnCount() - first_number, room = viewport()->width() - needed;

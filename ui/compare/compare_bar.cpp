@@ -93,12 +93,7 @@ QHBoxLayout* CompareBar::toolRow()
     filter_->setAccessibleName(tr("Filter fabrics"));
     filter_->setClearButtonEnabled(true);
     filter_->setMaximumWidth(220);
-    measured_->setToolTip("<p>" +
-                          tr("Put a laboratory's numbers beside the simulated ones, from a CSV file with the columns fabric, metric, "
-                             "value, unit and, if known, spread.") +
-                          "</p>");
-    save_->setToolTip(tr("Write the numbers as a CSV file for spreadsheets."));
-    report_->setToolTip("<p>" + tr("Write verdicts, intervals, maps, curves, and what is not known, as PDF or web page.") + "</p>");
+    offerFiles(0);
     auto* tools = new QHBoxLayout;
     tools->addWidget(filter_, 1);
     tools->addStretch(1);
@@ -140,6 +135,21 @@ std::vector<int> CompareBar::replicateChoices() const
     std::vector<int> counts;
     for (int i = 0; i < replicates_->count(); ++i) { counts.push_back(replicates_->itemData(i).toInt()); }
     return counts;
+}
+
+void CompareBar::offerFiles(std::size_t fabrics)
+{
+    const auto offer = [](QPushButton* button, bool can, const QString& tip, const QString& why_not) {
+        button->setEnabled(can);
+        button->setToolTip("<p>" + tip.toHtmlEscaped() + "</p>" + (can ? QString() : "<p>" + why_not.toHtmlEscaped() + "</p>"));
+    };
+    const QString several = tr("Choose one experiment, and run it on two fabrics at least.");
+    offer(measured_, fabrics > 0,
+          tr("Put a laboratory's numbers beside the simulated ones, from a CSV file with the columns fabric, metric, "
+             "value, unit and, if known, spread."),
+          tr("Choose one experiment, and run it on a fabric."));
+    offer(save_, fabrics > 1, tr("Write the numbers as a CSV file for spreadsheets."), several);
+    offer(report_, fabrics > 1, tr("Write verdicts, intervals, maps, curves, and what is not known, as PDF or web page."), several);
 }
 
 void CompareBar::setMissing(int runs, double seconds, const QString& why_not)

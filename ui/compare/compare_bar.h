@@ -35,6 +35,8 @@ public:
     void showReplicates(int count);
     /// From the fewest.
     std::vector<int> replicateChoices() const;
+    /// What can be done with so many fabrics that have numbers of one experiment.
+    void offerFiles(std::size_t fabrics);
     /// What Run All Missing would do; seconds: 0 where they are not known. why_not: why it cannot.
     void setMissing(int runs, double seconds, const QString& why_not);
     void showProgress();

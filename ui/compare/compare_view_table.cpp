@@ -56,9 +56,7 @@ void CompareView::refreshTable()
     }
     markMissing(grid);
     table_->setGrid(grid, QSet<QString>(chosen_.begin(), chosen_.end()), !entry());
-    bar_->save()->setEnabled(numbers_.candidates.size() > 1);
-    bar_->report()->setEnabled(numbers_.candidates.size() > 1);
-    bar_->measured()->setEnabled(!numbers_.candidates.empty());
+    bar_->offerFiles(numbers_.candidates.size());
     refreshHint();
 }
 

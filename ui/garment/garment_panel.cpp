@@ -49,6 +49,20 @@ protected:
     }
 };
 
+/// Of a table of sweat rates, or the file that takes its place.
+QString nameOfTable(const std::string& table)
+{
+    if (table == "taylor-2013 rest") { return GarmentPanel::tr("At rest, Taylor 2013"); }
+    if (table == "taylor-2013 exercise") { return GarmentPanel::tr("Exercise, Taylor 2013"); }
+    return coreWord(table);
+}
+
+QString aboutSweat()
+{
+    return GarmentPanel::tr(
+        "Sweat of each zone of the body: Taylor and Machado-Moreira 2013, table 4, or a CSV with the columns zone and g_m2_h.");
+}
+
 } // namespace
 
 GarmentPanel::GarmentPanel(GarmentChoice& choice, QWidget* parent)
@@ -171,8 +185,7 @@ QWidget* GarmentPanel::makeWearer()
     sweat_->setAccessibleName(tr("Sweat rates of the zones"));
     sweat_->setMinimumContentsLength(8);
     sweat_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    sweat_->setToolTip(
-        tr("Sweat of each zone of the body: Taylor and Machado-Moreira 2013, table 4, or a CSV with the columns zone and g_m2_h."));
+    sweat_->setToolTip("<p>" + aboutSweat().toHtmlEscaped() + "</p>");
     connect(sweat_, &QComboBox::activated, this, &GarmentPanel::chooseSweat);
     auto* box = new QWidget;
     auto* form = new QFormLayout(box);
@@ -273,12 +286,12 @@ void GarmentPanel::refresh()
     gap_->setValue(garment->gap_of("default"));
     gap_->setIssues(choice_.document().issuesAt(where + "wearer.gap_mm.default"));
     QStringList tables;
-    for (const std::string& table : sweat_tables()) { tables << coreWord(table); }
-    const QString zones = coreWord(garment->wearer.zones);
+    for (const std::string& table : sweat_tables()) { tables << nameOfTable(table); }
+    const QString zones = nameOfTable(garment->wearer.zones);
     if (!tables.contains(zones)) { tables << zones; }
     const int current = static_cast<int>(tables.indexOf(zones));
     setChoices(sweat_, tables << tr("From a CSV File…"), current);
-    sweat_->setToolTip(zones);
+    sweat_->setToolTip("<p>" + zones.toHtmlEscaped() + "</p><p>" + aboutSweat().toHtmlEscaped() + "</p>");
     updateGeometry(); // what is shown may need more width
 }
 

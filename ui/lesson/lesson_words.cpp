@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/lesson/lesson_words.h"
 
+#include "core/base/text.h"
 #include "ui/basics/quantity.h"
 
 #include <QCoreApplication>
 #include <QLocale>
+
+#include <algorithm>
 
 namespace hygroloom {
 
 namespace {
 
 QString tenths(int count) { return QLocale().toString(0.1 * std::abs(count), 'f', 1); }
+
+/// To hundredths, or two digits of what is shorter: a drop that is drawn in at once takes some time, too.
+QString secondsOf(double seconds)
+{
+    constexpr int fewest = 2, most = 6;
+    return QLocale().toString(seconds, 'f', seconds > 0 ? std::clamp(decimals_for(seconds, 2), fewest, most) : fewest);
+}
 
 } // namespace
 
@@ -39,12 +49,11 @@ QStringList scoreLines(const ClothScore& score)
     const QString area = QCoreApplication::translate("hygroloom::Lesson", "Wet area %1 mm²").arg(shownNumber(score.wet_area_mm2, 0));
     const QString radius =
         QCoreApplication::translate("hygroloom::Lesson", "Radius %1 mm").arg(QLocale().toString(score.radius_mm, 'f', 1));
-    const QString absorbed =
-        score.absorbed_s >= 0
-            ? QCoreApplication::translate("hygroloom::Lesson", "Absorbed in %1 s").arg(QLocale().toString(score.absorbed_s, 'f', 2))
-        : score.wiped     ? QCoreApplication::translate("hygroloom::Lesson", "The last drop was wiped off")
-        : score.drops > 0 ? QCoreApplication::translate("hygroloom::Lesson", "Not absorbed yet")
-                          : QCoreApplication::translate("hygroloom::Lesson", "No drop to absorb");
+    const QString absorbed = score.absorbed_s >= 0
+                                 ? QCoreApplication::translate("hygroloom::Lesson", "Absorbed in %1 s").arg(secondsOf(score.absorbed_s))
+                             : score.wiped     ? QCoreApplication::translate("hygroloom::Lesson", "The last drop was wiped off")
+                             : score.drops > 0 ? QCoreApplication::translate("hygroloom::Lesson", "Not absorbed yet")
+                                               : QCoreApplication::translate("hygroloom::Lesson", "No drop to absorb");
     return {area, radius, absorbed};
 }
 

@@ -112,8 +112,8 @@ YarnLook yarnAt(const ClothView& view, double x, double y)
 
 QStringList magnifierLines(const YarnLook& yarn)
 {
-    const QString leaving = yarn.leaving >= 0 ? QCoreApplication::translate("hygroloom::Lesson", "Vapour leaving: %1 g/m² h")
-                                              : QCoreApplication::translate("hygroloom::Lesson", "Vapour coming: %1 g/m² h");
+    const QString leaving = yarn.leaving >= 0 ? QCoreApplication::translate("hygroloom::Lesson", "Vapour out: %1 g/(m² h)")
+                                              : QCoreApplication::translate("hygroloom::Lesson", "Vapour in: %1 g/(m² h)");
     return {QCoreApplication::translate("hygroloom::Lesson", "Pores: %1 % full").arg(shownNumber(100 * yarn.saturation, 0)),
             QCoreApplication::translate("hygroloom::Lesson", "Fibres: %1 % water").arg(QLocale().toString(100 * yarn.regain, 'f', 1)),
             leaving.arg(shownNumber(std::abs(yarn.leaving), 0)),

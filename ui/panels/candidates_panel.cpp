@@ -146,6 +146,7 @@ void CandidatesPanel::addFabric()
     fabric.warp.diameter_mm = 0.25;
     fabric.weft.diameter_mm = 0.25;
     addFabric(tr("add fabric"), std::move(fabric));
+    list_->setFocus(); // F2 names the new one
 }
 
 void CandidatesPanel::addFabric(const QString& undo, Fabric fabric)
@@ -194,6 +195,7 @@ void CandidatesPanel::duplicateFabric()
         design.fabrics.insert(design.fabrics.begin() + state.fabric + 1, fabric);
         ++state.fabric;
     });
+    list_->setFocus(); // F2 names the new one
 }
 
 void CandidatesPanel::renameFabric()

@@ -21,6 +21,13 @@ void choosePreferred(QComboBox& box)
     box.setCurrentIndex(std::max(0, box.findData(QString::fromStdString(expected_backend(preferredBackend())))));
 }
 
+/// "CPU: AMD EPYC, 2 thread(s)"; where no device was found, "CUDA".
+QString nameOf(const BackendInfo& info)
+{
+    const QString name = QString::fromStdString(info.name).toUpper();
+    return info.device.empty() ? name : name + ": " + QString::fromStdString(info.device);
+}
+
 } // namespace
 
 std::string preferredBackend()
@@ -39,7 +46,7 @@ std::vector<DeviceLine> devicesOfThisMachine()
 {
     std::vector<DeviceLine> lines;
     for (const BackendInfo& info : find_backends()) {
-        const QString name = QString::fromStdString(info.name).toUpper() + ": " + QString::fromStdString(info.device);
+        const QString name = nameOf(info);
         lines.push_back({name, info.name != "cpu", info.usable ? QString() : QString::fromStdString(info.reason)});
     }
     return lines;
@@ -48,7 +55,7 @@ std::vector<DeviceLine> devicesOfThisMachine()
 void fillDevices(QComboBox& box)
 {
     for (const BackendInfo& info : find_backends()) {
-        const QString name = QString::fromStdString(info.name).toUpper() + ": " + QString::fromStdString(info.device);
+        const QString name = nameOf(info);
         box.addItem(info.usable ? name : QCoreApplication::translate("hygroloom", "%1 (not usable)").arg(name),
                     QString::fromStdString(info.name));
         const int row = box.count() - 1;

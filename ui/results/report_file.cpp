@@ -211,17 +211,23 @@ void writeReport(const QString& html, const QString& file)
     write_file(file.toStdString(), pdf ? pdfOf(html) : html.toStdString());
 }
 
+QString askForFile(QWidget* parent, const QString& title, const QString& folder, const QString& name, const FileKind& first,
+                   const FileKind& second)
+{
+    const auto filter = [](const FileKind& kind) { return QStringLiteral("%1 (*.%2)").arg(kind.words, kind.ending); };
+    QFileDialog dialog(parent, title, folder);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setNameFilters({filter(first), filter(second)});
+    dialog.setDefaultSuffix(first.ending); // the dialog asks before it replaces a file of the whole name
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
+                     [&](const QString& chosen) { dialog.setDefaultSuffix((chosen == filter(second) ? second : first).ending); });
+    dialog.selectFile(QString(name).replace('/', '-') + "." + first.ending);
+    return dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty() ? dialog.selectedFiles().front() : QString();
+}
+
 QString askForReportFile(QWidget* parent, const QString& folder, const QString& name)
 {
-    const QString pdf = QObject::tr("PDF (*.pdf)"), page = QObject::tr("Web page (*.html)");
-    QFileDialog dialog(parent, QObject::tr("Save Report"), folder);
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setNameFilters({pdf, page});
-    dialog.setDefaultSuffix("pdf"); // the dialog asks before it replaces a file of the whole name
-    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
-                     [&](const QString& filter) { dialog.setDefaultSuffix(filter == page ? "html" : "pdf"); });
-    dialog.selectFile(QString(name).replace('/', '-') + ".pdf");
-    return dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty() ? dialog.selectedFiles().front() : QString();
+    return askForFile(parent, QObject::tr("Save Report"), folder, name, {QObject::tr("PDF"), "pdf"}, {QObject::tr("Web page"), "html"});
 }
 
 } // namespace hygroloom

@@ -22,6 +22,14 @@ std::string pdfOf(const QString& html);
 /// As PDF where the file's name ends so, else as it is. The file is whole or, where writing fails, as it was. Throws Error.
 void writeReport(const QString& html, const QString& file);
 
+struct FileKind {
+    QString words;  ///< "PDF"
+    QString ending; ///< "pdf"
+};
+/// Asks where a file of one of two kinds is to be saved; empty: nowhere. name: a suggestion, without an ending.
+QString askForFile(QWidget* parent, const QString& title, const QString& folder, const QString& name, const FileKind& first,
+                   const FileKind& second);
+
 /// Asks where a report is to be saved, as PDF or web page; empty: nowhere. name: a suggestion, without an ending.
 QString askForReportFile(QWidget* parent, const QString& folder, const QString& name);
 

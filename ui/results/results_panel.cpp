@@ -177,7 +177,13 @@ ResultsPanel::ResultsPanel(Playback& playback, QWidget* parent)
     kept_->setTextFormat(Qt::RichText);
     kept_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     kept_->setAccessibleName(tr("Runs that are kept"));
-    connect(kept_, &QLabel::linkActivated, this, &ResultsPanel::newestRequested);
+    connect(kept_, &QLabel::linkActivated, this, [this](const QString& link) {
+        if (link == "chosen") {
+            Q_EMIT chosenRequested();
+        } else {
+            Q_EMIT newestRequested();
+        }
+    });
     origin_->setWordWrap(true);
     origin_->setForegroundRole(QPalette::PlaceholderText);
     origin_->setTextFormat(Qt::RichText);
@@ -273,9 +279,20 @@ void ResultsPanel::setKept(int runs)
     if (std::exchange(kept_runs_, runs) != runs) { refresh(); }
 }
 
+void ResultsPanel::setChosenKept(bool kept)
+{
+    if (std::exchange(chosen_is_kept_, kept) != kept) { showKept(); }
+}
+
 void ResultsPanel::showKept()
 {
-    const bool any_kept = !playback_.run() && kept_runs_ > 0;
+    if (playback_.run()) {
+        kept_->setVisible(chosen_is_kept_);
+        kept_->setText(chosen_is_kept_ ? tr("A run of the selected fabric and experiment is kept. <a href='chosen'>Open it</a>.")
+                                       : QString());
+        return;
+    }
+    const bool any_kept = kept_runs_ > 0;
     kept_->setVisible(any_kept);
     kept_->setText(!any_kept ? QString()
                    : kept_runs_ == 1

@@ -42,10 +42,14 @@ public:
     void showPlan();
     /// How many runs are kept, which can be opened while none is shown.
     void setKept(int runs);
+    /// Whether a run of what is chosen is kept while another one is shown.
+    void setChosenKept(bool kept);
 
 Q_SIGNALS:
     /// Of the runs that are kept.
     void newestRequested();
+    /// The run of what is chosen.
+    void chosenRequested();
 
 private:
     void refresh();
@@ -58,6 +62,7 @@ private:
     QLabel* kept_; ///< stands for the results while no run is shown
     QLabel* origin_;
     int kept_runs_ = 0;
+    bool chosen_is_kept_ = false;
     std::vector<std::array<QLabel*, 3>> rows_;
 };
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/water_map_view.h"
 
+#include "core/analysis/map_picture.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/run/recording.h"
 #include "ui/basics/design_undo.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
+#include "ui/results/report_file.h"
 
+#include <QAction>
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QLabel>
@@ -137,6 +140,36 @@ void WaterMapView::setWaterColors(WaterColors colors)
 {
     colors_ = colors;
     refresh();
+}
+
+void WaterMapView::offerSaving(QAction* top, QAction* bottom)
+{
+    top_->addAction(top);
+    bottom_->addAction(bottom);
+    for (WaterMap* map : {top_, bottom_}) { map->setContextMenuPolicy(Qt::ActionsContextMenu); }
+}
+
+void WaterMapView::save(MapSide side, const QString& file) const
+{
+    const auto run = playback_.run();
+    const auto frame = playback_.frame(), first = playback_.firstFrame();
+    if (!run || !frame || !first) { throw Error(tr("No run is shown whose map could be saved.").toStdString()); }
+    const int cells = cells_->value();
+    const bool water = quantity() == ShownQuantity::water;
+    MapPicture picture = water ? map_picture(*run, *frame, start_of_maps(*run, *first), side, cells, unitsOfReader())
+                               : quantity_picture(*run, *frame, quantity(), side, cells);
+    picture.image.units = unitsOfReader();
+    if (water) {
+        picture.image.most = range();
+    } else {
+        picture.image.range = values_;
+    }
+    const std::filesystem::path path = file.toStdString();
+    if (file.endsWith(".csv", Qt::CaseInsensitive)) {
+        write_cell_map_csv(picture.map, *run, frame->time, side, path);
+    } else {
+        write_picture(picture, path);
+    }
 }
 
 void WaterMapView::refresh()

@@ -5,6 +5,7 @@
 #include "ui/results/playback.h"
 #include "ui/results/water_map.h"
 
+class QAction;
 class QBoxLayout;
 class QComboBox;
 class QLabel;
@@ -27,6 +28,11 @@ public:
     const ValueRange& values() const { return values_; }
     QComboBox& quantityChoice() { return *quantity_; }
     void setWaterColors(WaterColors colors);
+    /// In the menus of the right button.
+    void offerSaving(QAction* top, QAction* bottom);
+    /// A face as it is shown, at the time shown: the numbers of its cells where the file ends in .csv, else a PNG picture in the colours'
+    /// range of the window. Throws Error.
+    void save(MapSide side, const QString& file) const;
 
 Q_SIGNALS:
     void mapChanged();

@@ -30,7 +30,8 @@ protected:
         cursor.beginEditBlock();
         for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
             QTextBlockFormat format = block.blockFormat();
-            format.setLineHeight(120, QTextBlockFormat::ProportionalHeight);
+            const bool picture = block.text().contains(QChar::ObjectReplacementCharacter); // a fifth of its height would be a gap
+            if (!picture) { format.setLineHeight(120, QTextBlockFormat::ProportionalHeight); }
             if (format.headingLevel() > 0) {
                 format.setTopMargin(format.headingLevel() == 1 ? 0 : 18);
                 format.setBottomMargin(6);

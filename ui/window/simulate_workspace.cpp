@@ -95,6 +95,9 @@ void SimulateWorkspace::connectPanels()
     connect(results_, &ResultsPanel::newestRequested, this, [this] {
         if (const KeptRun* newest = newestOf(history_)) { showEarlierRun(QString(newest->path)); }
     });
+    connect(results_, &ResultsPanel::chosenRequested, this, [this] {
+        if (const KeptRun* kept = keptOfChosen()) { showEarlierRun(QString(kept->path)); }
+    });
     refreshKept();
     connect(simulation_, &SimulationPanel::runRequested, this, &SimulateWorkspace::startRun);
     connect(simulation_, &SimulationPanel::canRunChanged, this, &SimulateWorkspace::refreshActions);
@@ -108,6 +111,13 @@ void SimulateWorkspace::fillFileMenu(QMenu* menu)
         addCommand(menu, {}, tr("Save Repor&t…"), {},
                    tr("Save the results of the run that is shown, with maps at the time shown and charts, as PDF or web page."));
     connect(actions_.save_report, &QAction::triggered, this, &SimulateWorkspace::saveReport);
+    actions_.save_top =
+        addCommand(menu, {}, tr("Save Map of the Top &Face…"), {}, tr("Save the map of the top face as it is shown, as picture or table."));
+    connect(actions_.save_top, &QAction::triggered, this, [this] { saveMap(MapSide::top); });
+    actions_.save_bottom = addCommand(menu, {}, tr("Save Map of the &Bottom Face…"), {},
+                                      tr("Save the map of the bottom face as it is shown, as picture or table."));
+    connect(actions_.save_bottom, &QAction::triggered, this, [this] { saveMap(MapSide::bottom); });
+    maps_->offerSaving(actions_.save_top, actions_.save_bottom);
     actions_.save_pictures = addCommand(menu, {}, tr("Save Picture Se&quence…"), {},
                                         tr("Save the picture at each time of the run that is shown, as numbered PNG files."));
     connect(actions_.save_pictures, &QAction::triggered, this, &SimulateWorkspace::savePictures);
@@ -160,6 +170,8 @@ void SimulateWorkspace::refreshActions()
     a.stop->setEnabled(running);
     a.save_recording->setEnabled(any && !playback_.live() && !playback_.path().isEmpty());
     a.save_report->setEnabled(any);
+    a.save_top->setEnabled(any);
+    a.save_bottom->setEnabled(any);
     const bool filmable = any && !playback_.live() && viewport_.canvas();
     a.save_pictures->setEnabled(filmable);
     const bool encoder = Film::whyNoMovie().isEmpty();
@@ -210,17 +222,35 @@ void SimulateWorkspace::refreshStale()
                             document_.experiment()->name == run->experiment;
         stale_ = !chosen || !holdsFor(*run, *document_.design());
     }
+    results_->setChosenKept(stale_ && keptOfChosen());
 }
 
 void SimulateWorkspace::refreshKept()
 {
     const auto& runs = history_.runs();
     results_->setKept(static_cast<int>(std::count_if(runs.begin(), runs.end(), canBeShown)));
+    results_->setChosenKept(stale_ && keptOfChosen());
+}
+
+/// The newest run of the project that holds for the selected fabric and experiment; nullptr: there is none.
+const KeptRun* SimulateWorkspace::keptOfChosen() const
+{
+    if (!document_.fabric() || !document_.experiment()) { return nullptr; }
+    const auto& runs = history_.runs();
+    const auto found = std::find_if(runs.rbegin(), runs.rend(), [this](const KeptRun& kept) {
+        return canBeShown(kept) && kept.run->fabric == document_.fabric()->name && kept.run->experiment == document_.experiment()->name &&
+               holdsFor(*kept.run, *document_.design());
+    });
+    return found == runs.rend() ? nullptr : &*found;
 }
 
 QString SimulateWorkspace::whyStale() const
 {
     const auto& run = playback_.run();
+    if (keptOfChosen()) {
+        return tr("These results are for “%1, %2”. Open the run of what is selected under Results.")
+            .arg(QString::fromStdString(run->fabric), QString::fromStdString(run->experiment));
+    }
     if (!document_.fabric() || document_.fabric()->name != run->fabric) {
         return tr("These results are for “%1”. Run the selected fabric.").arg(QString::fromStdString(run->fabric));
     }

@@ -20,6 +20,8 @@ class ExperimentPanel;
 class ResultsPanel;
 class RunFilm;
 class ProjectRuns;
+enum class MapSide;
+struct KeptRun;
 class RunHistory;
 class SimulationPanel;
 class Timeline;
@@ -45,6 +47,8 @@ public:
         QAction* take_design = nullptr;
         QAction* save_recording = nullptr;
         QAction* save_report = nullptr;
+        QAction* save_top = nullptr;
+        QAction* save_bottom = nullptr;
         QAction* save_pictures = nullptr;
         QAction* save_film = nullptr;
     };
@@ -110,6 +114,7 @@ private:
     void connectPanels();
     void refreshStale();
     void refreshKept();
+    const KeptRun* keptOfChosen() const;
     QString whyStale() const;
     void chooseWhatRan();
     // simulate_workspace_runs.cpp
@@ -122,6 +127,7 @@ private:
     bool mayTakeDesign() const;
     void saveRecordingAs();
     void saveReport();
+    void saveMap(MapSide side);
     void savePictures();
     void saveFilm();
     /// In the picture's window, frame by frame.

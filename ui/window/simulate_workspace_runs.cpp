@@ -14,6 +14,7 @@
 #include "ui/results/results_panel.h"
 #include "ui/results/run_history.h"
 #include "ui/results/simulation_panel.h"
+#include "ui/results/water_map_view.h"
 #include "ui/window/file_names.h"
 #include "ui/window/folder_dialog.h"
 #include "ui/window/run_film.h"
@@ -218,7 +219,24 @@ void SimulateWorkspace::saveReport()
     if (file.isEmpty()) { return; }
     try {
         writeReport(results_->report(), file);
-        Q_EMIT messageShown(tr("Saved %1").arg(file), 4000);
+        Q_EMIT messageShown(tr("Saved %1.").arg(file), 4000);
+    } catch (const std::exception& error) {
+        Q_EMIT problemFound(QString::fromStdString(error.what()));
+    }
+}
+
+void SimulateWorkspace::saveMap(MapSide side)
+{
+    if (!playback_.run() || !playback_.frame()) { return; }
+    const bool top = side == MapSide::top;
+    const QString name = QString::fromStdString(playback_.run()->fabric + ", " + playback_.run()->experiment);
+    const QString file =
+        askForFile(&window_, top ? tr("Save Map of the Top Face") : tr("Save Map of the Bottom Face"), folderOf(document_),
+                   top ? tr("%1, top").arg(name) : tr("%1, bottom").arg(name), {tr("Picture"), "png"}, {tr("Table of the cells"), "csv"});
+    if (file.isEmpty()) { return; }
+    try {
+        maps_->save(side, file);
+        Q_EMIT messageShown(tr("Saved %1.").arg(file), 4000);
     } catch (const std::exception& error) {
         Q_EMIT problemFound(QString::fromStdString(error.what()));
     }
