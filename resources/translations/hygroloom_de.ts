@@ -20,16 +20,16 @@
         <translation>%1 lässt sich nicht löschen: %2.</translation>
     </message>
     <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Web page (*.html)</source>
-        <translation>Webseite (*.html)</translation>
-    </message>
-    <message>
         <source>Save Report</source>
         <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Web page</source>
+        <translation>Webseite</translation>
     </message>
 </context>
 <context>
@@ -94,7 +94,7 @@
     </message>
     <message>
         <source>overall capability (OMMC)</source>
-        <translation>Gesamtvermögen (OMMC)</translation>
+        <translation>Feuchtemanagement gesamt (OMMC)</translation>
     </message>
     <message>
         <source>class</source>
@@ -2115,6 +2115,14 @@ Klicken zeigt diese Zeit.</translation>
         <source>, %1 left</source>
         <translation>, noch %1</translation>
     </message>
+    <message>
+        <source>Choose one experiment, and run it on two fabrics at least.</source>
+        <translation>Wählen Sie einen Versuch, und lassen Sie ihn mit mindestens zwei Stoffen laufen.</translation>
+    </message>
+    <message>
+        <source>Choose one experiment, and run it on a fabric.</source>
+        <translation>Wählen Sie einen Versuch, und lassen Sie ihn mit einem Stoff laufen.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CompareMaps</name>
@@ -3454,7 +3462,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>Weft crimp</source>
-        <translation>Einwebung Schuss</translation>
+        <translation>Einwebung des Schusses</translation>
     </message>
     <message>
         <source>weft crimp</source>
@@ -4151,6 +4159,14 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>There is no garment to remove.</source>
         <translation>Es gibt kein Kleidungsstück zum Entfernen.</translation>
+    </message>
+    <message>
+        <source>At rest, Taylor 2013</source>
+        <translation>In Ruhe, Taylor 2013</translation>
+    </message>
+    <message>
+        <source>Exercise, Taylor 2013</source>
+        <translation>Bei Belastung, Taylor 2013</translation>
     </message>
 </context>
 <context>
@@ -4933,14 +4949,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Auf einem echten Stoff liefen %1 Tropfen herab; hier bleiben sie.</translation>
     </message>
     <message>
-        <source>Vapour leaving: %1 g/m² h</source>
-        <translation>Dampf geht: %1 g/m² h</translation>
-    </message>
-    <message>
-        <source>Vapour coming: %1 g/m² h</source>
-        <translation>Dampf kommt: %1 g/m² h</translation>
-    </message>
-    <message>
         <source>Pores: %1 % full</source>
         <translation>Poren: zu %1 % voll</translation>
     </message>
@@ -4955,6 +4963,14 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>The last drop was wiped off</source>
         <translation>Der letzte Tropfen wurde weggewischt</translation>
+    </message>
+    <message>
+        <source>Vapour out: %1 g/(m² h)</source>
+        <translation>Dampf hinaus: %1 g/(m² h)</translation>
+    </message>
+    <message>
+        <source>Vapour in: %1 g/(m² h)</source>
+        <translation>Dampf herein: %1 g/(m² h)</translation>
     </message>
 </context>
 <context>
@@ -7197,6 +7213,14 @@ Klicken zeigt diese Zeit.</translation>
         <source>%1 runs are kept. &lt;a href=&apos;newest&apos;&gt;Open the newest&lt;/a&gt;, choose one in Compare under All Runs, or run the experiment.</source>
         <translation>%1 Läufe sind aufbewahrt. &lt;a href=&apos;newest&apos;&gt;Öffnen Sie den neuesten&lt;/a&gt;, wählen Sie einen unter Vergleichen, Alle Läufe, oder starten Sie den Versuch.</translation>
     </message>
+    <message>
+        <source>A run of the selected fabric and experiment is kept. &lt;a href=&apos;chosen&apos;&gt;Open it&lt;/a&gt;.</source>
+        <translation>Ein Lauf des gewählten Stoffs und Versuchs ist aufbewahrt. &lt;a href=&apos;chosen&apos;&gt;Öffnen&lt;/a&gt;.</translation>
+    </message>
+    <message>
+        <source>The recording is being read: these are the numbers so far.</source>
+        <translation>Die Aufzeichnung wird gelesen: bisherige Zahlen.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::RunActions</name>
@@ -7754,10 +7778,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Aufzeichnungen (*.hygrorec)</translation>
     </message>
     <message>
-        <source>Saved %1</source>
-        <translation>%1 ist gespeichert</translation>
-    </message>
-    <message>
         <source>Saving %1: %2 %</source>
         <translation>%1 wird gespeichert: %2 %</translation>
     </message>
@@ -7824,6 +7844,50 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>Films (*.mp4)</source>
         <translation>Filme (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Save Map of the Top &amp;Face…</source>
+        <translation>Karte der O&amp;berseite speichern…</translation>
+    </message>
+    <message>
+        <source>Save the map of the top face as it is shown, as picture or table.</source>
+        <translation>Die Karte der Oberseite so speichern, wie sie zu sehen ist, als Bild oder Tabelle.</translation>
+    </message>
+    <message>
+        <source>Save Map of the &amp;Bottom Face…</source>
+        <translation>Karte der U&amp;nterseite speichern…</translation>
+    </message>
+    <message>
+        <source>Save the map of the bottom face as it is shown, as picture or table.</source>
+        <translation>Die Karte der Unterseite so speichern, wie sie zu sehen ist, als Bild oder Tabelle.</translation>
+    </message>
+    <message>
+        <source>These results are for “%1, %2”. Open the run of what is selected under Results.</source>
+        <translation>Diese Ergebnisse gehören zu „%1, %2“. Öffnen Sie unter Ergebnisse den Lauf des Gewählten.</translation>
+    </message>
+    <message>
+        <source>Save Map of the Top Face</source>
+        <translation>Karte der Oberseite speichern</translation>
+    </message>
+    <message>
+        <source>Save Map of the Bottom Face</source>
+        <translation>Karte der Unterseite speichern</translation>
+    </message>
+    <message>
+        <source>%1, top</source>
+        <translation>%1, oben</translation>
+    </message>
+    <message>
+        <source>%1, bottom</source>
+        <translation>%1, unten</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Table of the cells</source>
+        <translation>Tabelle der Zellen</translation>
     </message>
 </context>
 <context>
@@ -9106,6 +9170,10 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>Run the experiment, or open a run that is kept, to see how the water spreads on both faces.</source>
         <translation>Starten Sie den Versuch, oder öffnen Sie einen aufbewahrten Lauf, um zu sehen, wie sich das Wasser auf beiden Seiten ausbreitet.</translation>
+    </message>
+    <message>
+        <source>No run is shown whose map could be saved.</source>
+        <translation>Es ist kein Lauf zu sehen, dessen Karte gespeichert werden könnte.</translation>
     </message>
 </context>
 <context>

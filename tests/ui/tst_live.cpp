@@ -134,6 +134,19 @@ private Q_SLOTS:
         QCOMPARE(sides(9), (std::array<double, 2>{4, 5}));
     }
 
+    void aFeedInDropsIsSeen()
+    {
+        Design design = two_cloths();
+        Experiment& feed = design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
+        feed.name = "feed";
+        feed.drop_ul = 25;
+        feed.volume_ul = 50;
+        LiveAnswer live;
+        const auto answer = answerOf(live, design, {.length = 0.2, .halvings = 1});
+        QVERIFY(answer && answer->run->design.experiments[0].duration_s > 10); // the pump has delivered the first drop
+        QVERIFY(answer->top.stain->radius > 0);
+    }
+
     /// At the edge of a cut sample water would find an end that the cloth does not have.
     void waterAtTheEdgeAsksForMoreOfTheSample()
     {

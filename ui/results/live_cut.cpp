@@ -136,6 +136,7 @@ Design cutDesign(const Design& design, int fabric, int experiment, const LiveCut
 
 double beginOf(const Experiment& experiment)
 {
+    if (const int drops = drops_of_feed(experiment); drops > 0) { return std::min(experiment.duration_s, experiment.feed_s / drops); }
     if (!uses_field(experiment.type, "droplets") || experiment.droplets.empty()) { return 0; }
     const auto sooner = [](const Droplet& a, const Droplet& b) { return a.time_s < b.time_s; };
     return std::min_element(experiment.droplets.begin(), experiment.droplets.end(), sooner)->time_s;

@@ -32,7 +32,7 @@ LiveCut withMoreOfTheSample(LiveCut last);
 /// the middle: at least 5 mm, a repeat of the weave, and room for what falls on it.
 Design cutDesign(const Design& design, int fabric, int experiment, const LiveCut& cut);
 
-/// When the first drop falls, s; 0 where none does.
+/// When the first drop falls, also of a feed that comes in drops, s; 0 where none does.
 double beginOf(const Experiment& experiment);
 
 } // namespace hygroloom

@@ -219,6 +219,7 @@ void ResultsPanel::refresh()
     QStringList notes;
     if (playback_.run() && playback_.metrics()) {
         results = resultsOf(*playback_.run(), *playback_.metrics());
+        if (!playback_.live() && !playback_.whole()) { notes << tr("The recording is being read: these are the numbers so far."); }
         for (const std::string& note : playback_.metrics()->notes) { notes << QString::fromStdString(note); }
         const bool faces = std::any_of(results.begin(), results.end(), [](const Result& r) { return !r.bottom.isEmpty(); });
         if (faces) {
