@@ -7847,7 +7847,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Save Map of the Top &amp;Face…</source>
-        <translation>Karte der O&amp;berseite speichern…</translation>
+        <translation>&amp;Karte der Oberseite speichern…</translation>
     </message>
     <message>
         <source>Save the map of the top face as it is shown, as picture or table.</source>
@@ -7855,7 +7855,7 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
     <message>
         <source>Save Map of the &amp;Bottom Face…</source>
-        <translation>Karte der U&amp;nterseite speichern…</translation>
+        <translation>Karte &amp;der Unterseite speichern…</translation>
     </message>
     <message>
         <source>Save the map of the bottom face as it is shown, as picture or table.</source>

@@ -94,6 +94,15 @@ void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outco
     for (const Line& line : lines) { results.push_back(line.result); }
 }
 
+/// Of a run with metrics.
+QStringList notesOf(const Playback& playback)
+{
+    QStringList notes;
+    if (!playback.live() && !playback.whole()) { notes << ResultsPanel::tr("The recording is being read: these are the numbers so far."); }
+    for (const std::string& note : playback.metrics()->notes) { notes << QString::fromStdString(note); }
+    return notes;
+}
+
 /// Empty for a recording of an older version.
 QString begunAt(const RunRecord& run)
 {
@@ -219,8 +228,7 @@ void ResultsPanel::refresh()
     QStringList notes;
     if (playback_.run() && playback_.metrics()) {
         results = resultsOf(*playback_.run(), *playback_.metrics());
-        if (!playback_.live() && !playback_.whole()) { notes << tr("The recording is being read: these are the numbers so far."); }
-        for (const std::string& note : playback_.metrics()->notes) { notes << QString::fromStdString(note); }
+        notes = notesOf(playback_);
         const bool faces = std::any_of(results.begin(), results.end(), [](const Result& r) { return !r.bottom.isEmpty(); });
         if (faces) {
             const bool grades = playback_.metrics()->management.has_value();
