@@ -169,8 +169,8 @@ int tradeoff(const TradeoffOptions& options)
 std::string measured_help()
 {
     std::string text =
-        "Measured on the shipped scenes: wall time, memory, numerical error (against the reference: the largest of all metrics, water "
-        "contents and 1 - overlap):\n";
+        "Measured on the shipped scenes: wall time, memory, numerical error (against the reference: the largest of all metrics but the "
+        "time from which a stain rests, of water contents and of 1 - overlap):\n";
     for (const char* backend : {"cpu", "cuda"})
         for (const MeasuredScene& scene : shipped_measurements(backend)) {
             text += fmt::format("  {} on {} (closure {}; {}, {})\n", scene.experiment, scene.fabric, scene.runs.front().plan.counts.closure,

@@ -55,8 +55,9 @@ void print_report(const VerifyReport& report)
                      r.expected, r.tolerance);
         if (r.blind) print_result("       blind: inputs that differ give the same\n");
         if (!r.known_miss.empty())
-            print_result("       {}known miss, by at most {:.3g}: {}\n", r.misses_as_known() ? "" : "beyond the ", r.miss_bound,
-                         r.known_miss);
+            print_result(r.misses_as_known() ? "       known miss, by at most {:.3g}: {}\n"
+                                             : "       misses by more than the known {:.3g}: {}\n",
+                         r.miss_bound, r.known_miss);
     }
 }
 

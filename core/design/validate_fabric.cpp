@@ -109,9 +109,10 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     } else if (packing < loosest_usual_packing || packing > densest_usual_packing) {
         list.add(
             Severity::warning, "odd_packing", where,
-            fmt::format("{:.4g} tex of this fibre in a diameter of {:.3g} mm is a packing factor of {:.3g}; usual yarns have {} to {}. "
-                        "Leave the diameter or the linear density empty, and it is calculated.",
-                        *yarn.linear_density_tex, *yarn.diameter_mm, packing, loosest_usual_packing, densest_usual_packing));
+            fmt::format(
+                "{:.4g} tex of this fibre in a diameter of {:.3g} mm is a packing factor of {:.3g}; usual yarns are packed to {} to {}. "
+                "Leave the diameter or the linear density empty, and it is calculated.",
+                *yarn.linear_density_tex, *yarn.diameter_mm, packing, loosest_usual_packing, densest_usual_packing));
     }
 }
 

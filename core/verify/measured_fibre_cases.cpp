@@ -45,7 +45,7 @@ std::vector<VerifyResult> heats_of_wetting(const VerifyValues& v, Backend& backe
     const auto noted = [&](VerifyResult result, bool misses) {
         const char* why = calibrated ? "heats are scaled fibre by fibre to the table's heats to saturation, which takes them apart at 65 %"
                                      : "Gibson's law with this isotherm gives too much; the program scales it to the table (calibrated=1)";
-        return misses ? known_miss(result, why, 0.4 * result.expected) : result;
+        return misses ? known_miss(result, why, (calibrated ? 0.2 : 0.4) * result.expected) : result;
     };
     std::vector<VerifyResult> results;
     double per_regain_sum = 0;
@@ -190,9 +190,9 @@ std::vector<VerifyResult> order_of_diffusivities(const VerifyValues&, Backend& b
         "the library's diffusivities are effective ones across the fibre, published within a factor of ten; the measured ones are along it";
     const auto of = [&](const char* fibre) { return diffusivity_by_half_time(library_material(fibre), backend); };
     const double cotton = of("cotton"), viscose = of("viscose"), wool = of("wool"), nylon = of("nylon 6.6"), polyester = of("polyester");
-    return {known_miss(at_most("viscose_over_cotton", viscose / cotton, 0.99), reason, 2),
-            known_miss(at_most("wool_over_viscose", wool / viscose, 0.99), reason, 0.3), at_most("nylon_over_wool", nylon / wool, 0.99),
-            known_miss(at_most("polyester_over_nylon", polyester / nylon, 1.0), reason, 25)};
+    return {known_miss(at_most("viscose_over_cotton", viscose / cotton, 0.99), reason, 1.2),
+            known_miss(at_most("wool_over_viscose", wool / viscose, 0.99), reason, 0.05), at_most("nylon_over_wool", nylon / wool, 0.99),
+            known_miss(at_most("polyester_over_nylon", polyester / nylon, 1.0), reason, 18)};
 }
 
 /// Of a sheet that comes from dry air into 65 %: the integral of its rise of temperature, K s, and the water it took, kg/m2.

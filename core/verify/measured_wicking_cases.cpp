@@ -313,8 +313,9 @@ std::vector<VerifyCase> measured_wicking_cases()
          {},
          {},
          "Stapelbroek et al., Soft Matter 2014, doi 10.1039/C3SM52464G",
-         "Measured on solids, in the first millisecond. Caps have its root of time built in, which shows nothing; of particles it was not "
-         "tried."},
+         "Measured on solids, in the first millisecond. Caps assume its root of time, so that a comparison would show nothing; particles "
+         "were "
+         "not compared."},
         {"measured_t5",
          "A cotton strip: its height squared is straight over time, and it holds the less water the higher.",
          {},

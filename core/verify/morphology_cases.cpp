@@ -73,8 +73,7 @@ const Reason of_room{"Hollows of both faces empty first, air comes from both, an
 VerifyResult compared(const std::string& name, double closure, double geometry, double tolerance, double most, const std::string& why)
 {
     const VerifyResult result{name, closure, geometry, tolerance * geometry};
-    const double factor = closure > geometry ? closure / geometry : geometry / closure;
-    return factor <= most ? known_miss(result, why, std::max(most - 1, 1 - 1 / most) * geometry) : result;
+    return known_miss(result, why, (closure > geometry ? most - 1 : 1 - 1 / most) * geometry);
 }
 
 /// A class of pores by the closure and by the geometry.

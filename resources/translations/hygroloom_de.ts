@@ -5534,8 +5534,12 @@ Klicken zeigt diese Zeit.</translation>
         <translation>%1, auf %2 × %3 in der Mitte</translation>
     </message>
     <message>
-        <source>The first answer takes a moment.</source>
-        <translation>Die erste Antwort dauert einen Augenblick.</translation>
+        <source>The answer follows.</source>
+        <translation>Die Antwort folgt.</translation>
+    </message>
+    <message>
+        <source>looked at 20 times, of an error that is not known</source>
+        <translation>20-mal angesehen, Fehler nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -7850,20 +7854,8 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>&amp;Karte der Oberseite speichern…</translation>
     </message>
     <message>
-        <source>Save the map of the top face as it is shown, as picture or table.</source>
-        <translation>Die Karte der Oberseite so speichern, wie sie zu sehen ist, als Bild oder Tabelle.</translation>
-    </message>
-    <message>
         <source>Save Map of the &amp;Bottom Face…</source>
         <translation>Karte &amp;der Unterseite speichern…</translation>
-    </message>
-    <message>
-        <source>Save the map of the bottom face as it is shown, as picture or table.</source>
-        <translation>Die Karte der Unterseite so speichern, wie sie zu sehen ist, als Bild oder Tabelle.</translation>
-    </message>
-    <message>
-        <source>These results are for “%1, %2”. Open the run of what is selected under Results.</source>
-        <translation>Diese Ergebnisse gehören zu „%1, %2“. Öffnen Sie unter Ergebnisse den Lauf des Gewählten.</translation>
     </message>
     <message>
         <source>Save Map of the Top Face</source>
@@ -7888,6 +7880,22 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>Table of the cells</source>
         <translation>Tabelle der Zellen</translation>
+    </message>
+    <message>
+        <source>Save the map of the top face at the time shown, as picture or table.</source>
+        <translation>Die Karte der Oberseite zur gezeigten Zeit speichern, als Bild oder Tabelle.</translation>
+    </message>
+    <message>
+        <source>Save the map of the bottom face at the time shown, as picture or table.</source>
+        <translation>Die Karte der Unterseite zur gezeigten Zeit speichern, als Bild oder Tabelle.</translation>
+    </message>
+    <message>
+        <source>Out of date: the design has changed since this run. Results has a link to a run of it.</source>
+        <translation>Veraltet: der Entwurf hat sich seit diesem Lauf geändert. Unter Ergebnisse steht ein Link zu einem passenden Lauf.</translation>
+    </message>
+    <message>
+        <source>These results are for “%1, %2”. Results has a link to the run of what is selected.</source>
+        <translation>Diese Ergebnisse gehören zu „%1, %2“. Unter Ergebnisse steht ein Link zum Lauf des Gewählten.</translation>
     </message>
 </context>
 <context>

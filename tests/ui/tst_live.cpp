@@ -37,9 +37,9 @@ void setAngle(Document& document, double angle, std::size_t fabric = 0)
 }
 
 /// nullptr: refused
-std::shared_ptr<const Answer> answerOf(LiveAnswer& live, const Design& design, const LiveCut& cut)
+std::shared_ptr<const Answer> answerOf(const Design& design, const LiveCut& cut)
 {
-    live.cutTo(design.experiments[0].name, cut);
+    LiveAnswer live(cut);
     std::shared_ptr<const Answer> answer;
     QEventLoop waits;
     QObject::connect(&live, &LiveAnswer::refused, &waits, &QEventLoop::quit);
@@ -71,7 +71,7 @@ private Q_SLOTS:
         QCOMPARE(next(1, 0, 10, 0.15), std::pair(1.0, 0)); // as it is
         QCOMPARE(next(1, 0, 10, 0.05), std::pair(2.0, 0)); // more time
         QCOMPARE(next(5, 2, 10, 0.01), std::pair(10.0, 2));
-        QCOMPARE(next(7, 1, 9, 0.01), std::pair(9.0, 1));
+        QCOMPARE(next(7, 1, 9, 0.01), std::pair(10.0, 1)); // all of it
         QCOMPARE(next(1000, 0, 86400, 0.01), std::pair(2000.0, 0));
         QCOMPARE(next(10, 2, 10, 0.01), std::pair(10.0, 1)); // then more of the sample
         QCOMPARE(next(10, 1, 10, 0.05), std::pair(10.0, 1));
@@ -141,10 +141,42 @@ private Q_SLOTS:
         feed.name = "feed";
         feed.drop_ul = 25;
         feed.volume_ul = 50;
-        LiveAnswer live;
-        const auto answer = answerOf(live, design, {.length = 0.2, .halvings = 1});
+        const auto answer = answerOf(design, {.length = 0.2, .halvings = 1});
         QVERIFY(answer && answer->run->design.experiments[0].duration_s > 10); // the pump has delivered the first drop
         QVERIFY(answer->top.stain->radius > 0);
+    }
+
+    void aDropPastTheEndIsRefusedAndSeenOnceItIsMended()
+    {
+        Design design = two_cloths();
+        design.experiments[0].duration_s = 2;
+        Document document;
+        document.take(design, "drops");
+        LivePanel panel(document);
+        panel.setVisible(true);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.answer(), patience);
+        const auto setTime = [&](double time) {
+            document.edit("time", QString::number(time), [time](Design& d) { d.experiments[0].droplets[0].time_s = time; });
+        };
+        setTime(9);
+        QTRY_VERIFY2_WITH_TIMEOUT(panel.status().contains("time_s") || panel.status().contains("duration"), qPrintable(panel.status()),
+                                  patience);
+        QVERIFY(!panel.answer());
+        setTime(1.5);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.answer(), patience);
+        QVERIFY(panel.answer()->top.stain->radius > 0);
+    }
+
+    void ofALongExperimentTheWholeIsExpectedToTakeLonger()
+    {
+        Design design = two_cloths();
+        design.experiments[0] = standard_experiment(ExperimentType::sweat);
+        design.experiments[0].sample_mm = {20, 20};
+        design.experiments[0].duration_s = 20;
+        const double small = answerOf(design, {.length = 1, .halvings = 2})->wall_of_all;
+        design.experiments[0].sample_mm = {200, 200};
+        const double large = answerOf(design, {.length = 1, .halvings = 5})->wall_of_all;
+        QVERIFY2(small > 0 && large > 10 * small, qPrintable(QString("%1 %2").arg(small).arg(large)));
     }
 
     /// At the edge of a cut sample water would find an end that the cloth does not have.
@@ -152,8 +184,7 @@ private Q_SLOTS:
     {
         Design design = two_cloths();
         design.experiments[0].sample_mm = {20, 20};
-        LiveAnswer live;
-        const auto answer = answerOf(live, design, {.length = 0.3, .halvings = 3});
+        const auto answer = answerOf(design, {.length = 0.3, .halvings = 3});
         QVERIFY(answer);
         const double side = answer->run->design.experiments[0].sample_mm[0];
         const double least = cutDesign(design, 0, 0, {.length = 0.3, .halvings = 3}).experiments[0].sample_mm[0];
@@ -169,8 +200,7 @@ private Q_SLOTS:
         design.experiments[0].name = "sweat";
         design.experiments[0].sample_mm = {20, 20};
         design.experiments[0].duration_s = 20;
-        LiveAnswer live;
-        const auto part = answerOf(live, design, {.length = 20, .halvings = 2}), whole = answerOf(live, design, {.length = 20});
+        const auto part = answerOf(design, {.length = 20, .halvings = 2}), whole = answerOf(design, {.length = 20});
         QVERIFY(part && whole && !part->ofAllCloth() && whole->ofAllCloth());
         QVERIFY2(whole->most > 0 && std::abs(part->most / whole->most - 1) < 0.02,
                  qPrintable(QString("%1 %2").arg(part->most).arg(whole->most)));

@@ -10,7 +10,21 @@
 #include <QListWidget>
 #include <QPushButton>
 
+#include <exception>
+
 namespace hygroloom {
+
+namespace {
+
+/// In a sentence; empty: they stand.
+std::string whyNoDrops(const LessonCloth& cloth)
+try {
+    return why_no_drops(cloth.design, Lesson().air);
+} catch (const std::exception& error) {
+    return error.what();
+}
+
+} // namespace
 
 std::vector<LessonCloth> clothsToChoose(const Design& design)
 {
@@ -30,7 +44,7 @@ ClothChoice::ClothChoice(const Design& design, QWidget* parent)
     setWindowTitle(tr("Cloths on the Table"));
     for (const LessonCloth& cloth : offered_) {
         auto* item = new QListWidgetItem(QString::fromStdString(cloth.title), list_);
-        if (const std::string reason = why_no_drops(cloth.design, Lesson().air); !reason.empty()) {
+        if (const std::string reason = whyNoDrops(cloth); !reason.empty()) {
             item->setFlags(Qt::NoItemFlags);
             item->setText(tr("%1 (drops do not stand on it)").arg(item->text()));
             item->setToolTip("<p>" + QString::fromStdString(reason).toHtmlEscaped() + "</p>");

@@ -19,7 +19,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr const char* picture_version = "4"; // to be raised when meshes or framing change; shaders count by themselves
+constexpr const char* picture_version = "4"; // to be raised when meshes, framing or sampling change; shaders count by themselves
 constexpr double swatch_mm = 5;
 constexpr double least_threads = 6; // across the picture of a coarse fabric
 constexpr int oversampling = 2;

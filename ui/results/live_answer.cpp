@@ -3,11 +3,13 @@
 
 #include "core/base/error.h"
 #include "core/design/validate.h"
+#include "core/run/plan_run.h"
 #include "core/run/runner.h"
 #include "gpu/backends.h"
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace hygroloom {
 
@@ -16,6 +18,7 @@ namespace {
 constexpr int cells_across = 2; // crossings, of a map
 // Of a cut answer and of others: each asks for a step at least, and for a look at all of the cloth.
 constexpr double frames = 20, usual_frames = 100;
+constexpr double all_of_it = std::numeric_limits<double>::infinity(); // s, of an experiment
 
 QString firstError(const Design& design)
 {
@@ -28,7 +31,6 @@ QString firstError(const Design& design)
 /// whole: with the frames of any other run.
 std::shared_ptr<Answer> answerTo(const Design& design, Fidelity fidelity, bool whole, RunControl& control)
 {
-    const auto begun = std::chrono::steady_clock::now();
     RunOptions options;
     options.fidelity = fidelity;
     options.threads = 1;
@@ -65,8 +67,16 @@ std::shared_ptr<Answer> answerTo(const Design& design, Fidelity fidelity, bool w
     const Metrics metrics = collector.metrics();
     answer->numbers = resultsOf(*answer->run, metrics);
     answer->edge_is_wet = metrics.edge_time.has_value();
-    answer->wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     return answer;
+}
+
+/// s, that the whole experiment may take: as planned for its whole time on the cut sample, times the share of the cloth.
+double wallOfAll(const Design& design, int fabric, int experiment, const LiveCut& cut)
+{
+    const auto area = [](const Experiment& of) { return of.sample_mm[0] * of.sample_mm[1]; };
+    const Design part = cutDesign(design, fabric, experiment, {.length = all_of_it, .halvings = cut.halvings});
+    const ModelPlan plan = plan_run(part, part.fabrics[0], part.experiments[0], Fidelity::live);
+    return plan.expected_seconds * area(design.experiments[static_cast<std::size_t>(experiment)]) / area(part.experiments[0]);
 }
 
 } // namespace
@@ -75,13 +85,7 @@ bool Answer::ofAllTime() const { return run->design.experiments[0].duration_s >=
 
 bool Answer::ofAllCloth() const { return run->design.experiments[0].sample_mm == asked.sample_mm; }
 
-double Answer::wallOfAll() const
-{
-    const auto area = [](const Experiment& experiment) { return experiment.sample_mm[0] * experiment.sample_mm[1]; };
-    return whole ? wall : usual_frames / frames * wall * area(asked) / area(run->design.experiments[0]);
-}
-
-LiveAnswer::LiveAnswer(QObject* parent) : QObject(parent) {}
+LiveAnswer::LiveAnswer(const std::optional<LiveCut>& first, QObject* parent) : QObject(parent), first_(first) {}
 
 LiveAnswer::~LiveAnswer() { stop(); }
 
@@ -92,46 +96,50 @@ void LiveAnswer::ask(const std::shared_ptr<const Design>& design, int fabric, in
     working_ = true;
     const Experiment& asked = design->experiments.at(static_cast<std::size_t>(experiment));
     const double duration = asked.duration_s - beginOf(asked);
-    LiveCut cut{.length = duration};
+    const Fabric& cloth = design->fabrics.at(static_cast<std::size_t>(fabric));
+    const std::string key = cloth.name + '\n' + asked.name + '\n' + name_of(asked.type) + '\n' + std::to_string(asked.sample_mm[0]) + ' ' +
+                            std::to_string(asked.sample_mm[1]);
     const bool cuts = fidelity == Fidelity::live && !whole;
+    LiveCut cut{.length = all_of_it};
     if (cuts) {
-        const auto known = cuts_.find(asked.name);
-        cut = known == cuts_.end() ? firstCut(design->fabrics.at(static_cast<std::size_t>(fabric)), asked) : known->second;
-        cut.length = std::min(cut.length, duration);
+        const auto known = cuts_.find(key);
+        cut = known != cuts_.end() ? known->second : first_ ? *first_ : firstCut(cloth, asked);
     }
-    job_.run([this, design, fabric, experiment, fidelity, cuts, cut, duration, control = control_](const NewestJob::Turn& turn) mutable {
-        std::shared_ptr<Answer> answer;
-        QString refusal;
-        try {
-            for (bool fits = false; !fits;) {
-                const Design one = cutDesign(*design, fabric, experiment, cut);
-                refusal = firstError(one);
-                fits = cut.halvings == 0 || refusal.isEmpty();
-                if (refusal.isEmpty()) {
-                    answer = answerTo(one, fidelity, !cuts, *control);
-                    fits = cut.halvings == 0 || !answer->edge_is_wet;
+    job_.run(
+        [this, design, fabric, experiment, fidelity, cuts, cut, duration, key, control = control_](const NewestJob::Turn& turn) mutable {
+            const auto begun = std::chrono::steady_clock::now();
+            std::shared_ptr<Answer> answer;
+            QString refusal;
+            try {
+                refusal = firstError(cutDesign(*design, fabric, experiment, {.length = all_of_it}));
+                for (bool fits = !refusal.isEmpty(); !fits;) {
+                    const Design one = cutDesign(*design, fabric, experiment, cut);
+                    const bool is_experiment = firstError(one).isEmpty();
+                    if (is_experiment) { answer = answerTo(one, fidelity, !cuts, *control); }
+                    fits = is_experiment && (cut.halvings == 0 || !answer->edge_is_wet);
+                    if (!fits) { cut = withMoreOfTheSample(cut); }
                 }
-                if (!fits) { cut = withMoreOfTheSample(cut); }
+                if (answer) {
+                    answer->asked = design->experiments[static_cast<std::size_t>(experiment)];
+                    answer->whole = !cuts;
+                    answer->wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+                    answer->wall_of_all = cuts ? wallOfAll(*design, fabric, experiment, cut) : answer->wall;
+                    cut = nextCut(cut, duration, answer->wall);
+                }
+            } catch (const Cancelled&) {
+                return;
+            } catch (const std::bad_alloc&) {
+                refusal = tr("Not enough memory for this experiment. Choose a smaller sample.");
+            } catch (const std::exception& error) {
+                refusal = QString::fromStdString(error.what());
             }
-        } catch (const Cancelled&) {
-            return;
-        } catch (const std::bad_alloc&) {
-            refusal = tr("Not enough memory for this experiment. Choose a smaller sample.");
-        } catch (const std::exception& error) {
-            refusal = QString::fromStdString(error.what());
-        }
-        if (!refusal.isEmpty()) { answer.reset(); }
-        if (answer) {
-            answer->asked = design->experiments[static_cast<std::size_t>(experiment)];
-            answer->whole = !cuts;
-            cut = nextCut(cut, duration, answer->wall);
-        }
-        turn.deliver([this, control, answer, refusal, cuts, cut] {
-            if (control != control_) { return; }
-            if (cuts && answer) { cuts_[answer->asked.name] = cut; }
-            end(answer, refusal);
+            if (!refusal.isEmpty()) { answer.reset(); }
+            turn.deliver([this, control, answer, refusal, cuts, cut, key] {
+                if (control != control_) { return; }
+                if (cuts && answer) { cuts_[key] = cut; }
+                end(answer, refusal);
+            });
         });
-    });
 }
 
 void LiveAnswer::end(const std::shared_ptr<const Answer>& answer, const QString& refusal)
@@ -143,8 +151,6 @@ void LiveAnswer::end(const std::shared_ptr<const Answer>& answer, const QString&
         Q_EMIT refused(refusal);
     }
 }
-
-void LiveAnswer::cutTo(const std::string& experiment, const LiveCut& cut) { cuts_[experiment] = cut; }
 
 void LiveAnswer::stop()
 {

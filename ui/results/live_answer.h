@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What an edit comes to, while the hand is still on the slider: the experiment on one core, cut to what fits a moment.
+// What an edit comes to, while the hand is still on the slider: the experiment on one core, cut to what 0.2 s are enough for.
 #pragma once
 
 #include "core/run/run_options.h"
@@ -9,6 +9,7 @@
 #include "ui/results/water_map.h"
 
 #include <map>
+#include <optional>
 
 namespace hygroloom {
 
@@ -20,25 +21,24 @@ struct Answer {
     Experiment asked;            ///< the whole; the run's own is what was computed of it
     bool whole = false;          ///< nothing was cut, neither time nor sample nor frames
     bool edge_is_wet = false;
-    double wall = 0; ///< s, from the question to the answer
+    double wall = 0;        ///< s, from the question to the answer
+    double wall_of_all = 0; ///< s, that the whole is expected to take
 
-    bool ofAllTime() const;
-    bool ofAllCloth() const;
-    double wallOfAll() const; ///< s, that the whole may take; a guess: as if time grew with the cloth and with frames
+    bool ofAllTime() const;  ///< the time was not cut
+    bool ofAllCloth() const; ///< the sample was not cut
 };
 
 class LiveAnswer : public QObject {
     Q_OBJECT
 public:
-    explicit LiveAnswer(QObject* parent = nullptr);
+    /// first: what an experiment's first answer is cut to; none: firstCut().
+    explicit LiveAnswer(const std::optional<LiveCut>& first = {}, QObject* parent = nullptr);
     ~LiveAnswer() override;
 
     /// Begins anew with an experiment of a fabric; what is under way for an older question is cancelled. At live the experiment is
     /// cut unless the whole of it is asked for, at other fidelities it is whole. Preconditions: indices within the design.
     void ask(const std::shared_ptr<const Design>& design, int fabric, int experiment, Fidelity fidelity = Fidelity::live,
              bool whole = false);
-    /// Of the experiment's next answer, whatever the last took.
-    void cutTo(const std::string& experiment, const LiveCut& cut);
     void stop();
     bool working() const { return working_; }
 
@@ -51,7 +51,8 @@ private:
     void end(const std::shared_ptr<const Answer>& answer, const QString& refusal);
 
     std::shared_ptr<RunControl> control_; ///< of what is under way
-    std::map<std::string, LiveCut> cuts_; ///< that fit, by experiment
+    std::optional<LiveCut> first_;
+    std::map<std::string, LiveCut> cuts_; ///< that fit, by fabric and experiment
     bool working_ = false;
     NewestJob job_; // last: it ends before the rest goes
 };

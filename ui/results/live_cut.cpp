@@ -23,6 +23,7 @@ std::array<double, 5> roundLengths(double length)
     return {0.5 * decade, decade, 2 * decade, 5 * decade, 10 * decade};
 }
 
+/// The next round one.
 double longer(double length)
 {
     for (const double round : roundLengths(length)) {
@@ -31,6 +32,7 @@ double longer(double length)
     return length;
 }
 
+/// The round one before, but not below the shortest.
 double shorter(double length)
 {
     double next = length;
@@ -59,7 +61,7 @@ void keepAirLayer(Experiment& experiment, double share)
 {
     experiment.climate.air_speed_m_s *= share;
     experiment.initial.air_speed_m_s *= share;
-    for (ClimateMoment& moment : experiment.climates) { moment.climate.air_speed_m_s *= share; }
+    for (ClimateMoment& later : experiment.climates) { later.climate.air_speed_m_s *= share; }
 }
 
 /// Of a strip the length.
@@ -82,14 +84,20 @@ void cutSample(Experiment& experiment, const Fabric& fabric, int halvings)
 
 LiveCut firstCut(const Fabric& fabric, const Experiment& experiment)
 {
-    constexpr double most_crossings = 5000; // take about a moment
+    constexpr double most_crossings = 5000; // take about 0.2 s
     LiveCut cut;
-    const auto crossings = [&] {
+    const auto sampleOf = [&](int halvings) {
         Experiment part = experiment;
-        cutSample(part, fabric, cut.halvings);
-        const auto [along_weft, along_warp] = sample_extent_mm(part);
+        cutSample(part, fabric, halvings);
+        return part;
+    };
+    const auto crossings = [&] {
+        const auto [along_weft, along_warp] = sample_extent_mm(sampleOf(cut.halvings));
         return 0.01 * along_weft * fabric.ends_per_cm * along_warp * fabric.picks_per_cm;
     };
+    while (cut.most_halvings > 0 && sampleOf(cut.most_halvings).sample_mm == sampleOf(cut.most_halvings - 1).sample_mm) {
+        --cut.most_halvings;
+    }
     while (cut.halvings < cut.most_halvings && crossings() > most_crossings) { ++cut.halvings; }
     return cut;
 }
@@ -98,15 +106,16 @@ LiveCut nextCut(LiveCut last, double duration, double wall)
 {
     LiveCut next = last;
     next.wall = wall;
+    const double computed = std::max(std::min(last.length, duration), std::min(last.length, shortest));
     if (wall > moment && last.halvings < last.most_halvings) {
         ++next.halvings;
         next.too_long = std::numeric_limits<double>::infinity();
     } else if (wall > moment) {
-        next.length = shorter(last.length);
-        next.too_long = last.length;
+        next.length = shorter(computed);
+        next.too_long = computed;
         next.wall_before = last.wall;
-    } else if (wall < room_for_more && last.length < duration) {
-        const double length = std::min(duration, longer(last.length));
+    } else if (wall < room_for_more && computed < duration) {
+        const double length = longer(computed);
         if (length < last.too_long || wall < 0.5 * last.wall_before) { next.length = length; }
     } else if (wall < room_for_all && last.halvings > 0) {
         --next.halvings;
@@ -128,8 +137,10 @@ Design cutDesign(const Design& design, int fabric, int experiment, const LiveCut
     one.garments.clear();
     one.wears.clear();
     Experiment& asked = one.experiments[0];
-    asked.duration_s = std::min(asked.duration_s, beginOf(asked) + cut.length);
-    std::erase_if(asked.droplets, [&](const Droplet& drop) { return drop.time_s >= asked.duration_s; });
+    if (const double end = beginOf(asked) + cut.length; end < asked.duration_s) {
+        asked.duration_s = end;
+        std::erase_if(asked.droplets, [end](const Droplet& drop) { return drop.time_s >= end; });
+    }
     cutSample(asked, one.fabrics[0], cut.halvings);
     return one;
 }

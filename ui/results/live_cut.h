@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// How much of an experiment fits a moment: the first part of its time, on the middle of its sample.
+// What of an experiment is computed within 0.2 s: the first part of its time, on the middle of its sample.
 #pragma once
 
 #include "core/design/design.h"
@@ -9,16 +9,16 @@
 namespace hygroloom {
 
 struct LiveCut {
-    double length = 1;     ///< s, from the first drop on
+    double length = 1;     ///< s, from the first drop on; more than the experiment has: all of it
     int halvings = 0;      ///< of the sample's sides
-    int most_halvings = 5; ///< more leave too little of the cloth, or water reaches the edge at once
+    int most_halvings = 5; ///< more change nothing, or water has reached the edge
 
     double too_long = std::numeric_limits<double>::infinity(); ///< s, a length that so much of the sample does not fit
     double wall = 0;                                           ///< s, of the last answer
     double wall_before = 0; ///< s, of the answer before too_long was tried: it is tried again once answers take half as long
 };
 
-/// The first answer's: a second, on so many crossings as take about a moment.
+/// The first answer's: a second, on so many crossings as take about 0.2 s.
 LiveCut firstCut(const Fabric& fabric, const Experiment& experiment);
 
 /// The next answer's, by the time (s) that the last took: a smaller sample, then less time (a step of 1, 2, 5, 10, …) where it took too

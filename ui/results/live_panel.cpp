@@ -156,7 +156,7 @@ void LivePanel::ask()
     } else if (runsOnBattery()) {
         refuse(tr("Off while this machine runs on its battery."));
     } else {
-        if (map_->map().columns == 0) { say(tr("The first answer takes a moment.")); }
+        if (map_->map().columns == 0) { say(tr("The answer follows.")); }
         live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex());
     }
 }
@@ -167,7 +167,7 @@ void LivePanel::askFiner()
     const bool draft = shown_ && shown_->run->plan.fidelity == Fidelity::draft;
     if (!isVisible() || live_.working() || !(live || draft)) { return; }
     const bool cut = live && !shown_->whole;
-    if (cut && shown_->wallOfAll() > longest_unasked) { return; } // the whole of what is so slow is for Simulate
+    if (cut && shown_->wall_of_all > longest_unasked) { return; } // the whole of what is so slow is for Simulate
     if (!cut && !refine_->isChecked()) { return; }
     const Fidelity next = cut ? Fidelity::live : live ? Fidelity::draft : Fidelity::standard;
     live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex(), next, true);
@@ -186,7 +186,9 @@ void LivePanel::take(const std::shared_ptr<const Answer>& answer)
     map_->setMap(answer->top.cells, answer->top.stain, answer->top.size);
     showNumbers(answer->numbers);
     const QString name = QString::fromStdString(answer->run->experiment);
-    say(tr("%1: %2, %3; %4.").arg(fidelityName(answer->run->plan.fidelity), name, extentText(*answer), expectedError(answer->run->plan)));
+    say(tr("%1: %2, %3; %4.")
+            .arg(fidelityName(answer->run->plan.fidelity), name, extentText(*answer),
+                 answer->whole ? expectedError(answer->run->plan) : tr("looked at 20 times, of an error that is not known")));
     if (!answer->whole) {
         pause_.start(short_pause_ms); // numbers of the whole can be told apart from those after another edit
     } else if (refine_->isChecked() && answer->run->plan.fidelity != Fidelity::standard) {

@@ -30,7 +30,7 @@ public:
     void setWaterColors(WaterColors colors);
     /// In the menus of the right button.
     void offerSaving(QAction* top, QAction* bottom);
-    /// A face as it is shown, at the time shown: the numbers of its cells where the file ends in .csv, else a PNG picture in the colours'
+    /// A face at the time shown: the numbers of its cells where the file ends in .csv, else a PNG picture in the colours'
     /// range of the window. Throws Error.
     void save(MapSide side, const QString& file) const;
 

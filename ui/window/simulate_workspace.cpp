@@ -111,11 +111,11 @@ void SimulateWorkspace::fillFileMenu(QMenu* menu)
         addCommand(menu, {}, tr("Save Repor&t…"), {},
                    tr("Save the results of the run that is shown, with maps at the time shown and charts, as PDF or web page."));
     connect(actions_.save_report, &QAction::triggered, this, &SimulateWorkspace::saveReport);
-    actions_.save_top =
-        addCommand(menu, {}, tr("Save Map of the Top &Face…"), {}, tr("Save the map of the top face as it is shown, as picture or table."));
+    actions_.save_top = addCommand(menu, {}, tr("Save Map of the Top &Face…"), {},
+                                   tr("Save the map of the top face at the time shown, as picture or table."));
     connect(actions_.save_top, &QAction::triggered, this, [this] { saveMap(MapSide::top); });
     actions_.save_bottom = addCommand(menu, {}, tr("Save Map of the &Bottom Face…"), {},
-                                      tr("Save the map of the bottom face as it is shown, as picture or table."));
+                                      tr("Save the map of the bottom face at the time shown, as picture or table."));
     connect(actions_.save_bottom, &QAction::triggered, this, [this] { saveMap(MapSide::bottom); });
     maps_->offerSaving(actions_.save_top, actions_.save_bottom);
     actions_.save_pictures = addCommand(menu, {}, tr("Save Picture Se&quence…"), {},
@@ -170,8 +170,8 @@ void SimulateWorkspace::refreshActions()
     a.stop->setEnabled(running);
     a.save_recording->setEnabled(any && !playback_.live() && !playback_.path().isEmpty());
     a.save_report->setEnabled(any);
-    a.save_top->setEnabled(any);
-    a.save_bottom->setEnabled(any);
+    a.save_top->setEnabled(any && playback_.frame());
+    a.save_bottom->setEnabled(any && playback_.frame());
     const bool filmable = any && !playback_.live() && viewport_.canvas();
     a.save_pictures->setEnabled(filmable);
     const bool encoder = Film::whyNoMovie().isEmpty();
@@ -230,6 +230,7 @@ void SimulateWorkspace::refreshKept()
     const auto& runs = history_.runs();
     results_->setKept(static_cast<int>(std::count_if(runs.begin(), runs.end(), canBeShown)));
     results_->setChosenKept(stale_ && keptOfChosen());
+    if (stale_) { Q_EMIT pictureChanged(); } // whose notice says so
 }
 
 /// The newest run of the project that holds for the selected fabric and experiment; nullptr: there is none.
@@ -238,8 +239,8 @@ const KeptRun* SimulateWorkspace::keptOfChosen() const
     if (!document_.fabric() || !document_.experiment()) { return nullptr; }
     const auto& runs = history_.runs();
     const auto found = std::find_if(runs.rbegin(), runs.rend(), [this](const KeptRun& kept) {
-        return canBeShown(kept) && kept.run->fabric == document_.fabric()->name && kept.run->experiment == document_.experiment()->name &&
-               holdsFor(*kept.run, *document_.design());
+        return canBeShown(kept) && kept.complete() && kept.run->fabric == document_.fabric()->name &&
+               kept.run->experiment == document_.experiment()->name && holdsFor(*kept.run, *document_.design());
     });
     return found == runs.rend() ? nullptr : &*found;
 }
@@ -248,8 +249,10 @@ QString SimulateWorkspace::whyStale() const
 {
     const auto& run = playback_.run();
     if (keptOfChosen()) {
-        return tr("These results are for “%1, %2”. Open the run of what is selected under Results.")
-            .arg(QString::fromStdString(run->fabric), QString::fromStdString(run->experiment));
+        const bool chosen = document_.fabric()->name == run->fabric && document_.experiment()->name == run->experiment;
+        return chosen ? tr("Out of date: the design has changed since this run. Results has a link to a run of it.")
+                      : tr("These results are for “%1, %2”. Results has a link to the run of what is selected.")
+                            .arg(QString::fromStdString(run->fabric), QString::fromStdString(run->experiment));
     }
     if (!document_.fabric() || document_.fabric()->name != run->fabric) {
         return tr("These results are for “%1”. Run the selected fabric.").arg(QString::fromStdString(run->fabric));

@@ -62,6 +62,7 @@ void SimulateWorkspace::connectPlayback()
     });
     connect(&playback_, &Playback::frameShown, this, [this] {
         if (shown_ && playback_.frame()) { viewport_.showFrame(playback_.frame(), playback_.maximumSaturation()); }
+        for (QAction* save : {actions_.save_top, actions_.save_bottom}) { save->setEnabled(shown_ && playback_.frame()); }
     });
     connect(&playback_, &Playback::metricsChanged, this, [this] {
         if (!playback_.live()) { viewport_.setRunMaximum(playback_.maximumSaturation()); }
