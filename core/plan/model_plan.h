@@ -61,7 +61,7 @@ struct ModelPlan {
     SceneCounts counts;
     double expected_seconds = 0;
     double expected_bytes = 0;
-    std::optional<double> expected_error;          ///< against the reference, relative, but for the time of arrest; none: not measured
+    std::optional<double> expected_error;          ///< against the reference, relative; none: not measured
     std::map<std::string, double> expected_errors; ///< of each metric by its key, with what the reference itself lacks; see error_scale()
     std::string expectation_source;
 
