@@ -55,8 +55,7 @@ void print_report(const VerifyReport& report)
                      r.expected, r.tolerance);
         if (r.blind) print_result("       blind: inputs that differ give the same\n");
         if (!r.known_miss.empty())
-            print_result(r.misses_as_known() ? "       known miss, by at most {:.3g}: {}\n"
-                                             : "       misses by more than the known {:.3g}: {}\n",
+            print_result("       {} {:.3g}: {}\n", r.misses_as_known() ? "known miss, by at most" : "misses by more than the known",
                          r.miss_bound, r.known_miss);
     }
 }
