@@ -114,9 +114,10 @@ void LiveAnswer::ask(const std::shared_ptr<const Design>& design, int fabric, in
                 refusal = firstError(cutDesign(*design, fabric, experiment, {.length = all_of_it}));
                 for (bool fits = !refusal.isEmpty(); !fits;) {
                     const Design one = cutDesign(*design, fabric, experiment, cut);
-                    const bool is_experiment = firstError(one).isEmpty();
-                    if (is_experiment) { answer = answerTo(one, fidelity, !cuts, *control); }
-                    fits = is_experiment && (cut.halvings == 0 || !answer->edge_is_wet);
+                    const QString error = firstError(one);
+                    if (error.isEmpty()) { answer = answerTo(one, fidelity, !cuts, *control); }
+                    if (cut.halvings == 0) { refusal = error; }
+                    fits = cut.halvings == 0 || (error.isEmpty() && !answer->edge_is_wet);
                     if (!fits) { cut = withMoreOfTheSample(cut); }
                 }
                 if (answer) {
