@@ -40,7 +40,8 @@ void add_fidelity_options(CLI::App& verb, FidelityOptions& options, const std::s
 {
     verb.add_option("--fidelity", options.fidelity, "Resolution; auto with --error or --time")
         ->type_name("{live,draft,standard,reference,auto}");
-    verb.add_option("--error", options.error, "With --fidelity auto: the fastest fidelity within this error, e.g. 5%" + whose);
+    verb.add_option("--error", options.error,
+                    "With --fidelity auto: the fastest fidelity within this error (of all numbers but time_of_arrest_s), e.g. 5%" + whose);
     verb.add_option("--time", options.time, "With --fidelity auto: the finest fidelity within this time, e.g. 10s or 2min" + whose);
 }
 
