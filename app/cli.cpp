@@ -347,7 +347,7 @@ void add_devices(CLI::App& app, Verb& verb)
 
 } // namespace hygroloom
 
-int main(int count, char** values)
+int main(int count, char** values) // NOLINT(bugprone-exception-escape): where memory for the start is missing, the program ends
 {
     hygroloom::prepare_streams();
     hygroloom::keep_learned_times(hygroloom::usual_learned_times());

@@ -66,6 +66,7 @@ FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& des
     for (const Textile& textile : textiles) {
         try {
             std::vector<ModelPlan> own;
+            own.reserve(plans.size());
             for (Fidelity fidelity : all_fidelities) own.push_back(planned(options, design, textile, fidelity, forced, knobs));
             for (std::size_t k = 0; k < own.size(); ++k) plans[k].push_back(std::move(own[k]));
         } catch (const Stop&) {
@@ -76,6 +77,7 @@ FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& des
     }
     if (plans[0].empty()) return {};
     std::vector<ModelPlan> ladder;
+    ladder.reserve(plans.size());
     for (const std::vector<ModelPlan>& all : plans) ladder.push_back(expected_of_all(all));
     return choose_fidelity(ladder, *target);
 }

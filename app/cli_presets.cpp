@@ -91,6 +91,7 @@ int presets(const PresetOptions& options)
         const auto found = std::find_if(all.begin(), all.end(), [&](const Preset& preset) { return preset.fabric().name == name; });
         if (found == all.end()) {
             std::vector<std::string> names;
+            names.reserve(all.size());
             for (const Preset& preset : all) names.push_back(preset.fabric().name);
             throw Stop(exit_usage, fmt::format("The library has no fabric \"{}\"{} There are: {}.", name, did_you_mean(name, names),
                                                fmt::join(names, ", ")));

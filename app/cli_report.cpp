@@ -30,7 +30,7 @@ std::filesystem::path program_of_window()
     for (const std::string& folder : CLI::detail::split(path ? path : "", ':'))
         if (!folder.empty()) folders.emplace_back(folder);
     for (const std::filesystem::path& folder : folders)
-        if (const std::filesystem::path program = folder / "hygroloom";
+        if (std::filesystem::path program = folder / "hygroloom";
             std::filesystem::is_regular_file(program, none) && access(program.c_str(), X_OK) == 0)
             return program;
     return {};

@@ -277,6 +277,7 @@ int simulate_several(const SimulateOptions& options, const Design& design, const
     make_folder(options.output);
     std::vector<FidelityChoice> choices;
     const std::vector<Textile> textiles = textiles_of_runs(design, fitted, fabrics, experiment);
+    choices.reserve(textiles.size());
     for (const Textile& textile : textiles) choices.push_back(chosen_fidelity(options, design, {textile}, how.forced, how.knobs));
     how.fidelity = Fidelity::draft;
     for (const FidelityChoice& choice : choices) how.fidelity = std::max(how.fidelity, choice.fidelity); // needs the most memory

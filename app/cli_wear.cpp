@@ -70,6 +70,7 @@ void write_wear_report(const WearRecording& recording, const WearMetrics& metric
                        const WearMapOptions& how, const std::string& file, bool quiet)
 {
     std::vector<double> frames;
+    frames.reserve(static_cast<std::size_t>(recording.frames()));
     for (int k = 0; k < recording.frames(); ++k) frames.push_back(recording.time_of(k));
     const std::vector<ReportPicture> pictures =
         as_invalid([&] { return pictures_of_panels(recording, frames_for_report(frames, times), how); });

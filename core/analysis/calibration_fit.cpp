@@ -57,6 +57,7 @@ std::vector<std::vector<double>> Fit::simulated(const std::vector<std::vector<do
     const std::vector<std::vector<double>> found = fresh.empty() ? fresh : model_(fresh);
     for (std::size_t i = 0; i < fresh.size(); ++i) tried_[fresh[i]] = found[i];
     std::vector<std::vector<double>> all;
+    all.reserve(points.size());
     for (const std::vector<double>& point : points) all.push_back(tried_.at(point));
     return all;
 }

@@ -64,6 +64,7 @@ QVector4D cutOf(const SceneView& view);
 QString loadShaders(QOpenGLShaderProgram& program, const QString& name, bool fading = false);
 
 /// A place in a vertex, as OpenGL takes it.
+// NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL's own way
 inline const void* vertexOffset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
 
 } // namespace hygroloom

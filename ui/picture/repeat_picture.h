@@ -26,6 +26,7 @@ double perimeter_of(const Textile& textile, YarnKind kind);
 struct RepeatPicture {
     static constexpr int layers = 5;
     static constexpr int looks_each_way = 7;
+    static constexpr std::size_t directions = std::size_t{2} * looks_each_way * looks_each_way;
     int ends = 0;
     int picks = 0;
     int width = 0; ///< a power of 2, as height: then texels of coarser pictures are means of finer ones
@@ -36,8 +37,8 @@ struct RepeatPicture {
     float covered = 1;            ///< share of the area
     /// From directions whose x and y go from -1 to 1 in even steps, row by row; first from the top, then from below.
     struct {
-        std::array<MeanLook, 2 * looks_each_way * looks_each_way> seen{};
-        std::array<MeanShine, 2 * looks_each_way * looks_each_way> shine{};
+        std::array<MeanLook, directions> seen{};
+        std::array<MeanShine, directions> shine{};
     } looks;
 };
 RepeatPicture picture_of_repeat(const PreviewFabric& fabric);
