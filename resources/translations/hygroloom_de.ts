@@ -4637,16 +4637,24 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Inhalt</translation>
     </message>
     <message>
-        <source>Find on this page</source>
-        <translation>Auf dieser Seite suchen</translation>
-    </message>
-    <message>
         <source>Page of the guide</source>
         <translation>Seite des Handbuchs</translation>
     </message>
     <message>
-        <source>Not on this page.</source>
-        <translation>Nicht auf dieser Seite.</translation>
+        <source>Find in the guide</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Lists the pages that have these words. Enter or F3 goes to the next place.</source>
+        <translation>Zeigt die Seiten mit diesen Wörtern. Eingabe oder F3 führt zur nächsten Stelle.</translation>
+    </message>
+    <message>
+        <source>Pages with these words</source>
+        <translation>Seiten mit diesen Wörtern</translation>
+    </message>
+    <message>
+        <source>Not in the guide.</source>
+        <translation>Nicht im Handbuch.</translation>
     </message>
 </context>
 <context>
