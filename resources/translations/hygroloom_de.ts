@@ -4374,6 +4374,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>A recording of “%1” in “%2”, which this project does not hold. It cannot be edited; the forms edit the project.</source>
         <translation>Eine Aufzeichnung von „%1“ in „%2“, die dieses Projekt nicht hat. Sie lässt sich nicht ändern; die Felder ändern das Projekt.</translation>
     </message>
+    <message>
+        <source>Run that is kept</source>
+        <translation>Aufbewahrter Lauf</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::GarmentWorkspace</name>
@@ -4613,6 +4617,18 @@ Klicken zeigt diese Zeit.</translation>
         <source>There is no garment to remove.</source>
         <translation>Es gibt kein Kleidungsstück zum Entfernen.</translation>
     </message>
+    <message>
+        <source>A run of this garment is kept with the project.</source>
+        <translation>Ein Lauf dieses Kleidungsstücks liegt beim Projekt.</translation>
+    </message>
+    <message>
+        <source>A run of this garment is kept with the project, of an older design.</source>
+        <translation>Ein Lauf dieses Kleidungsstücks liegt beim Projekt, von einem älteren Entwurf.</translation>
+    </message>
+    <message>
+        <source>Open the kept run of %1</source>
+        <translation>Den Lauf vom %1 öffnen</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::HelpWindow</name>
@@ -4637,16 +4653,24 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Inhalt</translation>
     </message>
     <message>
-        <source>Find on this page</source>
-        <translation>Auf dieser Seite suchen</translation>
-    </message>
-    <message>
         <source>Page of the guide</source>
         <translation>Seite des Handbuchs</translation>
     </message>
     <message>
-        <source>Not on this page.</source>
-        <translation>Nicht auf dieser Seite.</translation>
+        <source>Find in the guide</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Lists the pages that have these words. Enter or F3 goes to the next place.</source>
+        <translation>Zeigt die Seiten mit diesen Wörtern. Eingabe oder F3 führt zur nächsten Stelle.</translation>
+    </message>
+    <message>
+        <source>Pages with these words</source>
+        <translation>Seiten mit diesen Wörtern</translation>
+    </message>
+    <message>
+        <source>Not in the guide.</source>
+        <translation>Nicht im Handbuch.</translation>
     </message>
 </context>
 <context>
@@ -6291,7 +6315,7 @@ Klicken zeigt diese Zeit.</translation>
     <name>hygroloom::PanelTable</name>
     <message>
         <source>Panel</source>
-        <translation>Schnittteil</translation>
+        <translation>Teil</translation>
     </message>
     <message>
         <source>Fabric</source>
@@ -6312,10 +6336,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Where the fabric&apos;s top face lies.</source>
         <translation>Wo die Oberseite des Gewebes liegt.</translation>
-    </message>
-    <message>
-        <source>left sleeve</source>
-        <translation>linker Ärmel</translation>
     </message>
     <message>
         <source>outside</source>
@@ -9258,14 +9278,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Ab</translation>
     </message>
     <message>
-        <source>Sweats</source>
-        <translation>Schwitzt</translation>
-    </message>
-    <message>
-        <source>How many times as much as the table of zones says.</source>
-        <translation>Wie viel Mal so viel, wie die Tabelle der Zonen sagt.</translation>
-    </message>
-    <message>
         <source>Activity over time</source>
         <translation>Aktivität über die Zeit</translation>
     </message>
@@ -9308,6 +9320,14 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>change activity</source>
         <translation>Aktivität ändern</translation>
+    </message>
+    <message>
+        <source>From this time on the wearer sweats so many times as much as the table of zones says: 1 is as the table, 0 is none. The table is chosen in Garment, under Sweat.</source>
+        <translation>Ab dieser Zeit schwitzt der Träger so viele Male so stark, wie die Tabelle der Zonen sagt: 1 ist wie die Tabelle, 0 gar nicht. Die Tabelle wird unter Kleidungsstück, Schweiß gewählt.</translation>
+    </message>
+    <message>
+        <source>Sweat, × table</source>
+        <translation>Schweiß, × Tabelle</translation>
     </message>
 </context>
 <context>

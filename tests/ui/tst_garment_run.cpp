@@ -22,6 +22,7 @@
 #include <QDir>
 #include <QMainWindow>
 #include <QPushButton>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -284,6 +285,14 @@ private Q_SLOTS:
         const QStringList lines = table.csv().split('\n', Qt::SkipEmptyParts);
         QCOMPARE(lines.size(), table.rowCount() + 1);
         QVERIFY(lines[1].startsWith("Garment,"));
+        for (int column = 1; column < table.columnCount(); ++column) {
+            QSet<qsizetype> decimals; // all of a column have as many
+            for (int row = 0; row < table.rowCount(); ++row) {
+                const QString text = table.item(row, column)->text();
+                if (text != "–") { decimals << (text.contains('.') ? text.size() - text.indexOf('.') : 0); }
+            }
+            QVERIFY2(decimals.size() <= 1, qPrintable(table.horizontalHeaderItem(column)->text()));
+        }
     }
 
     void aKeptRunIsComparedAtTheSameTime()

@@ -9,6 +9,7 @@
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
 #include "ui/garment/garment_view.h"
+#include "ui/garment/panel_table.h"
 #include "ui/garment/run_form.h"
 #include "ui/garment/shape_view.h"
 #include "ui/garment/wear_form.h"
@@ -59,6 +60,13 @@ private Q_SLOTS:
         QVERIFY(garment.panel().widget()->width() <= garment.panel().viewport()->width());
         QVERIFY(garment.wear().widget()->width() <= garment.wear().viewport()->width());
         QVERIFY(garment.view().flat().width() >= 150);
+        PanelTable& panels = garment.panel().panels(); // names are whole, in two lines at most
+        for (int row = 0; row < panels.rowCount(); ++row) {
+            const QRect words =
+                panels.fontMetrics().boundingRect({0, 0, panels.columnWidth(0) - 6, 1000}, Qt::TextWordWrap, panels.item(row, 0)->text());
+            QVERIFY2(words.width() <= panels.columnWidth(0) - 6 && words.height() <= panels.rowHeight(row),
+                     qPrintable(panels.item(row, 0)->text()));
+        }
         run();
         garment.view().setColors(GarmentView::Colors::share);
         QTest::qWait(50);
@@ -188,8 +196,13 @@ private Q_SLOTS:
         QCOMPARE(list->topLevelItem(1)->text(1), QString("wear"));
         QVERIFY2(!list->topLevelItem(1)->text(5).contains("older"), qPrintable(list->topLevelItem(1)->text(5)));
         QVERIFY(!window_->garment().playback().run());
-        Q_EMIT list->itemActivated(list->topLevelItem(1), 0);
+        const auto labels = window_->garment().view().findChildren<QLabel*>();
+        QLabel* offer = *std::find_if(labels.begin(), labels.end(), [](QLabel* l) { return l->accessibleName() == "Run that is kept"; });
+        QVERIFY(offer->isVisible() && offer->text().contains("Open the kept run of") && !offer->text().contains("older"));
+        Q_EMIT offer->linkActivated("run");
         QTRY_VERIFY_WITH_TIMEOUT(window_->garment().playback().run() && !window_->garment().run().running(), 20000);
+        QCOMPARE(window_->garment().playback().run()->file, runFolderOf(project) + "/run-2.hygrorec"); // the newest
+        QVERIFY(!offer->isVisible());
         QCOMPARE(runs().runs().size(), std::size_t{2}); // no third one
         window_->garment().playback().show(window_->garment().playback().frames() - 1);
         QCOMPARE(window_->garment().playback().frame()->ledger.water_liquid, water);

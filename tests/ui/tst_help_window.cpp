@@ -8,6 +8,8 @@
 #include <QDir>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
+#include <QRegularExpression>
 #include <QTextBlock>
 #include <QTextBrowser>
 
@@ -122,18 +124,73 @@ private Q_SLOTS:
         QCOMPARE(guide.page(), QString("index"));
     }
 
-    void wordsAreFoundOnThePage()
+    void wordsAreFoundOnEveryPage()
     {
         HelpWindow guide;
         guide.showPage("design");
         auto* words = guide.findChild<QLineEdit*>();
         words->setText("ashenhurst");
         Q_EMIT words->returnPressed();
+        QCOMPARE(guide.page(), QString("design"));
         QCOMPARE(guide.browser().textCursor().selectedText().toLower(), QString("ashenhurst"));
+
+        words->setText("AATCC 198");
+        QVERIFY(guide.found().count() >= 2 && !guide.found().isHidden());
+        const auto rowOf = [&](const QString& page) {
+            for (int row = 0; row < guide.found().count(); ++row) {
+                if (guide.found().item(row)->data(Qt::UserRole) == page) { return row; }
+            }
+            return -1;
+        };
+        const int row = rowOf("horizontal_wicking");
+        QVERIFY(row >= 0);
+        const QStringList lines = guide.found().item(row)->text().split('\n');
+        QVERIFY2(lines.size() == 2 && lines[0].contains("Horizontal wicking") && lines[1].contains("AATCC 198"),
+                 qPrintable(lines.join('|')));
+        Q_EMIT guide.found().itemClicked(guide.found().item(row));
+        QCOMPARE(guide.page(), QString("horizontal_wicking"));
+        QCOMPARE(guide.browser().textCursor().selectedText(), QString("AATCC 198"));
+
         words->setText("a word that no page has");
         Q_EMIT words->returnPressed();
+        QVERIFY(guide.found().isHidden());
         const auto labels = guide.findChildren<QLabel*>();
-        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->text() == "Not on this page."; }));
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->text() == "Not in the guide."; }));
+    }
+
+    /// F3 meets each place that the list counts once, and comes back to the first.
+    void theNextPlaceGoesOnAcrossPages()
+    {
+        HelpWindow guide;
+        guide.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&guide));
+        QApplication::setActiveWindow(&guide);
+        guide.showPage("preferences"); // does not have it
+        guide.findChild<QLineEdit*>()->setText("ISO 139");
+        int places = 0;
+        QStringList pages;
+        for (int row = 0; row < guide.found().count(); ++row) {
+            static const QRegularExpression count("\\((\\d+)\\)\n");
+            places += count.match(guide.found().item(row)->text()).captured(1).toInt();
+            pages << guide.found().item(row)->data(Qt::UserRole).toString();
+        }
+        QVERIFY(pages.size() >= 2 && !pages.contains("preferences"));
+        QStringList met;
+        QString first;
+        for (int k = 0; k <= places; ++k) {
+            QTest::keyClick(&guide, Qt::Key_F3);
+            QCOMPARE(guide.browser().textCursor().selectedText(), QString("ISO 139"));
+            const QString place = guide.page() + QString::number(guide.browser().textCursor().position());
+            if (k == 0) { first = place; }
+            if (k == places) {
+                QCOMPARE(place, first);
+            } else {
+                QVERIFY2(!met.contains(place), qPrintable(place));
+            }
+            met << place;
+            if (!pages.isEmpty() && guide.page() == pages.first()) { pages.removeFirst(); }
+        }
+        QVERIFY2(pages.isEmpty(), qPrintable(pages.join(' ')));
     }
 
 private:

@@ -9,6 +9,7 @@
 #include "ui/lesson/magnifier.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QListWidget>
 #include <QSignalSpy>
 #include <QSlider>
@@ -212,6 +213,35 @@ private Q_SLOTS:
         }
         QVERIFY(!changed.isEmpty());
         QVERIFY(changed.right() < early.width() / 4 && changed.bottom() < early.height() / 10);
+    }
+    /// The first line under a cloth is as tall as the letters of a 45th of the height, and nothing runs out of the window.
+    void wordsGrowWithTheWindow()
+    {
+        for (const QSize size : {QSize(1280, 800), QSize(1280, 1200), QSize(3840, 2160)}) {
+            window_->resize(size);
+            QTest::qWait(150); // the clock is set by a timer
+            LessonScene& scene = window_->scene();
+            QCOMPARE(scene.height(), size.height());
+            const QImage picture = scene.grab().toImage();
+            const QColor table = picture.pixelColor(1, 1);
+            const QRect area = scene.clothArea(0).toRect();
+            const auto anyWord = [&](int y) {
+                for (int x = 1; x < picture.width() / 3; ++x) {
+                    if (qAbs(qGray(picture.pixel(x, y)) - qGray(table.rgb())) > 60) { return true; }
+                }
+                return false;
+            };
+            int top = area.bottom() + 8;
+            while (top < picture.height() - 1 && !anyWord(top)) { ++top; }
+            int bottom = top;
+            while (bottom < picture.height() - 1 && anyWord(bottom)) { ++bottom; }
+            QVERIFY2(bottom - top >= 0.7 * size.height() / 45, qPrintable(QString("%1 of %2").arg(bottom - top).arg(size.height())));
+            for (int y = picture.height() - 3; y < picture.height(); ++y) { QVERIFY(!anyWord(y)); }
+            QVERIFY(area.width() >= 200);
+            const auto labels = window_->findChildren<QLabel*>();
+            const QLabel* clock = *std::find_if(labels.begin(), labels.end(), [](QLabel* l) { return l->accessibleName() == "Clock"; });
+            QVERIFY(45 * clock->font().pixelSize() >= size.height());
+        }
     }
     void picturesAndFilmsAreWritten()
     {

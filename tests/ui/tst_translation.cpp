@@ -8,8 +8,12 @@
 #include "core/plan/fidelity.h"
 #include "core/project/library.h"
 #include "ui/basics/core_words.h"
+#include "ui/basics/elided_combo.h"
 #include "ui/basics/language.h"
 #include "ui/basics/quantity_edit.h"
+#include "ui/garment/garment_edits.h"
+#include "ui/garment/garment_panel.h"
+#include "ui/garment/panel_table.h"
 #include "window_test.h"
 
 #include <QCheckBox>
@@ -217,6 +221,23 @@ private Q_SLOTS:
         }
         left.removeDuplicates();
         QVERIFY2(left.isEmpty(), qPrintable(left.join("\n")));
+    }
+
+    void namesOfFabricsAreWholeInAGarment()
+    {
+        QVERIFY(window_->openFile(example("three-candidates")));
+        window_->setWorkspace(Workspace::garment);
+        window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
+        QTRY_VERIFY(window_->garment().choice().drawing());
+        QTest::qWait(200);
+        const PanelTable& panels = window_->garment().panel().panels();
+        QVERIFY(panels.rowCount() > 0);
+        for (int row = 0; row < panels.rowCount(); ++row) {
+            const auto* fabric = static_cast<ElidedCombo*>(panels.cellWidget(row, 1));
+            QCOMPARE(fabric->shownText(), QString("Cotton plain"));
+        }
+        window_->document().history()->setClean();
+        QVERIFY(window_->openFile(example("laboratory")));
     }
 
     void keysOfAMenuDiffer()

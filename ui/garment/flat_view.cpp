@@ -8,6 +8,7 @@
 #include "ui/picture/pointer.h"
 
 #include <QApplication>
+#include <QFontInfo>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -18,6 +19,7 @@ namespace hygroloom {
 
 namespace {
 
+constexpr double label_room = 0.95;                       // of a panel's width
 constexpr double margin = 28;                             // pixels; the scale bar stands below
 constexpr double least_scale = 20, largest_scale = 40000; // pixels per m
 
@@ -230,11 +232,21 @@ void FlatView::paintLabel(QPainter& painter, std::size_t panel, const QTransform
               label.grain);
     const QFontMetricsF metrics(painter.font());
     if (box.width() < 6 * metrics.height()) { return; } // names would hide the panel; the line below the pictures says them
+    const auto fontFor = [&](const QString& text) {     // in smaller letters where the panel is narrow
+        constexpr double least = 0.75;                  // of the size
+        QFont font = painter.font();
+        const double wide = metrics.horizontalAdvance(text), room = label_room * box.width();
+        if (wide > room) { font.setPointSizeF(std::max(least, room / wide) * QFontInfo(font).pointSizeF()); }
+        return font;
+    };
+    const QFont usual = painter.font();
     const bool low = box.height() < 7 * metrics.height();
     double y = low ? box.top() + 4 : box.center().y() - 0.22 * box.height();
     for (const QString& text : {label.name, low ? QString() : label.fabric}) {
-        const QString shown = metrics.elidedText(text, Qt::ElideMiddle, 0.8 * box.width());
-        const QRectF behind(box.center().x() - 0.5 * metrics.horizontalAdvance(shown) - 4, y, metrics.horizontalAdvance(shown) + 8,
+        painter.setFont(fontFor(text));
+        const QFontMetricsF own(painter.font());
+        const QString shown = own.elidedText(text, Qt::ElideMiddle, label_room * box.width());
+        const QRectF behind(box.center().x() - 0.5 * own.horizontalAdvance(shown) - 2, y, own.horizontalAdvance(shown) + 4,
                             metrics.height());
         if (shown.isEmpty()) { continue; }
         painter.fillRect(behind, QColor(255, 255, 255, 215)); // ink on paper in every look: fabrics and water are drawn on white
@@ -242,6 +254,7 @@ void FlatView::paintLabel(QPainter& painter, std::size_t panel, const QTransform
         painter.drawText(behind, Qt::AlignCenter, shown);
         y += metrics.height();
     }
+    painter.setFont(usual);
 }
 
 void FlatView::paintEvent(QPaintEvent*)

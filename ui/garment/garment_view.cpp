@@ -62,6 +62,7 @@ GarmentView::GarmentView(GarmentChoice& choice, WearPlayback& playback, QWidget*
     page->setSpacing(0);
     page->addWidget(makeBar());
     page->addWidget(makeNotice());
+    page->addWidget(makeOffer());
     page->addWidget(makePanes(), 1);
     page->addWidget(probe_);
     probe_->setMargin(4);

@@ -53,17 +53,22 @@ public:
     void setOutlining(bool outlining);
     /// That the run on screen is none of the project's; empty: it is, or none is shown.
     QString noticeText() const;
+    /// A sentence about a run that can be shown, with the words of a link to it; empty: there is none, or it is on screen.
+    void setOffer(const QString& sentence, const QString& link);
 
 Q_SIGNALS:
     void panelClicked(int panel);
     void outliningEnded();
     /// The project of the run on screen shall be edited.
     void designRequested();
+    /// The run that is offered shall be shown.
+    void offerTaken();
 
 private:
     QWidget* makeEmpty();
     QWidget* makeBar();
     QWidget* makeNotice();
+    QWidget* makeOffer();
     QWidget* makePanes();
     QString whenOfA() const;
     GarmentSpot spotOfNewest(const GarmentPane* pane, const GarmentSpot& spot) const;
@@ -96,6 +101,7 @@ private:
     QWidget* garment_page_;
     QWidget* notice_ = nullptr;
     QLabel* notice_text_ = nullptr;
+    QLabel* offer_ = nullptr;
     GarmentPane* kept_;
     GarmentPane* newest_;
     GarmentPane* difference_;

@@ -33,6 +33,25 @@ QWidget* GarmentView::makeNotice()
     return notice_;
 }
 
+QWidget* GarmentView::makeOffer()
+{
+    offer_ = new QLabel;
+    offer_->setWordWrap(true);
+    offer_->setTextFormat(Qt::RichText);
+    offer_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    offer_->setContentsMargins(8, 2, 6, 2);
+    offer_->setAccessibleName(tr("Run that is kept"));
+    connect(offer_, &QLabel::linkActivated, this, &GarmentView::offerTaken);
+    offer_->hide();
+    return offer_;
+}
+
+void GarmentView::setOffer(const QString& sentence, const QString& link)
+{
+    offer_->setText(sentence.isEmpty() ? QString() : sentence.toHtmlEscaped() + " <a href='run'>" + link.toHtmlEscaped() + "</a>");
+    offer_->setVisible(!sentence.isEmpty());
+}
+
 bool GarmentView::isForeign() const
 {
     if (!showsRun()) { return false; }

@@ -17,9 +17,7 @@ PanelTable::PanelTable(GarmentChoice& choice, QWidget* parent) : QTableWidget(0,
     horizontalHeaderItem(2)->setToolTip(tr("Angle of the warp from the pattern's upward direction, counter-clockwise seen from outside."));
     horizontalHeaderItem(3)->setToolTip(tr("Where the fabric's top face lies."));
     horizontalHeader()->setSectionResizeMode(0, QHeaderView::Interactive);
-    int longest = horizontalHeader()->fontMetrics().horizontalAdvance(horizontalHeaderItem(0)->text());
-    for (const QString& word : tr("left sleeve").split(' ')) { longest = std::max(longest, fontMetrics().horizontalAdvance(word)); }
-    horizontalHeader()->resizeSection(0, longest + 10); // names in two lines leave room for those of fabrics
+    setWordWrap(true);
     horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(2, QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(3, QHeaderView::Fixed);
@@ -58,8 +56,29 @@ void PanelTable::rebuild()
         setRowCount(0);
         rows_.clear();
         for (const std::string& name : names) { addRow(name); }
+        shareWidth();
     }
     refresh();
+}
+
+/// As wide as the longest word of a name, which goes on in a second line, so that fabrics have the room that is left.
+void PanelTable::shareWidth()
+{
+    int longest = horizontalHeader()->sectionSizeHint(0);
+    for (const Row& row : rows_) {
+        for (const QString& word : QString::fromStdString(row.panel).split(' ')) {
+            longest = std::max(longest, fontMetrics().horizontalAdvance(word) + 10);
+        }
+    }
+    const int room = horizontalHeader()->sectionSize(0) + horizontalHeader()->sectionSize(1);
+    horizontalHeader()->resizeSection(0, std::min(longest, room / 2));
+    resizeRowsToContents();
+}
+
+void PanelTable::resizeEvent(QResizeEvent* event)
+{
+    QTableWidget::resizeEvent(event);
+    shareWidth();
 }
 
 void PanelTable::addRow(const std::string& panel)

@@ -22,6 +22,9 @@ public:
 Q_SIGNALS:
     void panelChosen(int panel);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     struct Row {
         std::string panel;
@@ -32,6 +35,7 @@ private:
     void rebuild();
     void addRow(const std::string& panel);
     void refresh();
+    void shareWidth();
 
     GarmentChoice& choice_;
     std::vector<Row> rows_;

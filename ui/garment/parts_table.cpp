@@ -3,13 +3,13 @@
 
 #include "core/base/units.h"
 #include "ui/basics/core_words.h"
-#include "ui/basics/quantity.h"
 #include "ui/basics/words.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QHeaderView>
+#include <QLocale>
 #include <QMenu>
 #include <QScrollBar>
 
@@ -76,6 +76,15 @@ std::vector<Line> linesOf(const WearMetrics& newest, const WearMetrics* kept)
     return lines;
 }
 
+/// With as many decimals as all numbers of its column, so that points stand under each other.
+QString inColumn(double value, int decimals)
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const double least = 0.5 * std::pow(10.0, -decimals);
+    return locale.toString(std::abs(value) < least ? 0.0 : value, 'f', decimals); // no "-0.0"
+}
+
 /// NaN: there is none.
 double valueOf(const Column& column, const WearPart* part, double time, const std::optional<double>& stops)
 {
@@ -138,7 +147,7 @@ void PartsTable::refresh()
         put(row, 0, lines[k].name);
         int at = 1;
         for (const Column& column : columns) {
-            const auto text = [&](double value) { return std::isnan(value) ? QStringLiteral("–") : shownNumber(value, column.decimals); };
+            const auto text = [&](double value) { return std::isnan(value) ? QStringLiteral("–") : inColumn(value, column.decimals); };
             const double newest = valueOf(column, lines[k].newest, playback_.time(), run->metrics->stops());
             if (compares && column.compared) {
                 const double kept = valueOf(column, lines[k].kept, playback_.time(), playback_.kept()->metrics->stops());
@@ -152,6 +161,9 @@ void PartsTable::refresh()
         }
     }
     if (anew) { resizeColumnsToContents(); }
+    for (int column = 0; column < columnCount(); ++column) { // numbers grow with time
+        if (const int needed = sizeHintForColumn(column); needed > columnWidth(column)) { setColumnWidth(column, needed); }
+    }
 }
 
 QString PartsTable::csv() const

@@ -30,6 +30,13 @@ Quantity factorQuantity()
     return quantity;
 }
 
+QString aboutFactor()
+{
+    return WearForm::tr(
+        "From this time on the wearer sweats so many times as much as the table of zones says: 1 is as the table, 0 is none. "
+        "The table is chosen in Garment, under Sweat.");
+}
+
 } // namespace
 
 WearForm::WearForm(GarmentChoice& choice, QWidget* parent)
@@ -115,8 +122,8 @@ void WearForm::addField(QFormLayout* form, const QString& name, const Quantity& 
 
 QWidget* WearForm::makeActivity()
 {
-    activity_->setHorizontalHeaderLabels({tr("From"), tr("Sweats")});
-    activity_->horizontalHeaderItem(1)->setToolTip(tr("How many times as much as the table of zones says."));
+    activity_->setHorizontalHeaderLabels({tr("From"), tr("Sweat, × table")});
+    activity_->horizontalHeaderItem(1)->setToolTip("<p>" + aboutFactor() + "</p>");
     activity_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     activity_->verticalHeader()->hide();
     activity_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -226,13 +233,14 @@ void WearForm::refreshActivity()
                              if (at < edited.activity.size()) { edited.activity[at].time_s = time; }
                          });
             }));
-        activity_->setCellWidget(
-            row, 1, quantityField(choice_.document(), factorQuantity(), tr("Factor %1").arg(row + 1), [this, at](double factor) {
-                editWear(choice_.document(), tr("change activity"), choice_.wearIndex(), "activity[" + std::to_string(at) + "].factor",
-                         [&](WearExperiment& edited) {
-                             if (at < edited.activity.size()) { edited.activity[at].factor = factor; }
-                         });
-            }));
+        auto* edit = quantityField(choice_.document(), factorQuantity(), tr("Factor %1").arg(row + 1), [this, at](double factor) {
+            editWear(choice_.document(), tr("change activity"), choice_.wearIndex(), "activity[" + std::to_string(at) + "].factor",
+                     [&](WearExperiment& edited) {
+                         if (at < edited.activity.size()) { edited.activity[at].factor = factor; }
+                     });
+        });
+        edit->setHelp(aboutFactor());
+        activity_->setCellWidget(row, 1, edit);
     }
     const std::string where =
         "experiments[" +

@@ -18,10 +18,14 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int frame_ms = 25;         // 40 pictures a second
-constexpr double stream_pause = 0.2; // s, from drop to drop
-constexpr double margin = 22;        // pixels, round a cloth
-constexpr double words_height = 190; // pixels, under it
+constexpr int frame_ms = 25;           // 40 pictures a second
+constexpr double stream_pause = 0.2;   // s, from drop to drop
+constexpr double margin = 22;          // pixels, round a cloth
+constexpr double texts_in_height = 45; // of the height, one over another
+constexpr double line_height = 1.35;   // sizes of its text
+constexpr double words_lines = 11;     // under a cloth
+constexpr double head_lines = 3;       // over it: the clock of a picture, and its title
+constexpr int least_text = 12;         // pixels
 constexpr double side_m = 1e-3 * lesson_cloth_mm;
 constexpr double small_step = 1e-3, large_step = 5e-3; // m, of the marker
 constexpr double marker_radius = 9;                    // pixels
@@ -82,13 +86,16 @@ void LessonScene::refresh(int place)
     std::erase_if(cloth.falling, [&](const Falling& drop) { return drop.number <= cloth.view->released + cloth.view->refused; });
 }
 
+int LessonScene::textSize() const { return std::max(least_text, static_cast<int>(std::ceil(height() / texts_in_height))); }
+
 QRectF LessonScene::clothArea(int cloth) const
 {
     const auto count = static_cast<int>(cloths_.size());
     if (cloth < 0 || cloth >= count) { return {}; }
     const double cell = static_cast<double>(width()) / count;
-    const double side = std::max(40.0, std::min(cell - 2 * margin, height() - words_height - 2 * margin - 24));
-    const double top = std::max(margin + 24, 0.5 * (height() - side - words_height));
+    const double words = words_lines * line_height * textSize(), head = head_lines * line_height * textSize();
+    const double side = std::max(40.0, std::min(cell - 2 * margin, height() - words - head));
+    const double top = std::max(head, 0.5 * (height() - side - words));
     return {(cloth + 0.5) * cell - 0.5 * side, top, side, side};
 }
 
@@ -157,7 +164,7 @@ QImage LessonScene::picture(const QString& clock)
     QImage image = grab().toImage();
     QPainter painter(&image);
     QFont large = font();
-    large.setPixelSize(20);
+    large.setPixelSize(std::max(20, textSize()));
     painter.setFont(large);
     painter.setPen(words_color);
     painter.drawText(rect().adjusted(12, 8, -12, -8), Qt::AlignLeft | Qt::AlignTop, clock);
@@ -226,6 +233,9 @@ void LessonScene::drawCloth(QPainter& painter, int place)
     if (!cloth.view) {
         painter.fillRect(area, table_edge);
         painter.setPen(words_color);
+        QFont plain = font();
+        plain.setPixelSize(textSize());
+        painter.setFont(plain);
         if (cloth.failure.isEmpty()) {
             painter.drawText(area.adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap, tr("This cloth is being laid out."));
         }
@@ -269,46 +279,71 @@ void LessonScene::drawFailure(QPainter& painter, int place) const
     const QRectF area = clothArea(place);
     painter.fillRect(area, QColor(0, 0, 0, 170));
     QFont large = font();
-    large.setPixelSize(std::clamp(qRound(area.width() / 20), 12, 20));
+    large.setPixelSize(std::clamp(qRound(area.width() / 20), least_text, std::max(20, textSize())));
     painter.setFont(large);
     painter.setPen(notice_color);
     painter.drawText(area.adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
                      tr("This cloth is not simulated any more. %1").arg(failure));
 }
 
-void LessonScene::drawWords(QPainter& painter, int place) const
+void LessonScene::drawTitle(QPainter& painter, int place) const
 {
-    const Cloth& cloth = cloths_[static_cast<std::size_t>(place)];
+    const QString& title = cloths_[static_cast<std::size_t>(place)].title;
     const QRectF area = clothArea(place);
-    const double cell = static_cast<double>(width()) / static_cast<double>(cloths_.size()), middle = area.center().x();
-    const double left = std::max(area.left(), middle - 0.5 * cell + 8), wide = std::min(cell - 16, std::max(area.width(), 220.0));
+    const double wide = static_cast<double>(width()) / static_cast<double>(cloths_.size()) - 12, high = line_height * textSize();
     QFont bold = font();
     bold.setBold(true);
-    bold.setPixelSize(std::clamp(qRound(cell / 20), 14, 22)); // read from the last row of a class
+    bold.setPixelSize(textSize());
+    while (bold.pixelSize() > least_text && QFontMetricsF(bold).horizontalAdvance(title) > wide) {
+        bold.setPixelSize(bold.pixelSize() - 1);
+    }
     painter.setFont(bold);
     painter.setPen(words_color);
-    painter.drawText(QRectF(middle - 0.5 * cell + 6, area.top() - 30, cell - 12, 26), Qt::AlignCenter,
-                     QFontMetricsF(bold).elidedText(cloth.title, Qt::ElideRight, cell - 12));
+    painter.drawText(QRectF(area.center().x() - 0.5 * wide, area.top() - high - 4, wide, high), Qt::AlignCenter,
+                     QFontMetricsF(bold).elidedText(title, Qt::ElideRight, wide));
+}
+
+void LessonScene::drawWords(QPainter& painter, int place) const
+{
+    drawTitle(painter, place);
+    const Cloth& cloth = cloths_[static_cast<std::size_t>(place)];
     if (!cloth.view) { return; }
+    const QRectF area = clothArea(place);
+    const double cell = static_cast<double>(width()) / static_cast<double>(cloths_.size()), middle = area.center().x();
+    const double most = middle + 0.5 * cell - 8, left = std::min(area.left(), most - std::min(cell - 16, 13.0 * textSize())),
+                 wide = most - left;
     QFont plain = font();
-    plain.setPixelSize(std::clamp(qRound(cell / 22), 12, 20));
+    plain.setPixelSize(textSize());
     painter.setFont(plain);
-    const double line_height = 1.35 * plain.pixelSize();
+    painter.setPen(words_color);
     double y = area.bottom() + 10;
     for (const QString& line : scoreLines(cloth.view->score)) {
-        painter.drawText(QRectF(left, y, wide, line_height), Qt::AlignLeft | Qt::AlignVCenter, line);
-        y += line_height;
+        QRectF taken;
+        painter.drawText(QRectF(left, y, wide, height() - y), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, line, &taken);
+        y = std::max(y + line_height * textSize(), taken.bottom());
     }
-    const WaterShares shares = water_shares(cloth.view->frame->ledger, cloth.view->bound_at_start, cloth.view->released);
+    drawLedger(painter, {left, y + 4, wide, height() - y - 8}, *cloth.view);
+}
+
+/// Where the water is, and what is to be said of the cloth; in smaller letters where the window has no room for it.
+void LessonScene::drawLedger(QPainter& painter, const QRectF& room, const ClothView& view) const
+{
+    const QString water = waterInWords(water_shares(view.frame->ledger, view.bound_at_start, view.released)), notice = noticeOf(view);
+    constexpr int how = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+    QFont plain = font();
+    plain.setPixelSize(textSize());
+    const auto heightOf = [&](const QString& text) {
+        return text.isEmpty() ? 0.0 : QFontMetricsF(plain).boundingRect(QRectF(0, 0, room.width(), 1e4), how, text).height() + 4;
+    };
+    while (plain.pixelSize() > least_text && heightOf(water) + heightOf(notice) > room.height()) {
+        plain.setPixelSize(plain.pixelSize() - 1);
+    }
+    painter.setFont(plain);
     painter.setPen(quiet_words);
-    QRectF taken;
-    painter.drawText(QRectF(left, y + 4, wide, height() - y - 4), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, waterInWords(shares),
-                     &taken);
-    const QString notice = noticeOf(*cloth.view);
+    painter.drawText(room, how, water);
     if (notice.isEmpty()) { return; }
     painter.setPen(notice_color);
-    painter.drawText(QRectF(left, taken.bottom() + 4, wide, height() - taken.bottom() - 4), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap,
-                     notice);
+    painter.drawText(room.adjusted(0, heightOf(water), 0, 0), how, notice);
 }
 
 void LessonScene::drawGlass(QPainter& painter) const
@@ -321,10 +356,14 @@ void LessonScene::drawGlass(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(words_color, 2));
     painter.drawEllipse(at, 4, 4);
-    const double away = magnifier_radius + 16;
-    const double x = at.x() + away + magnifier_radius > width() ? at.x() - away : at.x() + away;
-    const double y = std::clamp(at.y(), magnifier_radius + 4, std::max(magnifier_radius + 4, height() - magnifier_radius - 4));
-    drawMagnifier(painter, {x, y}, yarn, font());
+    const double scale = std::max(1.0, textSize() / 16.0), radius = scale * magnifier_radius, away = radius + 16;
+    const double x = at.x() + away + radius > width() ? at.x() - away : at.x() + away;
+    const double y = std::clamp(at.y(), radius + 4, std::max(radius + 4, height() - radius - 4));
+    painter.save();
+    painter.translate(x, y);
+    painter.scale(scale, scale);
+    drawMagnifier(painter, {0, 0}, yarn, font());
+    painter.restore();
 }
 
 void LessonScene::drawMarker(QPainter& painter) const

@@ -29,6 +29,8 @@ public:
     void chooseCloth(int cloth);
     /// Pixels of this widget that a cloth takes; empty where there is none.
     QRectF clothArea(int cloth) const;
+    /// Pixels, of the words under a cloth, over it and of the clock: a 45th of the height, so that the last row of a class reads them.
+    int textSize() const;
     /// s of wall time from a click to the next picture, the longest so far; less than 0: none yet.
     double slowestAnswer() const { return slowest_answer_; }
     /// As it looks now, with a clock in its corner.
@@ -74,7 +76,9 @@ private:
     void drawCloth(QPainter& painter, int place);
     void drawFailure(QPainter& painter, int place) const;
     void drawCaps(QPainter& painter, int place);
+    void drawTitle(QPainter& painter, int place) const;
     void drawWords(QPainter& painter, int place) const;
+    void drawLedger(QPainter& painter, const QRectF& room, const ClothView& view) const;
     void drawGlass(QPainter& painter) const;
     void drawMarker(QPainter& painter) const;
 

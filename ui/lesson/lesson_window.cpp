@@ -16,6 +16,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QFileDialog>
+#include <QFontInfo>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -23,6 +24,8 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace hygroloom {
 
@@ -112,9 +115,6 @@ void LessonWindow::build()
 
 QWidget* LessonWindow::buildSide()
 {
-    QFont large = font();
-    large.setPointSizeF(1.8 * large.pointSizeF());
-    clock_->setFont(large);
     clock_->setAlignment(Qt::AlignCenter);
     clock_->setAccessibleName(tr("Clock"));
     for (QLabel* label : {pace_, note_}) {
@@ -327,6 +327,16 @@ void LessonWindow::keyPressEvent(QKeyEvent* event)
     } else {
         QWidget::keyPressEvent(event);
     }
+}
+
+/// The clock is read from the last row of a class, as the words under the cloths are.
+void LessonWindow::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    QFont large = font();
+    constexpr double least = 1.8; // times the window's text
+    large.setPixelSize(std::max(qRound(least * QFontInfo(font()).pixelSize()), scene_->textSize()));
+    clock_->setFont(large);
 }
 
 /// Also where the desktop changes it.

@@ -26,6 +26,7 @@ class RunList;
 class WearChart;
 class WearForm;
 class WearTimeline;
+struct KeptRun;
 
 class GarmentWorkspace : public QObject {
     Q_OBJECT
@@ -107,6 +108,8 @@ private:
     void finishRun(GarmentRun::Outcome outcome, const QString& sentence);
     /// Adds the run on screen to the project's.
     void keepRun();
+    const KeptRun* keptOfChosen() const;
+    void refreshOffer();
     bool mayTakeDesign() const;
     void chooseWhatRan();
     void refreshActions();

@@ -3,9 +3,11 @@
 #include "core/base/error.h"
 #include "core/base/words.h"
 #include "ui/basics/ask.h"
+#include "ui/basics/language.h"
 #include "ui/compare/run_list.h"
 #include "ui/document/run_folder.h"
 #include "ui/document/sources.h"
+#include "ui/garment/garment_view.h"
 #include "ui/garment/run_form.h"
 #include "ui/garment/worn_report.h"
 #include "ui/results/project_runs.h"
@@ -16,6 +18,7 @@
 #include "ui/window/garment_workspace.h"
 
 #include <QAction>
+#include <QDateTime>
 #include <QDir>
 #include <QEventLoop>
 #include <QFileDialog>
@@ -67,6 +70,41 @@ void GarmentWorkspace::connectRun()
     connect(form_, &RunForm::canRunChanged, this, &GarmentWorkspace::refreshActions);
     connect(&playback_, &WearPlayback::runChanged, this, &GarmentWorkspace::refreshActions);
     connect(&playback_, &WearPlayback::framesChanged, this, &GarmentWorkspace::refreshActions);
+    connect(view_, &GarmentView::offerTaken, this, [this] {
+        if (const KeptRun* kept = keptOfChosen()) { showEarlierRun(QString(kept->path)); }
+    });
+    connect(&playback_, &WearPlayback::runChanged, this, &GarmentWorkspace::refreshOffer);
+    connect(&history_, &RunHistory::changed, this, &GarmentWorkspace::refreshOffer);
+    connect(&choice_, &GarmentChoice::changed, this, &GarmentWorkspace::refreshOffer);
+}
+
+/// The newest run of the project that shows the chosen garment in the chosen experiment, before others one of the design as it is;
+/// nullptr: there is none.
+const KeptRun* GarmentWorkspace::keptOfChosen() const
+{
+    const KeptRun* found = nullptr;
+    if (!choice_.garment() || !choice_.wear()) { return found; }
+    for (const KeptRun& kept : history_.runs()) {
+        const bool fits = kept.worn && kept.own && kept.problem.isEmpty() && kept.run->fabric == choice_.garment()->name &&
+                          kept.run->experiment == choice_.wear()->name;
+        if (fits && (!found || kept.current || !found->current)) { found = &kept; }
+    }
+    return found;
+}
+
+/// While no run is on screen.
+void GarmentWorkspace::refreshOffer()
+{
+    const KeptRun* kept = playback_.run() ? nullptr : keptOfChosen();
+    if (!kept) {
+        view_->setOffer({}, {});
+        return;
+    }
+    const QDateTime made = QDateTime::fromString(QString::fromStdString(kept->run->date), Qt::ISODate).toLocalTime();
+    const QString when = shortMoment(made);
+    view_->setOffer(kept->current ? tr("A run of this garment is kept with the project.")
+                                  : tr("A run of this garment is kept with the project, of an older design."),
+                    tr("Open the kept run of %1").arg(when));
 }
 
 QString GarmentWorkspace::reserve()

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/window/help_window.h"
 
+#include "ui/window/guide_search.h"
+
 #include <QAction>
 #include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
+#include <QSplitter>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextTable>
@@ -78,7 +82,8 @@ QUrl addressOf(const QString& page) { return QUrl("qrc:/help/" + page + ".md"); 
 
 } // namespace
 
-HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), browser_(new HelpBrowser), words_(new QLineEdit), none_(new QLabel)
+HelpWindow::HelpWindow(QWidget* parent)
+    : QDialog(parent), browser_(new HelpBrowser), words_(new QLineEdit), none_(new QLabel), found_(new QListWidget)
 {
     setWindowTitle(tr("Hygroloom User's Guide"));
     auto* bar = new QToolBar;
@@ -97,21 +102,7 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), browser_(new HelpBrow
     connect(browser_, &QTextBrowser::backwardAvailable, back, &QAction::setEnabled);
     connect(browser_, &QTextBrowser::forwardAvailable, forward, &QAction::setEnabled);
     bar->addSeparator();
-    words_->setPlaceholderText(tr("Find on this page"));
-    words_->setAccessibleName(words_->placeholderText());
-    words_->setClearButtonEnabled(true);
-    words_->setMaximumWidth(240);
-    bar->addWidget(words_);
-    bar->addWidget(none_);
-    auto* find_key = new QAction(this);
-    find_key->setShortcut(QKeySequence::Find);
-    connect(find_key, &QAction::triggered, words_, [this] {
-        words_->setFocus();
-        words_->selectAll();
-    });
-    addAction(find_key);
-    connect(words_, &QLineEdit::returnPressed, this, &HelpWindow::find);
-    connect(words_, &QLineEdit::textEdited, none_, &QLabel::clear);
+    addSearch(*bar);
 
     browser_->setAccessibleName(tr("Page of the guide"));
     browser_->setOpenExternalLinks(true);
@@ -121,7 +112,12 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), browser_(new HelpBrow
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(bar);
-    layout->addWidget(browser_, 1);
+    auto* parts = new QSplitter(Qt::Vertical);
+    parts->addWidget(found_);
+    parts->addWidget(browser_);
+    parts->setStretchFactor(1, 1);
+    parts->setSizes({160, 560});
+    layout->addWidget(parts, 1);
     resize(860, 720);
     browser_->setFocus();
 }
@@ -133,17 +129,71 @@ void HelpWindow::showPage(const QString& page)
 
 QString HelpWindow::page() const { return QFileInfo(browser_->source().path()).completeBaseName(); }
 
-/// From the cursor on, and once more from the top.
-void HelpWindow::find()
+void HelpWindow::addSearch(QToolBar& bar)
 {
-    bool found = browser_->find(words_->text());
-    if (!found) {
-        const QTextCursor before = browser_->textCursor();
-        browser_->moveCursor(QTextCursor::Start);
-        found = browser_->find(words_->text());
-        if (!found) { browser_->setTextCursor(before); }
+    words_->setPlaceholderText(tr("Find in the guide"));
+    words_->setAccessibleName(words_->placeholderText());
+    words_->setToolTip(tr("Lists the pages that have these words. Enter or F3 goes to the next place."));
+    words_->setClearButtonEnabled(true);
+    words_->setMaximumWidth(240);
+    bar.addWidget(words_);
+    bar.addWidget(none_);
+    found_->setAccessibleName(tr("Pages with these words"));
+    found_->setAlternatingRowColors(true);
+    found_->setFrameShape(QFrame::NoFrame);
+    found_->hide();
+    auto* to_words = new QAction(this);
+    to_words->setShortcut(QKeySequence::Find);
+    connect(to_words, &QAction::triggered, words_, [this] {
+        words_->setFocus();
+        words_->selectAll();
+    });
+    auto* next = new QAction(this);
+    next->setShortcut(QKeySequence(Qt::Key_F3));
+    connect(next, &QAction::triggered, this, &HelpWindow::findNext);
+    addActions({to_words, next});
+    connect(words_, &QLineEdit::returnPressed, this, &HelpWindow::findNext);
+    connect(words_, &QLineEdit::textChanged, this, &HelpWindow::list);
+    const auto open = [this](const QListWidgetItem* item) { openFound(found_->row(item)); };
+    connect(found_, &QListWidget::itemClicked, this, open);
+    connect(found_, &QListWidget::itemActivated, this, open);
+}
+
+/// Of each page that has the words: its title, how often, and the text round the first place.
+void HelpWindow::list()
+{
+    found_->clear();
+    for (const GuideHit& hit : searchGuide(words_->text())) {
+        auto* item = new QListWidgetItem(tr("%1 (%2)").arg(hit.title).arg(hit.hits) + '\n' + hit.context, found_);
+        item->setData(Qt::UserRole, hit.page);
+        if (hit.page == page()) { found_->setCurrentItem(item); }
     }
-    none_->setText(found || words_->text().isEmpty() ? QString() : tr("Not on this page."));
+    found_->setVisible(found_->count() > 0);
+    none_->setText(found_->count() > 0 || words_->text().trimmed().isEmpty() ? QString() : tr("Not in the guide."));
+}
+
+/// The first place on a listed page.
+void HelpWindow::openFound(int row)
+{
+    found_->setCurrentRow(row);
+    showPage(found_->item(row)->data(Qt::UserRole).toString());
+    browser_->moveCursor(QTextCursor::Start);
+    browser_->find(words_->text());
+}
+
+/// From the cursor on, then on the pages listed below, and again from the first.
+void HelpWindow::findNext()
+{
+    if (found_->count() == 0) { return; }
+    int here = -1;
+    for (int row = 0; row < found_->count(); ++row) {
+        if (found_->item(row)->data(Qt::UserRole).toString() == page()) { here = row; }
+    }
+    if (here >= 0 && browser_->find(words_->text())) {
+        found_->setCurrentRow(here);
+    } else {
+        openFound((here + 1) % found_->count());
+    }
 }
 
 /// A page takes the colours of its links when it is read.

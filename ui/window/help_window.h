@@ -6,7 +6,9 @@
 
 class QLabel;
 class QLineEdit;
+class QListWidget;
 class QTextBrowser;
+class QToolBar;
 
 namespace hygroloom {
 
@@ -21,16 +23,22 @@ public:
     /// The same for the page that is on screen.
     QString page() const;
     QTextBrowser& browser() { return *browser_; }
+    /// Pages that have the words of the search box; hidden while there are none.
+    QListWidget& found() { return *found_; }
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void find();
+    void addSearch(QToolBar& bar);
+    void list();
+    void findNext();
+    void openFound(int row);
 
     QTextBrowser* browser_;
     QLineEdit* words_;
     QLabel* none_;
+    QListWidget* found_;
 };
 
 } // namespace hygroloom
