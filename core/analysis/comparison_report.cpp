@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/comparison_report.h"
 
+#include "core/analysis/comparative.h"
 #include "core/analysis/line_chart.h"
 #include "core/analysis/replicate_range.h"
 #include "core/analysis/svg.h"
@@ -26,12 +27,144 @@ const Experiment* experiment_of(const Candidate& candidate)
 
 std::string question(const Comparison& comparison)
 {
-    const bool more = comparison.ranked_by.better == Better::more;
     return fmt::format(
         "<p>Which of {} fabrics is best on the experiment “{}”? They are ranked by {}; {} is better. The verdicts are against "
         "{}. Fabrics that share a rank cannot be told apart.</p>\n",
         comparison.candidates.size(), escaped_markup(comparison.experiment), escaped_markup(full_title(comparison.ranked_by)),
-        more ? "more" : "less", escaped_markup(comparison.baseline));
+        comparative(comparison.ranked_by, comparison.ranked_by.better == Better::more), escaped_markup(comparison.baseline));
+}
+
+using ExperimentRows = std::vector<std::pair<std::string, std::string>>; ///< name and text
+
+/// Runs that are alike.
+struct RunKind {
+    ExperimentRows rows;
+    std::string fabrics; ///< their names
+};
+
+class ExperimentWriter {
+public:
+    explicit ExperimentWriter(const ReaderUnits& units) : units_(units) {}
+
+    std::string number(double value, const std::string& unit) const
+    {
+        const ReaderUnit own = reader_unit(units_, unit);
+        return fmt::format("{:.4g} {}", own.of(value), own.unit);
+    }
+    std::string climate(const Climate& air) const
+    {
+        return fmt::format("{}, {:.4g} % relative humidity, air at {}", number(air.temperature_c, "°C"), 100 * air.relative_humidity,
+                           number(air.air_speed_m_s, "m/s"));
+    }
+    /// "2 × 15 µl, at 0, 5 s"; other volumes follow.
+    std::string drops(const std::vector<Droplet>& droplets) const
+    {
+        std::string text;
+        for (std::size_t i = 0; i < droplets.size();) {
+            std::size_t end = i;
+            std::string times;
+            for (; end < droplets.size() && droplets[end].volume_ul == droplets[i].volume_ul; ++end)
+                times += fmt::format("{}{:.4g}", end > i ? ", " : "", droplets[end].time_s);
+            text += fmt::format("{}{}{}, at {} s", i > 0 ? "; " : "", end > i + 1 ? fmt::format("{} × ", end - i) : "",
+                                number(droplets[i].volume_ul, "µl"), times);
+            i = end;
+        }
+        return text.empty() ? "none" : text;
+    }
+    std::string feed(const Experiment& e) const
+    {
+        std::string text = number(e.volume_ul, "µl");
+        if (uses_field(e.type, "feed_s")) text += " in " + number(e.feed_s, "s");
+        if (drops_of_feed(e) > 0) text += fmt::format(", in {} drops", drops_of_feed(e));
+        return text;
+    }
+
+private:
+    const ReaderUnits& units_;
+};
+
+/// How water comes to the cloth.
+std::pair<std::string, std::string> supply_row(const Experiment& e, const ExperimentWriter& write)
+{
+    switch (info_of(e.type).source) {
+    case WaterSource::drops: return {e.droplets.size() == 1 ? "drop" : "drops", write.drops(e.droplets)};
+    case WaterSource::pool: return {"feed", write.feed(e)};
+    case WaterSource::bath: return {"end in the liquid", write.number(e.immersion_mm, "mm")};
+    case WaterSource::cloth: return {"water at the start", write.number(e.initial_water_g_m2, "g/m²")};
+    case WaterSource::air: return {"climate before", write.climate(e.initial)};
+    case WaterSource::face:
+        return {e.from_top ? "feed of the top face" : "feed of the bottom face", write.number(e.rate_g_m2_h, "g/(m² h)")};
+    }
+    return {};
+}
+
+ExperimentRows experiment_rows(const RunRecord& run, const Experiment& e, const Comparison& comparison, const ExperimentWriter& write)
+{
+    const ExperimentTypeInfo& info = info_of(e.type);
+    const std::string standard = info.standard, title = info.title;
+    ExperimentRows rows{{"type", standard.empty() ? title : title + " (" + standard + ")"}};
+    if (info.source != WaterSource::air) {
+        std::string liquid = e.liquid;
+        if (const Liquid* found = find_liquid(run.design, e.liquid))
+            liquid += fmt::format(": {}, {} at 20 °C", write.number(found->surface_tension_mn_m, "mN/m"),
+                                  write.number(found->viscosity_mpa_s, "mPa s"));
+        rows.emplace_back("liquid", liquid);
+    }
+    rows.push_back(supply_row(e, write));
+    rows.emplace_back("climate", write.climate(e.climate));
+    for (const ClimateMoment& later : e.climates)
+        rows.emplace_back("climate after " + write.number(later.time_s, "s"), write.climate(later.climate));
+    const auto [across, along] = e.sample_mm;
+    rows.emplace_back(info.sample_name, write.number(across, "mm") + " × " + write.number(along, "mm") +
+                                            (is_strip(e.type) ? e.along_weft ? ", along the weft" : ", along the warp" : ""));
+    rows.emplace_back("duration", write.number(e.duration_s, "s"));
+    rows.emplace_back("wicking model", std::string(name_of(e.closure)) + (e.swelling ? ", fibres swell" : ""));
+    rows.emplace_back("fidelity", name_of(run.plan.fidelity));
+    if (comparison.replicates > 1) rows.emplace_back("replicates of each fabric", std::to_string(comparison.replicates));
+    return rows;
+}
+
+/// Kinds may differ in which rows they have: a row that one lacks is a dash.
+std::string table_of_kinds(const std::vector<RunKind>& kinds)
+{
+    std::vector<std::string> names;
+    for (const RunKind& kind : kinds)
+        for (const auto& [name, text] : kind.rows)
+            if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    std::string body;
+    if (kinds.size() > 1) {
+        body = "<tr><th></th>";
+        for (const RunKind& kind : kinds) body += "<th>" + escaped_markup(kind.fabrics) + "</th>";
+        body += "</tr>\n";
+    }
+    for (const std::string& name : names) {
+        body += "<tr><th>" + escaped_markup(name) + "</th>";
+        for (const RunKind& kind : kinds) {
+            const auto found = std::find_if(kind.rows.begin(), kind.rows.end(), [&](const auto& row) { return row.first == name; });
+            body += "<td>" + (found == kind.rows.end() ? "–" : escaped_markup(found->second)) + "</td>";
+        }
+        body += "</tr>\n";
+    }
+    return table(body);
+}
+
+/// Type, liquid, how it comes to the cloth, climate, sample, duration and fidelity: a column where all runs are alike in them, otherwise
+/// one for each kind of run, headed by its fabrics.
+std::string experiment_table(const Comparison& comparison, const ReaderUnits& units)
+{
+    const ExperimentWriter write(units);
+    std::vector<RunKind> kinds;
+    for (const Candidate& candidate : comparison.candidates) {
+        const Experiment* e = experiment_of(candidate);
+        if (!e) continue;
+        ExperimentRows rows = experiment_rows(*candidate.run, *e, comparison, write);
+        const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const RunKind& kind) { return kind.rows == rows; });
+        if (same == kinds.end())
+            kinds.push_back({std::move(rows), candidate.fabric});
+        else
+            same->fabrics += ", " + candidate.fabric;
+    }
+    return table_of_kinds(kinds);
 }
 
 std::string cell(const Comparison& comparison, const Candidate& candidate, const OutcomeInfo& criterion, const ReaderUnits& units)
@@ -291,8 +424,8 @@ std::string comparison_report_html(const Comparison& comparison, const std::vect
     for (const OutcomeInfo& criterion : comparison.criteria) intervals += whiskers(comparison, criterion, units);
     return page("Comparison: " + comparison.experiment,
                 "<p>All numbers are simulated, except those marked as measured.</p>\n" + question(comparison) +
-                    section("Results", results(comparison, units)) + section("Intervals", intervals) +
-                    section("Why", comparison.why ? why_html(*comparison.why, units) : std::string()) +
+                    section("Experiment", experiment_table(comparison, units)) + section("Results", results(comparison, units)) +
+                    section("Intervals", intervals) + section("Why", comparison.why ? why_html(*comparison.why, units) : std::string()) +
                     section("Maps", maps_of(comparison, maps)) + section("Over time", curves(comparison, units)) +
                     section("What differs in the descriptions", differences(comparison)) + section("Computation", computation(comparison)) +
                     section("What is not known", unknown(comparison)));

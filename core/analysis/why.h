@@ -87,10 +87,10 @@ std::string heading_of(const Why& why, const ReaderUnits& units = {});
 std::string nothing_of(const Why& why, const ReaderUnits& units = {});
 /// One for each contribution, in words, the largest first; then what they rest on.
 std::vector<std::string> sentences_of(const Why& why, const ReaderUnits& units = {});
-/// "lowers it by 0.10 ± 0.02 s, which is better"; "has no effect that this simulation can show (…)"
+/// "makes it 0.10 ± 0.02 s shorter, which is better"; "has no effect that this simulation can show (…)"
 std::string in_words(const Why& why, const Compared& compared, bool plural = false, const ReaderUnits& units = {});
-/// "lowers it, better"; "no effect shown"
-std::string effect_words(const Compared& compared);
+/// "makes it shorter, better"; "no effect shown"
+std::string effect_words(const OutcomeInfo& metric, const Compared& compared);
 
 /// A row of the table: a contribution, what the parts do together, the whole difference.
 struct WhyLine {

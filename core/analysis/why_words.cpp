@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Why one fabric is better than another, in words, as a table and as bars.
+#include "core/analysis/comparative.h"
 #include "core/analysis/report_parts.h"
 #include "core/analysis/svg.h"
 #include "core/analysis/why.h"
@@ -149,9 +150,9 @@ std::string in_words(const Why& why, const Compared& compared, bool plural, cons
     if (!is_shown(compared))
         return fmt::format("{} no effect that this simulation can show ({})", plural ? "have" : "has",
                            with_unit(why.metric, compared, units));
-    const bool more = compared.difference > 0;
-    return fmt::format("{}{}{} it by {}, which is {}", is_probable(compared) ? "probably " : "", more ? "raise" : "lower",
-                       plural ? "" : "s", size_of(why.metric, compared, units), is_good(compared) ? "better" : "worse");
+    return fmt::format("{}make{} it {} {}, which is {}", is_probable(compared) ? "probably " : "", plural ? "" : "s",
+                       size_of(why.metric, compared, units), comparative(why.metric, compared.difference > 0),
+                       is_good(compared) ? "better" : "worse");
 }
 
 std::vector<WhyLine> lines_of(const Why& why)
@@ -169,7 +170,7 @@ std::string heading_of(const Why& why, const ReaderUnits& units)
     if (!why.whole || !is_shown(*why.whole)) return fmt::format("{} against {}, {}", why.fabric, why.against, title);
     return fmt::format("{} is {} than {}: its {} is {} {}", why.fabric,
                        std::string(is_probable(*why.whole) ? "probably " : "") + (is_good(*why.whole) ? "better" : "worse"), why.against,
-                       title, size_of(why.metric, *why.whole, units), why.whole->difference < 0 ? "lower" : "higher");
+                       title, size_of(why.metric, *why.whole, units), comparative(why.metric, why.whole->difference > 0));
 }
 
 std::vector<std::string> sentences_of(const Why& why, const ReaderUnits& units)
@@ -192,10 +193,10 @@ std::vector<std::string> sentences_of(const Why& why, const ReaderUnits& units)
     return sentences;
 }
 
-std::string effect_words(const Compared& compared)
+std::string effect_words(const OutcomeInfo& metric, const Compared& compared)
 {
     if (!is_shown(compared)) return "no effect shown";
-    return fmt::format("{}{} it, {}", is_probable(compared) ? "probably " : "", compared.difference > 0 ? "raises" : "lowers",
+    return fmt::format("{}makes it {}, {}", is_probable(compared) ? "probably " : "", comparative(metric, compared.difference > 0),
                        is_good(compared) ? "better" : "worse");
 }
 
@@ -210,7 +211,7 @@ std::string why_text(const Why& why)
         }
         for (const WhyLine& each : lines_of(why))
             text += fmt::format("    {:<{}}  {:>{}}  {}\n", each.title, title, with_unit(why.metric, *each.compared), number,
-                                each.whole ? name_of(why.whole->verdict) : effect_words(*each.compared));
+                                each.whole ? name_of(why.whole->verdict) : effect_words(why.metric, *each.compared));
     }
     text += "\n";
     for (const std::string& sentence : sentences_of(why)) text += "  " + sentence + "\n";
@@ -228,7 +229,7 @@ std::string why_html(const Why& why, const ReaderUnits& units)
             rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
                                 escaped_markup(each.title), escaped_markup(each.first), escaped_markup(each.second),
                                 escaped_markup(with_unit(why.metric, *each.compared, units)),
-                                each.whole ? name_of(why.whole->verdict) : effect_words(*each.compared));
+                                each.whole ? name_of(why.whole->verdict) : effect_words(why.metric, *each.compared));
         html += table(rows);
     }
     std::vector<std::string> sentences = sentences_of(why, units);

@@ -1443,6 +1443,22 @@
         <source>Saving the film</source>
         <translation>Film wird gespeichert</translation>
     </message>
+    <message>
+        <source>Shorter is better.</source>
+        <translation>Kürzer ist besser.</translation>
+    </message>
+    <message>
+        <source>Longer is better.</source>
+        <translation>Länger ist besser.</translation>
+    </message>
+    <message>
+        <source>Lower is better.</source>
+        <translation>Niedriger ist besser.</translation>
+    </message>
+    <message>
+        <source>Higher is better.</source>
+        <translation>Höher ist besser.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CalibrateDialog</name>
@@ -2123,6 +2139,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>Choose one experiment, and run it on a fabric.</source>
         <translation>Wählen Sie einen Versuch, und lassen Sie ihn mit einem Stoff laufen.</translation>
     </message>
+    <message>
+        <source>reading…</source>
+        <translation>wird gelesen …</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CompareMaps</name>
@@ -2372,6 +2392,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Outdated, as the design has changed since they were run: %1. “Run All Missing” runs them again. The older runs stand under All Runs.</source>
         <translation>Überholt, weil der Entwurf nach dem Lauf geändert wurde: %1. „Alle fehlenden rechnen“ rechnet sie neu. Die älteren Läufe stehen unter Alle Läufe.</translation>
+    </message>
+    <message>
+        <source>The runs of this project are being read.</source>
+        <translation>Die Läufe dieses Projekts werden gelesen.</translation>
     </message>
 </context>
 <context>

@@ -255,6 +255,44 @@ private Q_SLOTS:
         QVERIFY2(differs.find("ends_per_cm") != std::string::npos, differs.c_str());
         QVERIFY2(differs.find("keys of the project file") < differs.find("ends_per_cm"), differs.c_str());
     }
+    void theReportSaysWhatTheExperimentWas()
+    {
+        Comparison c = of_drops({{"a", 3.0}, {"b", 9.0}});
+        Design design = drop_design();
+        Experiment& e = design.experiments[0];
+        e = standard_experiment(ExperimentType::droplet);
+        e.name = "drop";
+        e.droplets = {{.volume_ul = 12, .time_s = 0}, {.volume_ul = 12, .time_s = 3}, {.volume_ul = 5, .time_s = 4}};
+        e.climate = {20, 0.5, 0.3};
+        e.sample_mm = {30, 25};
+        e.duration_s = 40;
+        const auto give = [&](Candidate& candidate, Fidelity fidelity) {
+            auto run = std::make_shared<RunRecord>();
+            run->design = design;
+            run->fabric = design.fabrics[0].name;
+            run->experiment = e.name;
+            run->plan.fidelity = fidelity;
+            candidate.run = run;
+        };
+        for (Candidate& candidate : c.candidates) give(candidate, Fidelity::draft);
+        const auto has = [](const std::string& page, const char* name, const char* text) {
+            return page.find(std::string("<th>") + name + "</th><td>" + text + "</td>") != std::string::npos;
+        };
+        std::string page = comparison_report_html(c, {});
+        QVERIFY2(page.find("<h2>Experiment</h2>") < page.find("<h2>Results</h2>"), page.c_str());
+        QVERIFY2(has(page, "type", "Droplets (AATCC 79)") && has(page, "drops", "2 × 12 µl, at 0, 3 s; 5 µl, at 4 s"), page.c_str());
+        QVERIFY2(has(page, "climate", "20 °C, 50 % relative humidity, air at 0.3 m/s"), page.c_str());
+        QVERIFY2(has(page, "sample", "30 mm × 25 mm") && has(page, "duration", "40 s") && has(page, "fidelity", "draft"), page.c_str());
+        QVERIFY2(has(page, "liquid", "water: 72.74 mN/m, 1.002 mPa s at 20 °C"), page.c_str());
+        page = comparison_report_html(c, {}, [](const std::string& unit) {
+            return unit == "mm" ? ReaderUnit{"cm", 0.1} : unit == "°C" ? ReaderUnit{"°F", 1.8, 32} : ReaderUnit{unit};
+        });
+        QVERIFY2(has(page, "sample", "3 cm × 2.5 cm") && page.find("<td>68 °F, 50 %") != std::string::npos, page.c_str());
+        give(c.candidates[1], Fidelity::standard);
+        page = comparison_report_html(c, {});
+        QVERIFY2(page.find("<tr><th></th><th>a</th><th>b</th></tr>") != std::string::npos, page.c_str());
+        QVERIFY2(has(page, "fidelity", "draft</td><td>standard"), page.c_str());
+    }
     void withoutAKnownErrorNothingIsClaimed()
     {
         Comparison c = of_drops({{"a", 3.0}, {"b", 9.0}});

@@ -154,7 +154,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(why.parts[0].compared.high + 1.9) < 1e-12);
         QCOMPARE(why.parts[1].compared.verdict, Verdict::no_difference);
         const auto sentences = sentences_of(why);
-        QVERIFY2(sentences[0].find("lowers it by 2.00 ± 0.10 s, which is better") != std::string::npos, sentences[0].c_str());
+        QVERIFY2(sentences[0].find("makes it 2.00 ± 0.10 s shorter, which is better") != std::string::npos, sentences[0].c_str());
         QVERIFY2(sentences[1].find("no effect that this simulation can show") != std::string::npos, sentences[1].c_str());
     }
 
@@ -181,7 +181,7 @@ private Q_SLOTS:
         const ReaderUnits minutes = [](const std::string& unit) { return unit == "s" ? ReaderUnit{"min", 1.0 / 60} : ReaderUnit{unit}; };
         const Why why =
             explained(made_up(2), 1, 6, [](Mixture m, std::size_t) { return 300 - (m & 1U ? 0 : 120.0) - (m & 2U ? 0 : 60.0); });
-        QVERIFY2(sentences_of(why)[0].find("by 120.0 ± 6.0 s") != std::string::npos, sentences_of(why)[0].c_str());
+        QVERIFY2(sentences_of(why)[0].find("120.0 ± 6.0 s shorter") != std::string::npos, sentences_of(why)[0].c_str());
         for (const std::string& text : {sentences_of(why, minutes)[0], heading_of(why, minutes), why_html(why, minutes)})
             QVERIFY2(text.find(" min") != std::string::npos && text.find(" s,") == std::string::npos, text.c_str());
         QVERIFY2(with_unit(why.metric, why.parts[0].compared, minutes).starts_with("-2.0"), sentences_of(why, minutes)[0].c_str());
@@ -212,10 +212,27 @@ private Q_SLOTS:
             const auto sentences = sentences_of(of);
             return std::any_of(sentences.begin(), sentences.end(), [&](const auto& s) { return s.find(words) != std::string::npos; });
         };
-        QVERIFY(says(why, "Exchanged alone in cloth, the part 0 (1 instead of 2) lowers it by 1.00 ± 0.70 s, which is better."));
+        QVERIFY(says(why, "Exchanged alone in cloth, the part 0 (1 instead of 2) makes it 1.00 ± 0.70 s shorter, which is better."));
         QVERIFY(!says(why, "No part by itself"));
         const Why none = explained(made_up(2), 1, 0.7, [](Mixture m, std::size_t) { return m == 0 ? 5.0 : m == 3 ? 6.2 : 5.6; });
         QVERIFY(says(none, "No part by itself") && !says(none, "Exchanged alone"));
+    }
+
+    void aDifferenceIsSaidInTheWordsOfItsNumber()
+    {
+        const auto heading = [](ExperimentType type, const char* key) {
+            Why why = explained(made_up(2), 1, 0.1, [](Mixture m, std::size_t) { return 5 - (m & 1U ? 0 : 2.0); });
+            why.metric = criterion_named(compared_by(type), key);
+            return QString::fromStdString(heading_of(why) + "; " + effect_words(why.metric, why.parts[0].compared));
+        };
+        const QString time = heading(ExperimentType::droplet, "absorbency_time_s");
+        QVERIFY2(time.contains(" shorter; makes it shorter, better"), qPrintable(time));
+        const QString radius = heading(ExperimentType::droplet, "maximum_wetted_radius_top_mm");
+        QVERIFY2(radius.contains(" mm smaller; makes it smaller"), qPrintable(radius));
+        const QString height = heading(ExperimentType::vertical_wicking, "wick_height_mm");
+        QVERIFY2(height.contains(" mm lower; makes it lower"), qPrintable(height));
+        const QString rate = heading(ExperimentType::drying, "drying_rate_g_m2_h");
+        QVERIFY2(rate.contains(" lower; makes it lower"), qPrintable(rate));
     }
 
     void aDifferenceThatIsNoneHasNoCauses()
@@ -225,7 +242,7 @@ private Q_SLOTS:
         QCOMPARE(why.whole->verdict, Verdict::no_difference);
         QVERIFY(why.parts.empty() && !why.together);
         QVERIFY(why.nothing.find("No difference") == 0);
-        QVERIFY(why_text(why).find("lowers") == std::string::npos && why_text(why).find("raises") == std::string::npos);
+        QVERIFY(why_text(why).find("shorter") == std::string::npos && why_text(why).find("longer") == std::string::npos);
     }
 
     void aMixtureWithoutTheNumberIsNamed()

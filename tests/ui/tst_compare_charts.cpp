@@ -4,11 +4,13 @@
 #include "ui/compare/curves_view.h"
 #include "ui/compare/fingerprint_view.h"
 #include "ui/compare/scatter_view.h"
+#include "ui/results/curve_legend.h"
 #include "ui/results/map_difference.h"
 #include "ui/results/pointed_chart_view.h"
 #include "ui/results/water_map.h"
 
 #include <QChart>
+#include <QLineSeries>
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
@@ -225,6 +227,56 @@ private Q_SLOTS:
         const QString words = shown.wordsAt(low_left);
         QVERIFY2(words.startsWith("cloth: 100 g/m² (least to most of 4 replicates, in cells of ") && words.contains(" mm: 50 to 200) at"),
                  qPrintable(words));
+    }
+
+    void mapsInARowHaveOneScaleAndBarsOfOneLength()
+    {
+        WaterMap large("large"), small("small");
+        for (WaterMap* each : {&large, &small}) { each->setRow({&large, &small}); }
+        large.resize(220, 240);
+        small.resize(221, 240); // as a layout shares a row of pixels
+        for (WaterMap* each : {&large, &small}) { each->show(); }
+        large.setMap(map({0.1, 0, 0, 0}), {}, QSizeF(0.02, 0.02));
+        small.setMap(map({0.1, 0, 0, 0}), {}, QSizeF(0.01, 0.01));
+        QCOMPARE(small.pixelsPerMetre(), large.pixelsPerMetre());
+        QVERIFY(std::abs(large.pixelsPerMetre() * 0.02 - 204) < 1e-9); // the larger fills its room
+        QCOMPARE(small.roomOfBar(), large.roomOfBar());
+        QVERIFY(std::abs(small.roomOfBar() - 102) < 1e-9);                                               // and the bar fits on the smaller
+        QVERIFY(small.wordsAt(QPointF(40, 80)).isEmpty() && !small.wordsAt(QPointF(110, 80)).isEmpty()); // the pointer follows
+        large.hide();
+        QVERIFY(std::abs(small.pixelsPerMetre() * 0.01 - 205) < 1e-9);
+    }
+
+    void linesThatLieOnEachOtherAreAllSeen()
+    {
+        Comparison numbers = comparison();
+        numbers.candidates.push_back(candidate("same", 4, 3)); // as slow
+        for (Candidate& each : numbers.candidates) {
+            each.replicates[0]->numbers["maximum_wetted_radius_bottom_mm"] = each.replicates[0]->numbers[numbers.criteria[0].key];
+        }
+        judge(numbers);
+        FingerprintView finger;
+        finger.resize(900, 600);
+        finger.setCandidates(numbers, {"wide", "slow", "same"});
+        const auto lines = finger.view()->chart()->series();
+        const auto width = [&](int i) { return qobject_cast<QLineSeries*>(lines[i])->pen().widthF(); };
+        QCOMPARE(lines.size(), 3);
+        QCOMPARE(width(0), width(2));
+        QVERIFY(width(1) > width(2)); // the one below
+        const QImage legend = finger.findChild<CurveLegend*>()->grab().toImage();
+        std::vector<int> rows(3); // of pixels with each line's colour
+        for (int y = 0; y < legend.height(); ++y) {
+            for (int i = 0; i < 3; ++i) {
+                bool seen = false;
+                for (int x = 0; x < 40; ++x) {
+                    seen = seen || legend.pixelColor(x, y) == qobject_cast<QLineSeries*>(lines[i])->pen().color();
+                }
+                rows[static_cast<std::size_t>(i)] += seen ? 1 : 0;
+            }
+        }
+        QVERIFY2(rows[1] > rows[0] && rows[1] > rows[2], qPrintable(QString("%1 %2 %3").arg(rows[0]).arg(rows[1]).arg(rows[2])));
+        const Fingerprint apart = fingerprintOf(numbers, {"wide", "slow"});
+        QCOMPARE(laterOn(apart, 0.03), (std::vector<int>{0, 0}));
     }
 
     void aFingerprintGoesFromTheWorstToTheBest()

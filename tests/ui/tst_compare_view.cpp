@@ -8,7 +8,9 @@
 #include "ui/compare/compare_maps.h"
 #include "ui/document/run_folder.h"
 
+#include <QComboBox>
 #include <QLabel>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -63,6 +65,42 @@ private Q_SLOTS:
             reported = reported || (label->isVisible() && label->text().startsWith("Nothing has been run yet"));
         }
         QVERIFY(reported);
+    }
+
+    void untilTheRunsAreFoundNothingIsSaidOfThem()
+    {
+        Workplace place;
+        auto& [document, recovery, history, project, runs, view] = place;
+        document.take(three_, "three");
+        view.resize(900, 600);
+        view.show();
+        auto* fidelity = view.bar()->findChildren<QComboBox*>()[1];
+        history.setListing(true);
+        KeptRun old = runOf(three_, 0, Fidelity::live, 3);
+        old.own = true;
+        history.keep(old);
+        QCOMPARE(fidelity->currentText(), QString());
+        QCOMPARE(fidelity->placeholderText(), QString("reading…"));
+        const auto states = [&] {
+            QSet<GridCell::State> found;
+            for (const GridRow& row : view.table()->grid().rows) { found << row.cells[0].state; }
+            return found;
+        };
+        view.showExperiment(three_.experiments[0].name);
+        QVERIFY(states().contains(GridCell::State::reading) && !states().contains(GridCell::State::missing));
+        const auto says = [&](const char* words) {
+            const auto labels = view.findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) { return label->accessibleDescription() == words; });
+        };
+        QVERIFY(says("reading…")); // not that nothing is missing
+        view.showExperiment({});
+        KeptRun last = runOf(three_, 1, Fidelity::standard, 4);
+        last.own = true;
+        history.keep(last);
+        history.setListing(false);
+        QVERIFY(states().contains(GridCell::State::missing) && !states().contains(GridCell::State::reading));
+        view.bar()->setReading(false);
+        QVERIFY(!fidelity->currentText().isEmpty());
     }
 
     void twoFabricsStandSideBySideInOneRange()

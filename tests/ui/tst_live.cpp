@@ -235,7 +235,7 @@ private Q_SLOTS:
         LivePanel panel(document);
         panel.setVisible(true);
         QTemporaryDir folder;
-        for (const double volume : {2.0, 0.3, 5.0, 4.0}) { // the range follows each, whatever was before
+        for (const double volume : {2.0, 0.3, 5.0}) { // each needs another range
             document.edit("drop", "drop", [&](Design& design) { design.experiments[0].droplets[0].volume_ul = volume; });
             QTRY_VERIFY_WITH_TIMEOUT(panel.answer() && panel.answer()->whole, patience);
             RunOptions options;
@@ -253,6 +253,29 @@ private Q_SLOTS:
             QTRY_COMPARE_WITH_TIMEOUT(maps.range(), panel.range(), patience);
             QVERIFY(panel.range() > 0);
         }
+    }
+
+    void itsColoursStayWhileTheWaterFits()
+    {
+        QCOMPARE(keptRange(0, 0.11, true), 0.12); // none before
+        QCOMPARE(keptRange(0.12, 0.12, true), 0.12);
+        QCOMPARE(keptRange(0.12, 0.05, true), 0.12);
+        QCOMPARE(keptRange(0.12, 0.13, true), 0.16);  // it leaves them
+        QCOMPARE(keptRange(0.12, 0.04, true), 0.04);  // it would be pale
+        QCOMPARE(keptRange(0.12, 0.04, false), 0.12); // of a part; the whole follows
+        QCOMPARE(keptRange(0.12, 0.13, false), 0.16);
+        QCOMPARE(keptRange(0.12, 0, true), 0.12); // dry
+        Document document;
+        document.take(two_cloths(), "drops");
+        LivePanel panel(document);
+        panel.setVisible(true);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.answer() && panel.answer()->whole, patience);
+        const double range = panel.range();
+        setAngle(document, 200); // an error, which clears the map
+        QTRY_VERIFY_WITH_TIMEOUT(!panel.answer() && panel.range() == 0, patience);
+        setAngle(document, 40);
+        QTRY_VERIFY_WITH_TIMEOUT(panel.answer(), patience);
+        QCOMPARE(panel.range(), range); // that of a part, too
     }
 
     void ofManyEditsTheLastIsAnsweredAndStaleOnesEnd()

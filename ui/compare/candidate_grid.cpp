@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/compare/candidate_grid.h"
 
+#include "core/analysis/comparative.h"
 #include "core/base/text.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
@@ -30,6 +31,16 @@ ShownValue differenceInUserUnit(const ShownValue& value)
     return {user.per_one * value.value, user.unit};
 }
 
+QString betterText(const OutcomeInfo& info)
+{
+    const std::string_view word = comparative(info, info.better == Better::more);
+    if (word == "shorter") { return tr("Shorter is better."); }
+    if (word == "longer") { return tr("Longer is better."); }
+    if (word == "smaller") { return tr("Smaller is better."); }
+    if (word == "larger") { return tr("Larger is better."); }
+    return word == "lower" ? tr("Lower is better.") : tr("Higher is better.");
+}
+
 GridColumn columnOf(const OutcomeInfo& info)
 {
     GridColumn column;
@@ -37,7 +48,7 @@ GridColumn columnOf(const OutcomeInfo& info)
     const QString unit = userUnit(QString::fromStdString(shown(info, 0.0).unit)).unit;
     column.head = capital(coreTitle(info.title, info.face));
     if (!unit.isEmpty()) { column.head += " (" + unit + ")"; }
-    column.tip = info.better == Better::less ? tr("Smaller is better.") : tr("Larger is better.");
+    column.tip = betterText(info);
     return column;
 }
 

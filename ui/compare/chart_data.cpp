@@ -197,4 +197,24 @@ Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::s
     return made;
 }
 
+std::vector<int> laterOn(const Fingerprint& fingerprint, double near)
+{
+    const auto& runs = fingerprint.runs;
+    const auto meet = [&](const std::vector<double>& a, const std::vector<double>& b, std::size_t spoke) {
+        return a[spoke] >= 0 && b[spoke] >= 0 && std::abs(a[spoke] - b[spoke]) <= near * fingerprint.most;
+    };
+    std::vector<int> later(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        for (std::size_t k = i + 1; k < runs.size(); ++k) {
+            bool lies = false;
+            const std::size_t spokes = runs[i].size();
+            for (std::size_t s = 0; s < spokes; ++s) {
+                lies = lies || (meet(runs[i], runs[k], s) && meet(runs[i], runs[k], (s + 1) % spokes));
+            }
+            later[i] += lies ? 1 : 0;
+        }
+    }
+    return later;
+}
+
 } // namespace hygroloom

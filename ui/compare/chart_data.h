@@ -46,5 +46,8 @@ struct Fingerprint {
 };
 /// Of the candidates of these names.
 Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::string>& names);
+/// For each run, how many later ones lie on it along a whole side. near: how far apart lines are still drawn on each other, a share of
+/// the way to the rim.
+std::vector<int> laterOn(const Fingerprint& fingerprint, double near);
 
 } // namespace hygroloom

@@ -46,6 +46,7 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     experiment_->setMinimumContentsLength(16);
     experiment_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     for (const Fidelity each : all_fidelities) { fidelity_->addItem(fidelityName(each), static_cast<int>(each)); }
+    fidelity_->setPlaceholderText(tr("reading…"));
     for (const int count : {1, 4, 8, 16}) { replicates_->addItem(QString::number(count), count); }
     replicates_->setToolTip(
         "<p>" +
@@ -118,7 +119,22 @@ int CompareBar::experiment() const { return experiment_->currentIndex(); }
 
 void CompareBar::setFidelity(Fidelity fidelity) { fidelity_->setCurrentIndex(fidelity_->findData(static_cast<int>(fidelity))); }
 
-Fidelity CompareBar::fidelity() const { return static_cast<Fidelity>(fidelity_->currentData().toInt()); }
+Fidelity CompareBar::fidelity() const
+{
+    const int named = fidelity_->currentIndex();
+    return static_cast<Fidelity>(fidelity_->itemData(named < 0 ? unnamed_ : named).toInt());
+}
+
+void CompareBar::setReading(bool reading)
+{
+    const int named = fidelity_->currentIndex();
+    if (reading && named >= 0) {
+        unnamed_ = named;
+        fidelity_->setCurrentIndex(-1);
+    } else if (!reading && named < 0) {
+        fidelity_->setCurrentIndex(unnamed_);
+    }
+}
 
 int CompareBar::replicates() const { return replicates_->currentData().toInt(); }
 
@@ -152,15 +168,17 @@ void CompareBar::offerFiles(std::size_t fabrics)
     offer(report_, fabrics > 1, tr("Write verdicts, intervals, maps, curves, and what is not known, as PDF or web page."), several);
 }
 
-void CompareBar::setMissing(int runs, double seconds, const QString& why_not)
+void CompareBar::setMissing(std::optional<int> runs, double seconds, const QString& why_not)
 {
-    run_->setEnabled(runs > 0 && why_not.isEmpty());
+    run_->setEnabled(runs.value_or(0) > 0 && why_not.isEmpty());
     if (!why_not.isEmpty()) {
         missing_ = tr("Cannot run: %1").arg(why_not);
+    } else if (!runs) {
+        missing_ = tr("reading…");
     } else if (runs == 0) {
         missing_ = tr("Nothing is missing.");
     } else {
-        const QString count = runs == 1 ? tr("1 run") : tr("%1 runs").arg(runs);
+        const QString count = runs == 1 ? tr("1 run") : tr("%1 runs").arg(*runs);
         missing_ = seconds <= 0 ? count : tr("%1, %2").arg(count, roughDuration(seconds));
     }
     run_->setToolTip("<p>" + (why_not.isEmpty() ? tr("Run each fabric that has no run of this experiment yet.") : why_not).toHtmlEscaped() +

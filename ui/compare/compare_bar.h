@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -29,6 +30,8 @@ public:
     int experiment() const;
     void setFidelity(Fidelity fidelity);
     Fidelity fidelity() const;
+    /// While it is not known at which fidelity the kept runs are, the field names none.
+    void setReading(bool reading);
     int replicates() const;
     void setReplicates(int count);
     /// The same, when it is not the user who chooses.
@@ -37,8 +40,8 @@ public:
     std::vector<int> replicateChoices() const;
     /// What can be done with so many fabrics that have numbers of one experiment.
     void offerFiles(std::size_t fabrics);
-    /// What Run All Missing would do; seconds: 0 where they are not known. why_not: why it cannot.
-    void setMissing(int runs, double seconds, const QString& why_not);
+    /// What Run All Missing would do; runs: none while that is not known; seconds: 0 where they are not known. why_not: why it cannot.
+    void setMissing(std::optional<int> runs, double seconds, const QString& why_not);
     void showProgress();
     QPushButton* save() { return save_; }
     QPushButton* report() { return report_; }
@@ -65,6 +68,7 @@ private:
 
     QComboBox* experiment_;
     QComboBox* fidelity_;
+    int unnamed_ = 0; ///< its place in the field, while that names none
     QComboBox* replicates_;
     QPushButton* run_;
     QLabel* state_;

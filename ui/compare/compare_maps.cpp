@@ -148,6 +148,7 @@ void CompareMaps::setRuns(const std::vector<KeptRun>& runs, const QStringList& t
         row_->insertWidget(static_cast<int>(maps_.size()), map, 1);
         maps_.push_back(map);
     }
+    for (WaterMap* map : maps_) { map->setRow(maps_); }
     readMaps();
 }
 

@@ -310,8 +310,10 @@ void CompareView::refresh()
     soon_.stop();
     findEntries();
     dropOutdated();
-    if (proposing_) { propose(); }
-    if (replicates_follow_) { followReplicates(); }
+    const bool finding = history_.listing(); // which runs there are is not known: nothing follows from those that were found so far
+    bar_->setReading(finding && proposing_ && selecting_ && fidelity_follows_);
+    if (proposing_ && !finding) { propose(); }
+    if (replicates_follow_ && !finding) { followReplicates(); }
     QStringList names{tr("All experiments")};
     for (const Entry& each : entries_) {
         const QString name = QString::fromStdString(each.name);
@@ -332,11 +334,23 @@ StudyChoice CompareView::choiceOf(const Entry& entry) const
     return {entry.name, bar_->fidelity(), document_.hasError() || !entry.own ? 1 : bar_->replicates()};
 }
 
+/// The project's fabrics. What is missing is known once its runs are found.
+std::vector<StudyRow> CompareView::ownRowsOf(const Entry& entry) const
+{
+    std::vector<StudyRow> rows = studyRows(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(entry));
+    for (StudyRow& row : rows) {
+        if (!history_.listing() || !row.path.isEmpty()) { continue; }
+        row.reading = true;
+        row.missing.clear();
+    }
+    return rows;
+}
+
 /// The project's fabrics, then what else is ticked.
 std::vector<StudyRow> CompareView::rowsOf(const Entry& entry) const
 {
     std::vector<StudyRow> rows;
-    if (entry.own) { rows = studyRows(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(entry)); }
+    if (entry.own) { rows = ownRowsOf(entry); }
     for (const KeptRun& run : compared()) {
         const bool known = std::any_of(rows.begin(), rows.end(), [&run](const StudyRow& row) { return row.path == run.path; });
         if (known || conditionsOf(*run.run) != entry.conditions || !run.metrics) { continue; }

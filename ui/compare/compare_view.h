@@ -85,6 +85,7 @@ private:
     bool isOnScreen(const KeptRun& run) const;
     const Entry* entry() const { return selected_ < 0 ? nullptr : &entries_[static_cast<std::size_t>(selected_)]; }
     StudyChoice choiceOf(const Entry& entry) const;
+    std::vector<StudyRow> ownRowsOf(const Entry& entry) const;
     std::vector<StudyRow> rowsOf(const Entry& entry) const;
     std::vector<KeptRun> compared() const;
     QString nameOf(const KeptRun& run) const;

@@ -65,7 +65,7 @@ Grid CompareView::overview()
     std::vector<ExperimentPart> parts;
     for (const Entry& each : entries_) {
         if (!each.own) { continue; }
-        all_rows_.push_back(studyRows(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(each)));
+        all_rows_.push_back(ownRowsOf(each));
         parts.push_back({comparisonOf(each.conditions.experiments.front().type, choiceOf(each), all_rows_.back(), baseline_),
                          gridEntries(all_rows_.back())});
         judge(parts.back().comparison);
@@ -180,7 +180,9 @@ void CompareView::refreshLower()
         titles << nameOf(run);
     }
     QString hint = tr("Tick two to four fabrics above to see them side by side.");
-    if (history_.runs().empty()) {
+    if (history_.listing()) {
+        hint = tr("The runs of this project are being read.");
+    } else if (history_.runs().empty()) {
         hint = tr("Nothing has been run yet. “Run All Missing” above runs the experiment on every fabric. Recordings that are opened stand "
                   "under All Runs.");
     } else if (!entry()) {
@@ -257,7 +259,7 @@ void CompareView::refreshMissing()
             unknown.push_back(job);
         }
     }
-    bar_->setMissing(count, unknown.empty() ? seconds : 0, whyNoRun());
+    bar_->setMissing(history_.listing() ? std::nullopt : std::optional(count), unknown.empty() ? seconds : 0, whyNoRun());
     if (!unknown.empty() && isVisible() && whyNoRun().isEmpty()) { plan(unknown); }
 }
 

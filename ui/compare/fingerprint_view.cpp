@@ -20,6 +20,7 @@ namespace hygroloom {
 namespace {
 
 constexpr qsizetype fewest_spokes = 3;
+constexpr double smallest_rim = 60; // pixels from the middle, in the smallest view
 
 } // namespace
 
@@ -80,13 +81,17 @@ void FingerprintView::draw()
     std::vector<CurveLegend::Entry> entries;
     if (drawn) {
         addAxes();
+        const std::vector<int> later = laterOn(shown_, strokeOf(0, palette()).widthF() / smallest_rim);
         for (std::size_t i = 0; i < shown_.runs.size(); ++i) {
             auto* line = new QLineSeries;
             for (qsizetype k = 0; k <= spokes; ++k) {
                 const double value = shown_.runs[i][static_cast<std::size_t>(k % spokes)];
                 if (value >= 0) { line->append(static_cast<double>(k), value); }
             }
-            line->setPen(strokeOf(i, palette()));
+            QPen pen = strokeOf(i, palette());
+            pen.setWidthF(pen.widthF() * (1 + later[i])); // what lies on it leaves its edges free
+            pen.setCapStyle(Qt::FlatCap);
+            line->setPen(pen);
             line->setPointsVisible(true);
             chart_->addSeries(line);
             for (QAbstractAxis* axis : chart_->axes()) { line->attachAxis(axis); }

@@ -57,6 +57,13 @@ bool runsOnBattery(const QString& folder)
     return false;
 }
 
+double keptRange(double range, double most, bool may_shrink)
+{
+    constexpr double least_share = 0.4; // of the colours, below which water is hard to see
+    if (!(most > 0) || (most <= range && (most >= least_share * range || !may_shrink))) { return range; }
+    return roundedUp(most); // as of the maps in Simulate
+}
+
 LivePanel::LivePanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), map_(new WaterMap(tr("Top"))), legend_(new QWidget), status_(new QLabel),
       refine_(new QCheckBox(tr("Refine when I pause"))), numbers_(new QGridLayout)
@@ -180,8 +187,10 @@ void LivePanel::askFiner()
 void LivePanel::take(const std::shared_ptr<const Answer>& answer)
 {
     shown_ = answer;
-    // As of the maps in Simulate, so that the same water has the same colour in both. Of dry cloth there is no scale.
-    range_ = answer->most > 0 ? roundedUp(answer->most) : 0;
+    // Of a part of the experiment less is to be expected than of the whole, which follows.
+    const bool last = answer->whole || answer->wall_of_all > longest_unasked;
+    last_range_ = keptRange(last_range_, answer->most, last);
+    range_ = answer->most > 0 ? last_range_ : 0; // of dry cloth there is no scale
     map_->setRange(range_ > 0 ? range_ : 1, colors_);
     map_->setMap(answer->top.cells, answer->top.stain, answer->top.size);
     showNumbers(answer->numbers);

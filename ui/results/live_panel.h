@@ -17,6 +17,10 @@ class Document;
 /// Whether this machine runs on a battery that is being used up, as the kernel says it.
 bool runsOnBattery(const QString& folder = QStringLiteral("/sys/class/power_supply"));
 
+/// Where the colours end after an answer with that much water at most, kg/m2: as before while it fits. may_shrink: also where it fills
+/// little of the colours.
+double keptRange(double range, double most, bool may_shrink);
+
 /// Works only while it is seen, on one core.
 class LivePanel : public QWidget {
     Q_OBJECT
@@ -59,7 +63,8 @@ private:
     QCheckBox* refine_;
     QGridLayout* numbers_;
     std::shared_ptr<const Answer> shown_;
-    double range_ = 0; ///< kg/m2, of the colours
+    double range_ = 0;      ///< kg/m2, of the colours; 0: there is no scale
+    double last_range_ = 0; ///< the last that was not 0
     WaterColors colors_ = WaterColors::blue;
 };
 

@@ -268,15 +268,28 @@ void ProjectRuns::read()
     paths.removeIf([this](const QString& path) { return live_.contains(path) || isWaiting(path) || history_.find(path); });
     if (paths.isEmpty()) {
         loader_.drop();
+        history_.setListing(false);
         return readNumbers();
     }
+    history_.setListing(true);
     loader_.run([this, paths](const NewestJob::Turn& turn) {
-        for (const QString& path : paths) {
-            const KeptRun kept = listedRun(path);
-            if (turn.outdated()) { return; }
-            turn.deliver([this, kept] { add(kept); });
+        const auto end = [&] {
+            turn.deliver([this] {
+                history_.setListing(false);
+                readNumbers();
+            });
+        };
+        try {
+            for (const QString& path : paths) {
+                const KeptRun kept = listedRun(path);
+                if (turn.outdated()) { return; }
+                turn.deliver([this, kept] { add(kept); });
+            }
+        } catch (...) {
+            end();
+            throw;
         }
-        turn.deliver([this] { readNumbers(); });
+        end();
     });
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace hygroloom {
 
@@ -151,6 +152,11 @@ void RunHistory::setDesign(const std::shared_ptr<const Design>& design)
         run.current = current;
     }
     if (differs) { Q_EMIT changed(); }
+}
+
+void RunHistory::setListing(bool listing)
+{
+    if (std::exchange(listing_, listing) != listing) { Q_EMIT changed(); }
 }
 
 Design conditionsOf(const RunRecord& run)

@@ -55,6 +55,9 @@ public:
     void forgetOwn();
     /// Finds out which runs are of this design.
     void setDesign(const std::shared_ptr<const Design>& design);
+    /// Whether runs of the project are still being found: until then nobody knows which it has.
+    void setListing(bool listing);
+    bool listing() const { return listing_; }
 
 Q_SIGNALS:
     void changed();
@@ -64,6 +67,7 @@ private:
 
     std::vector<KeptRun> runs_;
     std::shared_ptr<const Design> design_;
+    bool listing_ = false;
 };
 
 /// A run's experiment and its liquid, whatever it is called.

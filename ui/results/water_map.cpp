@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hygroloom {
 
@@ -60,6 +61,7 @@ WaterMap::WaterMap(const QString& title, QWidget* parent) : QWidget(parent), tit
 
 void WaterMap::setMap(const CellMap& map, const std::optional<Circle>& circle, const QSizeF& size)
 {
+    updateRow();
     size_ = size;
     map_ = map;
     replicates_.reset();
@@ -86,6 +88,7 @@ void WaterMap::setReplicates(const std::optional<MapRange>& replicates) { replic
 
 void WaterMap::setDifference(const MapDifference& difference, const QSizeF& size)
 {
+    updateRow();
     size_ = size;
     map_ = difference.cells;
     real_ = difference.real;
@@ -164,14 +167,49 @@ QString WaterMap::valueText(int column, int row) const
     return text.arg(shownNumber(std::abs(value), 1)) + (real ? QString() : tr(", not shown to differ"));
 }
 
-QRectF WaterMap::mapArea() const
+QRectF WaterMap::roomOfMap() const
 {
     const double line = fontMetrics().height() + 4;
-    const QRectF room(8, line, width() - 16, height() - line - 6);
+    return {8, line, width() - 16.0, height() - line - 6};
+}
+
+std::optional<double> WaterMap::ownScale() const
+{
     const double w = size_.width(), h = size_.height();
-    if (!(w > 0 && h > 0)) { return room; }
-    const double scale = std::min(room.width() / w, room.height() / h);
-    return {room.center().x() - 0.5 * scale * w, room.top(), scale * w, scale * h};
+    if (isHidden() || !(w > 0 && h > 0)) { return std::nullopt; }
+    const QRectF room = roomOfMap();
+    return std::min(room.width() / w, room.height() / h);
+}
+
+double WaterMap::pixelsPerMetre() const
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const WaterMap* map : row_) { least = std::min(least, map->ownScale().value_or(least)); }
+    return least;
+}
+
+double WaterMap::roomOfBar() const
+{
+    double narrowest = std::numeric_limits<double>::infinity();
+    for (const WaterMap* map : row_) {
+        if (map->ownScale()) { narrowest = std::min(narrowest, map->size_.width()); }
+    }
+    return narrowest * pixelsPerMetre();
+}
+
+QRectF WaterMap::mapArea() const
+{
+    const QRectF room = roomOfMap();
+    const double scale = pixelsPerMetre();
+    if (!ownScale()) { return room; }
+    const QSizeF size = scale * size_;
+    return {room.center().x() - 0.5 * size.width(), room.top(), size.width(), size.height()};
+}
+
+/// What this shows may change the scale of all.
+void WaterMap::updateRow()
+{
+    for (WaterMap* map : row_) { map->update(); }
 }
 
 QString WaterMap::radiusText(double room) const
@@ -227,7 +265,7 @@ void WaterMap::paintEvent(QPaintEvent*)
         painter.drawEllipse(centre, circle_.radius * pixelsPerMetre, circle_.radius * pixelsPerMetre);
         painter.setClipping(false);
     }
-    drawScaleBar(painter, area.bottomLeft() + QPointF(8, -8), 1000 / pixelsPerMetre, area.width(), QColor(ink_on_map),
+    drawScaleBar(painter, area.bottomLeft() + QPointF(8, -8), 1000 / pixelsPerMetre, roomOfBar(), QColor(ink_on_map),
                  QColor(255, 255, 255, 170));
     if (cell_.x() >= 0) {
         const QSizeF cell(map_.cell_width * pixelsPerMetre, map_.cell_height * pixelsPerMetre);

@@ -12,6 +12,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <vector>
 
 namespace hygroloom {
 
@@ -47,6 +48,11 @@ public:
     /// Instead of the map, its difference to a baseline.
     void setDifference(const MapDifference& difference, const QSizeF& size);
     void clear();
+    /// All that stand in one row, this among them: they have one scale, and bars of one length. They live as long as this.
+    void setRow(const std::vector<WaterMap*>& row) { row_ = row; }
+    double pixelsPerMetre() const;
+    /// For how many pixels the bar of its scale is chosen.
+    double roomOfBar() const;
     /// What the ends of the colours stand for, in the map's unit.
     void setRange(double maximum, WaterColors colors, double minimum = 0);
     const CellMap& map() const { return map_; }
@@ -64,7 +70,11 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
+    QRectF roomOfMap() const;
+    /// None: it has no map.
+    std::optional<double> ownScale() const;
     QRectF mapArea() const;
+    void updateRow();
     /// In fewer words where there is little room, in pixels.
     QString radiusText(double room) const;
     void render();
@@ -85,6 +95,7 @@ private:
     double minimum_ = 0, maximum_ = 1;
     WaterColors colors_ = WaterColors::blue;
     QPoint cell_{-1, -1};
+    std::vector<WaterMap*> row_{this};
 };
 
 } // namespace hygroloom
