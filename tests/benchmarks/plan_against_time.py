@@ -4,8 +4,9 @@
 
     plan_against_time.py build/release/bin [--designs 500] [--first 0] [--jobs 2] [--longest 60] [--fidelity draft]
 
-Each design is drawn by its number (`trial_files design`) and runs on one thread, whose processor time is taken. Times told are multiplied by one factor, the median of
-all ratios, which is the machine. A run longer than --longest is ended: it counts as a miss where it is one by then, else it is left out.
+Each design is drawn by its number (`trial_files design`) and runs on one thread, whose processor time is taken. What is told is multiplied by one
+factor, which is the machine: the median ratio of the runs that take twice the program's start or more. That start is what `plan` itself takes, and
+is added. A run longer than --longest is ended: it counts as a miss where it is one by then, else it is left out.
 Prints how many lie within a factor of 3, and those that do not."""
 import argparse
 import collections
@@ -21,25 +22,29 @@ import tempfile
 WITHIN = 3
 
 
+def timed(command, environment, longest):
+    """Exit status as wait4 gives it, s of processor time, output."""
+    run = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=environment, text=True,
+                           preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (longest, longest + 1)))
+    output = run.stdout.read()
+    _, status, used = os.wait4(run.pid, 0)
+    return status, used.ru_utime + used.ru_stime, output
+
+
 def tried(programs, number, fidelity, longest):
-    """(type of experiment, s told, s taken, whether it was ended), or nothing for a design that is refused."""
+    """(type of experiment, s told, s of start, s taken, whether it was ended), or nothing for a design that is refused."""
     with tempfile.TemporaryDirectory() as folder:
         own = {**os.environ, "XDG_CACHE_HOME": folder}  # where nothing was learned
         project = pathlib.Path(folder) / "design.hygro"
         cli = programs / "hygroloom-cli"
         subprocess.run([programs / "tests/trial_files", "design", str(number), project], check=True, capture_output=True)
-        how = ["--fidelity", fidelity, "--backend", "cpu", "--threads", "1"]
-        told = subprocess.run([cli, "plan", project, "--fidelity", fidelity, "--backend", "cpu", "--json", "-q"], capture_output=True, text=True, env=own)
-        if told.returncode:
+        status, start, plan = timed([cli, "plan", project, "--fidelity", fidelity, "--backend", "cpu", "--json", "-q"], own, longest)
+        if status != 0:
             return None
-        seconds = json.loads(told.stdout)["expected"]["time_s"]
         kind = json.loads(project.read_text())["experiments"][0]["type"]
-        at_most = (longest, longest + 1)
-        run = subprocess.Popen([cli, "simulate", project, *how, "-q"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=own,
-                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, at_most))
-        _, status, used = os.wait4(run.pid, 0)
+        status, taken, _ = timed([cli, "simulate", project, "--fidelity", fidelity, "--backend", "cpu", "--threads", "1", "-q"], own, longest)
         ended = os.WIFSIGNALED(status)
-        return (kind, seconds, used.ru_utime + used.ru_stime, ended) if ended or status == 0 else None
+        return (kind, json.loads(plan)["expected"]["time_s"], start, taken, ended) if ended or status == 0 else None
 
 
 def main():
@@ -50,7 +55,7 @@ def main():
     ask.add_argument("--jobs", type=int, default=2)
     ask.add_argument("--longest", type=int, default=60, help="s of processor time")
     ask.add_argument("--fidelity", default="draft")
-    ask.add_argument("--table", type=pathlib.Path, help="write all of them there: number;type;told;taken;ended")
+    ask.add_argument("--table", type=pathlib.Path, help="write all of them there: number;type;told;start;taken;ended")
     asked = ask.parse_args()
     programs = asked.programs.resolve()
     numbers = range(asked.first, asked.first + asked.designs)
@@ -58,10 +63,10 @@ def main():
         found = dict(zip(numbers, pool.map(lambda n: tried(programs, n, asked.fidelity, asked.longest), numbers)))
     found = {number: run for number, run in found.items() if run}
     if asked.table:
-        asked.table.write_text("".join(f"{n};{kind};{told:.4g};{taken:.4g};{int(ended)}\n" for n, (kind, told, taken, ended) in found.items()))
-    machine = statistics.median(taken / told for _, told, taken, ended in found.values() if not ended)
-    ratios = {n: taken / told / machine for n, (_, told, taken, _) in found.items()}
-    open_ended = [n for n, run in found.items() if run[3] and ratios[n] <= WITHIN]
+        asked.table.write_text("".join(f"{n};{kind};{told:.4g};{start:.4g};{taken:.4g};{int(ended)}\n" for n, (kind, told, start, taken, ended) in found.items()))
+    machine = statistics.median((taken - start) / told for _, told, start, taken, ended in found.values() if taken > 2 * start and not ended)
+    ratios = {n: taken / (machine * told + start) for n, (_, told, start, taken, _) in found.items()}
+    open_ended = [n for n, run in found.items() if run[4] and ratios[n] <= WITHIN]
     counted = [n for n in found if n not in open_ended]
     missed = [n for n in counted if not 1 / WITHIN <= ratios[n] <= WITHIN]
     print(f"{len(counted) - len(missed)} of {len(counted)} within a factor of {WITHIN} ({100 * (1 - len(missed) / len(counted)):.1f} %); "
@@ -69,7 +74,7 @@ def main():
     for kind, count in collections.Counter(found[n][0] for n in missed).most_common():
         print(f"  {kind}: {count} missed of {sum(found[n][0] == kind for n in counted)}")
     for number in sorted(missed, key=lambda n: ratios[n]):
-        kind, told, taken, ended = found[number]
+        kind, told, _, taken, ended = found[number]
         print(f"  design {number}, {kind}: told {told:.3g} s, taken {'over ' if ended else ''}{taken:.3g} s, {ratios[number]:.2g} times")
 
 
