@@ -49,24 +49,25 @@ public:
     std::string number(double value, const std::string& unit) const
     {
         const ReaderUnit own = reader_unit(units_, unit);
-        return fmt::format("{:.4g} {}", own.of(value), own.unit);
+        return fmt::format("{:.10g} {}", own.of(value), own.unit); // as it was given, which a reader's unit may make longer
     }
     std::string climate(const Climate& air) const
     {
-        return fmt::format("{}, {:.4g} % relative humidity, air at {}", number(air.temperature_c, "°C"), 100 * air.relative_humidity,
+        return fmt::format("{}, {:.10g} % relative humidity, air at {}", number(air.temperature_c, "°C"), 100 * air.relative_humidity,
                            number(air.air_speed_m_s, "m/s"));
     }
     /// "2 × 15 µl, at 0, 5 s"; other volumes follow.
     std::string drops(const std::vector<Droplet>& droplets) const
     {
+        const ReaderUnit seconds = reader_unit(units_, "s");
         std::string text;
         for (std::size_t i = 0; i < droplets.size();) {
             std::size_t end = i;
             std::string times;
             for (; end < droplets.size() && droplets[end].volume_ul == droplets[i].volume_ul; ++end)
-                times += fmt::format("{}{:.4g}", end > i ? ", " : "", droplets[end].time_s);
-            text += fmt::format("{}{}{}, at {} s", i > 0 ? "; " : "", end > i + 1 ? fmt::format("{} × ", end - i) : "",
-                                number(droplets[i].volume_ul, "µl"), times);
+                times += fmt::format("{}{:.10g}", end > i ? ", " : "", seconds.of(droplets[end].time_s));
+            text += fmt::format("{}{}{}, at {} {}", i > 0 ? "; " : "", end > i + 1 ? fmt::format("{} × ", end - i) : "",
+                                number(droplets[i].volume_ul, "µl"), times, seconds.unit);
             i = end;
         }
         return text.empty() ? "none" : text;

@@ -4646,8 +4646,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Ein Lauf dieses Kleidungsstücks liegt beim Projekt.</translation>
     </message>
     <message>
-        <source>A run of this garment is kept with the project, of an older design.</source>
-        <translation>Ein Lauf dieses Kleidungsstücks liegt beim Projekt, von einem älteren Entwurf.</translation>
+        <source>A run of this garment is kept with the project; it is of an older design.</source>
+        <translation>Ein Lauf dieses Kleidungsstücks liegt beim Projekt; er ist von einem älteren Entwurf.</translation>
     </message>
     <message>
         <source>Open the kept run of %1</source>
@@ -4685,12 +4685,12 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Im Handbuch suchen</translation>
     </message>
     <message>
-        <source>Lists the pages that have these words. Enter or F3 goes to the next place.</source>
-        <translation>Zeigt die Seiten mit diesen Wörtern. Eingabe oder F3 führt zur nächsten Stelle.</translation>
+        <source>Lists the pages that have this text. Enter or F3 goes to the next place.</source>
+        <translation>Nennt die Seiten, in denen dieser Text steht. Eingabe oder F3 geht zur nächsten Stelle.</translation>
     </message>
     <message>
-        <source>Pages with these words</source>
-        <translation>Seiten mit diesen Wörtern</translation>
+        <source>Pages with this text</source>
+        <translation>Seiten mit diesem Text</translation>
     </message>
     <message>
         <source>Not in the guide.</source>
@@ -7615,6 +7615,22 @@ Klicken zeigt diese Zeit.</translation>
         <source>Bars: the intervals of the table. Filled and connected: no other candidate is better in both numbers, by their middles (across: %1; upwards: %2).</source>
         <translation>Balken: die Intervalle der Tabelle. Gefüllt und verbunden: Kein anderer Kandidat ist nach den Mitten in beiden Zahlen besser (waagerecht: %1; senkrecht: %2).</translation>
     </message>
+    <message>
+        <source>shorter is better</source>
+        <translation>kürzer ist besser</translation>
+    </message>
+    <message>
+        <source>longer is better</source>
+        <translation>länger ist besser</translation>
+    </message>
+    <message>
+        <source>lower is better</source>
+        <translation>niedriger ist besser</translation>
+    </message>
+    <message>
+        <source>higher is better</source>
+        <translation>höher ist besser</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::ShapeView</name>
@@ -9346,8 +9362,8 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Aktivität ändern</translation>
     </message>
     <message>
-        <source>From this time on the wearer sweats so many times as much as the table of zones says: 1 is as the table, 0 is none. The table is chosen in Garment, under Sweat.</source>
-        <translation>Ab dieser Zeit schwitzt der Träger so viele Male so stark, wie die Tabelle der Zonen sagt: 1 ist wie die Tabelle, 0 gar nicht. Die Tabelle wird unter Kleidungsstück, Schweiß gewählt.</translation>
+        <source>From this time on, sweat rates are those of the table of zones times this number: 1 gives the table&apos;s rates, 0 none. The table is chosen in Garment, under Sweat.</source>
+        <translation>Ab dieser Zeit gelten die Raten der Zonentabelle mal dieser Zahl: 1 ergibt die Raten der Tabelle, 0 keinen Schweiß. Die Tabelle wird unter Kleidungsstück, Schweiß gewählt.</translation>
     </message>
     <message>
         <source>Sweat, × table</source>

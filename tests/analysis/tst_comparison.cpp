@@ -288,6 +288,14 @@ private Q_SLOTS:
             return unit == "mm" ? ReaderUnit{"cm", 0.1} : unit == "°C" ? ReaderUnit{"°F", 1.8, 32} : ReaderUnit{unit};
         });
         QVERIFY2(has(page, "sample", "3 cm × 2.5 cm") && page.find("<td>68 °F, 50 %") != std::string::npos, page.c_str());
+        design.experiments[0].duration_s = 14400;
+        for (Candidate& candidate : c.candidates) give(candidate, Fidelity::draft);
+        page = comparison_report_html(c, {});
+        QVERIFY2(has(page, "duration", "14400 s"), page.c_str());
+        page = comparison_report_html(c, {}, [](const std::string& unit) {
+            return unit == "s" ? ReaderUnit{"min", 1 / 60.0} : ReaderUnit{unit};
+        });
+        QVERIFY2(has(page, "duration", "240 min") && page.find("at 0, 0.05 min") != std::string::npos, page.c_str());
         give(c.candidates[1], Fidelity::standard);
         page = comparison_report_html(c, {});
         QVERIFY2(page.find("<tr><th></th><th>a</th><th>b</th></tr>") != std::string::npos, page.c_str());

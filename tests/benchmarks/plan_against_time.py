@@ -15,6 +15,7 @@ import json
 import os
 import pathlib
 import resource
+import signal
 import statistics
 import subprocess
 import tempfile
@@ -43,7 +44,9 @@ def tried(programs, number, fidelity, longest):
             return None
         kind = json.loads(project.read_text())["experiments"][0]["type"]
         status, taken, _ = timed([cli, "simulate", project, "--fidelity", fidelity, "--backend", "cpu", "--threads", "1", "-q"], own, longest)
-        ended = os.WIFSIGNALED(status)
+        ended = os.WIFSIGNALED(status) and os.WTERMSIG(status) in (signal.SIGXCPU, signal.SIGKILL)
+        if os.WIFSIGNALED(status) and not ended:
+            raise SystemExit(f"design {number}: simulate ended by signal {os.WTERMSIG(status)}")
         return (kind, json.loads(plan)["expected"]["time_s"], start, taken, ended) if ended or status == 0 else None
 
 
@@ -64,7 +67,10 @@ def main():
     found = {number: run for number, run in found.items() if run}
     if asked.table:
         asked.table.write_text("".join(f"{n};{kind};{told:.4g};{start:.4g};{taken:.4g};{int(ended)}\n" for n, (kind, told, start, taken, ended) in found.items()))
-    machine = statistics.median((taken - start) / told for _, told, start, taken, ended in found.values() if taken > 2 * start and not ended)
+    work = [(taken - start) / told for _, told, start, taken, ended in found.values() if taken > 2 * start and not ended]
+    if not work:
+        raise SystemExit("No run takes long enough to tell the machine by; take more designs.")
+    machine = statistics.median(work)
     ratios = {n: taken / (machine * told + start) for n, (_, told, start, taken, _) in found.items()}
     open_ended = [n for n, run in found.items() if run[4] and ratios[n] <= WITHIN]
     counted = [n for n in found if n not in open_ended]

@@ -99,7 +99,7 @@ private Q_SLOTS:
         history.keep(last);
         history.setListing(false);
         QVERIFY(states().contains(GridCell::State::missing) && !states().contains(GridCell::State::reading));
-        view.bar()->setReading(false);
+        QCOMPARE(view.bar()->fidelity(), Fidelity::standard);
         QVERIFY(!fidelity->currentText().isEmpty());
     }
 

@@ -33,6 +33,7 @@ ShownValue differenceInUserUnit(const ShownValue& value)
 
 QString betterText(const OutcomeInfo& info)
 {
+    if (info.better == Better::neither) { return {}; }
     const std::string_view word = comparative(info, info.better == Better::more);
     if (word == "shorter") { return tr("Shorter is better."); }
     if (word == "longer") { return tr("Longer is better."); }

@@ -281,7 +281,9 @@ void CompareView::propose()
         chosen_ << run->path;
         fabrics << fabric;
     }
-    if (selecting_ && newest != runs.rend() && fidelity_follows_) { bar_->setFidelity(newest->run->plan.fidelity); }
+    if (!fidelity_follows_) { return; }
+    const KeptRun* shown = selecting_ && newest != runs.rend() ? &*newest : first;
+    if (shown) { bar_->setFidelity(shown->run->plan.fidelity); }
 }
 
 /// Without those that are gone or no more of the experiment as it is; where none is left, others are proposed.
@@ -311,7 +313,7 @@ void CompareView::refresh()
     findEntries();
     dropOutdated();
     const bool finding = history_.listing(); // which runs there are is not known: nothing follows from those that were found so far
-    bar_->setReading(finding && proposing_ && selecting_ && fidelity_follows_);
+    bar_->setReading(finding && proposing_ && fidelity_follows_);
     if (proposing_ && !finding) { propose(); }
     if (replicates_follow_ && !finding) { followReplicates(); }
     QStringList names{tr("All experiments")};
@@ -339,8 +341,8 @@ std::vector<StudyRow> CompareView::ownRowsOf(const Entry& entry) const
 {
     std::vector<StudyRow> rows = studyRows(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(entry));
     for (StudyRow& row : rows) {
-        if (!history_.listing() || !row.path.isEmpty()) { continue; }
-        row.reading = true;
+        if (!history_.listing()) { continue; }
+        row.reading = row.path.isEmpty();
         row.missing.clear();
     }
     return rows;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/compare/scatter_view.h"
 
+#include "core/analysis/comparative.h"
 #include "core/base/text.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/quantity.h"
@@ -20,6 +21,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 namespace hygroloom {
 
@@ -35,7 +37,13 @@ QString titleOf(const OutcomeInfo& info)
 
 QString directionOf(const OutcomeInfo& info)
 {
-    return info.better == Better::less ? ScatterView::tr("smaller is better") : ScatterView::tr("larger is better");
+    if (info.better == Better::neither) { return {}; }
+    const std::string_view word = comparative(info, info.better == Better::more);
+    if (word == "shorter") { return ScatterView::tr("shorter is better"); }
+    if (word == "longer") { return ScatterView::tr("longer is better"); }
+    if (word == "smaller") { return ScatterView::tr("smaller is better"); }
+    if (word == "larger") { return ScatterView::tr("larger is better"); }
+    return word == "lower" ? ScatterView::tr("lower is better") : ScatterView::tr("higher is better");
 }
 
 /// "Wetted radius, top: 3.25 ± 0.04 mm"

@@ -232,14 +232,14 @@ void FlatView::paintLabel(QPainter& painter, std::size_t panel, const QTransform
               label.grain);
     const QFontMetricsF metrics(painter.font());
     if (box.width() < 6 * metrics.height()) { return; } // names would hide the panel; the line below the pictures says them
-    const auto fontFor = [&](const QString& text) {     // in smaller letters where the panel is narrow
-        constexpr double least = 0.75;                  // of the size
-        QFont font = painter.font();
+    const QFont usual = painter.font();
+    const auto fontFor = [&](const QString& text) { // in smaller letters where the panel is narrow
+        constexpr double least = 0.75;              // of the size
+        QFont font = usual;
         const double wide = metrics.horizontalAdvance(text), room = label_room * box.width();
         if (wide > room) { font.setPointSizeF(std::max(least, room / wide) * QFontInfo(font).pointSizeF()); }
         return font;
     };
-    const QFont usual = painter.font();
     const bool low = box.height() < 7 * metrics.height();
     double y = low ? box.top() + 4 : box.center().y() - 0.22 * box.height();
     for (const QString& text : {label.name, low ? QString() : label.fabric}) {

@@ -16,7 +16,7 @@ PanelTable::PanelTable(GarmentChoice& choice, QWidget* parent) : QTableWidget(0,
     setHorizontalHeaderLabels({tr("Panel"), tr("Fabric"), tr("Grain"), tr("Top face")});
     horizontalHeaderItem(2)->setToolTip(tr("Angle of the warp from the pattern's upward direction, counter-clockwise seen from outside."));
     horizontalHeaderItem(3)->setToolTip(tr("Where the fabric's top face lies."));
-    horizontalHeader()->setSectionResizeMode(0, QHeaderView::Interactive);
+    horizontalHeader()->setSectionResizeMode(0, QHeaderView::Fixed);
     setWordWrap(true);
     horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     horizontalHeader()->setSectionResizeMode(2, QHeaderView::Fixed);

@@ -33,7 +33,7 @@ Quantity factorQuantity()
 QString aboutFactor()
 {
     return WearForm::tr(
-        "From this time on the wearer sweats so many times as much as the table of zones says: 1 is as the table, 0 is none. "
+        "From this time on, sweat rates are those of the table of zones times this number: 1 gives the table's rates, 0 none. "
         "The table is chosen in Garment, under Sweat.");
 }
 

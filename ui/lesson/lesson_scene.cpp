@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hygroloom {
 
@@ -52,6 +53,7 @@ void LessonScene::setTable(LessonTable* table, const std::vector<LessonCloth>& c
     table_ = table;
     cloths_.clear();
     pours_ = by_keys_ = false;
+    ledger_size_ = {};
     marked_ = 0;
     marker_ = {};
     for (const LessonCloth& cloth : cloths) {
@@ -331,13 +333,15 @@ void LessonScene::drawLedger(QPainter& painter, const QRectF& room, const ClothV
     const QString water = waterInWords(water_shares(view.frame->ledger, view.bound_at_start, view.released)), notice = noticeOf(view);
     constexpr int how = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
     QFont plain = font();
-    plain.setPixelSize(textSize());
+    if (std::exchange(ledger_size_, size()) != size()) { ledger_text_ = textSize(); }
+    plain.setPixelSize(ledger_text_);
     const auto heightOf = [&](const QString& text) {
         return text.isEmpty() ? 0.0 : QFontMetricsF(plain).boundingRect(QRectF(0, 0, room.width(), 1e4), how, text).height() + 4;
     };
     while (plain.pixelSize() > least_text && heightOf(water) + heightOf(notice) > room.height()) {
         plain.setPixelSize(plain.pixelSize() - 1);
     }
+    ledger_text_ = plain.pixelSize(); // it does not grow again, so that no sentence jumps from picture to picture
     painter.setFont(plain);
     painter.setPen(quiet_words);
     painter.drawText(room, how, water);

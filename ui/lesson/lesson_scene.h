@@ -94,6 +94,8 @@ private:
     bool by_keys_ = false;
     QElapsedTimer click_; // valid until the next picture
     double slowest_answer_ = -1;
+    mutable int ledger_text_ = 0; ///< pixels, of the words about water, in a window of that size
+    mutable QSize ledger_size_;
 };
 
 } // namespace hygroloom

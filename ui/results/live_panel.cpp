@@ -18,6 +18,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
@@ -189,6 +190,7 @@ void LivePanel::take(const std::shared_ptr<const Answer>& answer)
     shown_ = answer;
     // Of a part of the experiment less is to be expected than of the whole, which follows.
     const bool last = answer->whole || answer->wall_of_all > longest_unasked;
+    if (std::exchange(range_of_, answer->run->experiment) != answer->run->experiment) { last_range_ = 0; }
     last_range_ = keptRange(last_range_, answer->most, last);
     range_ = answer->most > 0 ? last_range_ : 0; // of dry cloth there is no scale
     map_->setRange(range_ > 0 ? range_ : 1, colors_);

@@ -65,6 +65,7 @@ private:
     std::shared_ptr<const Answer> shown_;
     double range_ = 0;      ///< kg/m2, of the colours; 0: there is no scale
     double last_range_ = 0; ///< the last that was not 0
+    std::string range_of_;  ///< the experiment that it belongs to
     WaterColors colors_ = WaterColors::blue;
 };
 

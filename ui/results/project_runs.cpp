@@ -274,7 +274,8 @@ void ProjectRuns::read()
     history_.setListing(true);
     loader_.run([this, paths](const NewestJob::Turn& turn) {
         const auto end = [&] {
-            turn.deliver([this] {
+            turn.deliver([this, turn] {
+                if (turn.outdated()) { return; } // another project's runs are being read
                 history_.setListing(false);
                 readNumbers();
             });

@@ -109,6 +109,7 @@ private:
     /// Adds the run on screen to the project's.
     void keepRun();
     const KeptRun* keptOfChosen() const;
+    QString offered_; ///< the run that the line over the garment offers
     void refreshOffer();
     bool mayTakeDesign() const;
     void chooseWhatRan();

@@ -71,7 +71,7 @@ void GarmentWorkspace::connectRun()
     connect(&playback_, &WearPlayback::runChanged, this, &GarmentWorkspace::refreshActions);
     connect(&playback_, &WearPlayback::framesChanged, this, &GarmentWorkspace::refreshActions);
     connect(view_, &GarmentView::offerTaken, this, [this] {
-        if (const KeptRun* kept = keptOfChosen()) { showEarlierRun(QString(kept->path)); }
+        if (const QString path = offered_; !path.isEmpty()) { showEarlierRun(path); }
     });
     connect(&playback_, &WearPlayback::runChanged, this, &GarmentWorkspace::refreshOffer);
     connect(&history_, &RunHistory::changed, this, &GarmentWorkspace::refreshOffer);
@@ -92,10 +92,11 @@ const KeptRun* GarmentWorkspace::keptOfChosen() const
     return found;
 }
 
-/// While no run is on screen.
+/// While no run is on screen, once the project's runs are found.
 void GarmentWorkspace::refreshOffer()
 {
-    const KeptRun* kept = playback_.run() ? nullptr : keptOfChosen();
+    const KeptRun* kept = playback_.run() || history_.listing() ? nullptr : keptOfChosen();
+    offered_ = kept ? kept->path : QString();
     if (!kept) {
         view_->setOffer({}, {});
         return;
@@ -103,7 +104,7 @@ void GarmentWorkspace::refreshOffer()
     const QDateTime made = QDateTime::fromString(QString::fromStdString(kept->run->date), Qt::ISODate).toLocalTime();
     const QString when = shortMoment(made);
     view_->setOffer(kept->current ? tr("A run of this garment is kept with the project.")
-                                  : tr("A run of this garment is kept with the project, of an older design."),
+                                  : tr("A run of this garment is kept with the project; it is of an older design."),
                     tr("Open the kept run of %1").arg(when));
 }
 

@@ -42,18 +42,19 @@ const std::vector<Page>& pages()
 /// From a word before the hit to a word after it.
 QString contextOf(const QString& paragraph, qsizetype hit)
 {
-    const qsizetype start = hit <= before_hit ? 0 : paragraph.indexOf(' ', hit - before_hit) + 1;
-    const qsizetype from = start > hit ? hit : start;
+    const qsizetype space = hit <= before_hit ? -1 : paragraph.indexOf(' ', hit - before_hit);
+    const qsizetype from = hit <= before_hit ? 0 : space < 0 || space >= hit ? hit : space + 1;
     return (from > 0 ? "… " : "") + paragraph.mid(from, context_length).simplified() +
            (from + context_length < paragraph.size() ? " …" : "");
 }
 
 } // namespace
 
-std::vector<GuideHit> searchGuide(const QString& words)
+std::vector<GuideHit> searchGuide(const QString& text)
 {
     std::vector<GuideHit> found;
-    if (words.trimmed().isEmpty()) { return found; }
+    const QString words = text.trimmed();
+    if (words.isEmpty()) { return found; }
     for (const Page& page : pages()) {
         GuideHit hit{page.name, page.paragraphs.value(0), {}, 0};
         for (const QString& paragraph : page.paragraphs) {

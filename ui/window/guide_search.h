@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Which pages of the user's guide have given words.
+// Which pages of the user's guide have a given text.
 #pragma once
 
 #include <QString>
@@ -15,7 +15,8 @@ struct GuideHit {
     int hits = 0;    ///< at least 1
 };
 
-/// Pages with the words in one paragraph, in upper or lower case: first those whose title has them, then those with the most hits.
-std::vector<GuideHit> searchGuide(const QString& words);
+/// Pages that have the text, with its words in this order in one paragraph, in upper or lower case: first those whose title has it, then
+/// those with the most hits. Spaces at its ends do not count.
+std::vector<GuideHit> searchGuide(const QString& text);
 
 } // namespace hygroloom

@@ -133,12 +133,12 @@ void HelpWindow::addSearch(QToolBar& bar)
 {
     words_->setPlaceholderText(tr("Find in the guide"));
     words_->setAccessibleName(words_->placeholderText());
-    words_->setToolTip(tr("Lists the pages that have these words. Enter or F3 goes to the next place."));
+    words_->setToolTip(tr("Lists the pages that have this text. Enter or F3 goes to the next place."));
     words_->setClearButtonEnabled(true);
     words_->setMaximumWidth(240);
     bar.addWidget(words_);
     bar.addWidget(none_);
-    found_->setAccessibleName(tr("Pages with these words"));
+    found_->setAccessibleName(tr("Pages with this text"));
     found_->setAlternatingRowColors(true);
     found_->setFrameShape(QFrame::NoFrame);
     found_->hide();
