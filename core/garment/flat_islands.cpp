@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <numeric>
@@ -190,6 +191,82 @@ FlatIslands islands_of(const FlatMesh& mesh, const std::string& name)
                                     most_islands));
     for (Island& island : found.islands) trace(found, island);
     return found;
+}
+
+namespace {
+
+constexpr double most_stretch = 1.25,
+                 most_unlike_share = 0.1; // of worn cloth, and of all of it: beyond, islands have scales of their own; assumptions
+
+/// m of a unit of an island's flat coordinates across and along, that give its sides their lengths in space by least squares; 0: none do.
+std::array<double, 2> scales_of(const FlatIslands& islands, const Island& island)
+{
+    double xx = 0, xy = 0, yy = 0, sum_x = 0, sum_y = 0;
+    for (const int t : island.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& triangle = islands.triangles[static_cast<std::size_t>(t)];
+            const FlatCorner &a = islands.corners[static_cast<std::size_t>(triangle[k])],
+                             &b = islands.corners[static_cast<std::size_t>(triangle[(k + 1) % 3])];
+            const double space =
+                length(islands.places[static_cast<std::size_t>(a.place)] - islands.places[static_cast<std::size_t>(b.place)]);
+            if (!(space > 0)) continue;
+            const double x = std::pow((a.uv[0] - b.uv[0]) / space, 2), y = std::pow((a.uv[1] - b.uv[1]) / space, 2);
+            xx += x * x;
+            xy += x * y;
+            yy += y * y;
+            sum_x += x;
+            sum_y += y;
+        }
+    const double whole = xx * yy - xy * xy, across = sum_x * yy - sum_y * xy, along = sum_y * xx - sum_x * xy;
+    if (!(whole > 0 && across > 0 && along > 0)) return {};
+    return {std::sqrt(across / whole), std::sqrt(along / whole)};
+}
+
+/// m2 in space.
+double area_of(const FlatIslands& islands, const Island& island)
+{
+    const auto place = [&](int corner) {
+        return islands.places[static_cast<std::size_t>(islands.corners[static_cast<std::size_t>(corner)].place)];
+    };
+    double area = 0;
+    for (const int t : island.triangles) {
+        const auto& [a, b, c] = islands.triangles[static_cast<std::size_t>(t)];
+        area += 0.5 * length(cross(place(b) - place(a), place(c) - place(a)));
+    }
+    return area;
+}
+
+/// Corners that two islands share go with the first.
+void scale_islands(FlatIslands& islands, const std::vector<std::array<double, 2>>& by)
+{
+    std::vector<bool> done(islands.corners.size());
+    for (std::size_t i = 0; i < by.size(); ++i)
+        for (const int t : islands.islands[i].triangles)
+            for (const int corner : islands.triangles[static_cast<std::size_t>(t)]) {
+                const auto at = static_cast<std::size_t>(corner);
+                for (std::size_t axis = 0; axis < 2 && !done[at]; ++axis) islands.corners[at].uv[axis] *= by[i][axis];
+                done[at] = true;
+            }
+}
+
+} // namespace
+
+bool take_own_scales(FlatIslands& islands, double common)
+{
+    const auto is_unlike = [&](double own) { return own > most_stretch * common || own < common / most_stretch; };
+    double all = 0, unlike = 0; // m2
+    std::vector<std::array<double, 2>> scales;
+    for (const Island& island : islands.islands) {
+        std::array<double, 2> own = scales_of(islands, island);
+        if (!(own[0] > 0)) own = {common, common};
+        const double area = area_of(islands, island);
+        all += area;
+        if (is_unlike(own[0]) || is_unlike(own[1])) unlike += area;
+        scales.push_back(own);
+    }
+    if (unlike <= most_unlike_share * all) return false;
+    scale_islands(islands, scales);
+    return true;
 }
 
 double median_of(std::vector<double> numbers)

@@ -52,6 +52,10 @@ struct FlatIslands {
 /// Welds places that lie within a hundred-thousandth of the mesh's size and finds the islands. Islands below least triangles are kept too.
 FlatIslands islands_of(const FlatMesh& mesh, const std::string& name);
 
+/// Scales the flat coordinates to m, each island's by its own lengths in space, across and along, where islands differ from the common
+/// scale (m per unit) by more than cloth stretches. Returns whether they do. Precondition: places are in m.
+bool take_own_scales(FlatIslands& islands, double common);
+
 /// The middle of some numbers; 0 of none.
 double median_of(std::vector<double> numbers);
 /// The median distance from the median, relative to it.

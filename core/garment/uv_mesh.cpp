@@ -124,12 +124,19 @@ void MeshReader::find_scales()
         pattern_.issues.push_back(
             fmt::format("By the lengths in space one unit of the flat coordinates is {:.4g} mm, by uv_unit {:g} mm; uv_unit is used.",
                         1000 * from_lengths, 1000 * given));
+    for (Vec3d& place : found_.places) place = metre * place;
+    if (!(given > 0) && take_own_scales(found_, from_lengths)) {
+        pattern_.uv_scale = pattern_.uv_scale_spread = 0;
+        pattern_.issues.emplace_back(
+            "Flat coordinates have another scale from panel to panel, as where each fills a texture; the scales of "
+            "each panel, across and along, were taken from its own lengths in space.");
+        return;
+    }
     if (pattern_.uv_scale_spread > 0.05)
         pattern_.issues.push_back(
             fmt::format("The scale of the flat coordinates differs by {:.0f} % between edges; the cloth is stretched, or its "
                         "flat coordinates are not a pattern's.",
                         100 * pattern_.uv_scale_spread));
-    for (Vec3d& place : found_.places) place = metre * place;
     for (FlatCorner& corner : found_.corners)
         for (double& number : corner.uv) number *= pattern_.uv_scale;
 }

@@ -55,6 +55,7 @@ struct Tube {
     double unit = 1000, size = 100; ///< of flat coordinates and of space, per m
     bool welded = false, mirror_back = false, on_each_other = false;
     std::vector<std::string> labels{"front", "back"};
+    std::array<std::array<double, 2>, 2> own_scales{{{1, 1}, {1, 1}}}; ///< of each panel's flat coordinates, across and along
 
     Vec3d place(int panel, int i, int k) const
     {
@@ -64,7 +65,8 @@ struct Tube {
     FlatPlace uv(int panel, int i, int k) const
     {
         const double x = pi_ * radius * i / around, side = panel == 1 && mirror_back ? -1 : 1;
-        return {unit * (side * x + (on_each_other ? 0 : 0.6 * panel)), unit * height * k / up};
+        const std::array<double, 2>& own = own_scales[static_cast<std::size_t>(panel)];
+        return {own[0] * unit * (side * x + (on_each_other ? 0 : 0.6 * panel)), own[1] * unit * height * k / up};
     }
     static constexpr double pi_ = 3.14159265358979323846;
 
@@ -200,6 +202,32 @@ private Q_SLOTS:
         write_bytes(at("tee_sim_segmentation.txt"), "front\nback\n");
         const std::string short_text = refusal_of([&] { read_pattern(from_file("tee.json"), at("")); });
         QVERIFY2(short_text.find("the text beside it names 2") != std::string::npos, short_text.c_str());
+    }
+    void panelsThatEachFillATextureTakeTheirOwnScales()
+    {
+        Tube tube;
+        tube.unit = 1;
+        const auto areas = [](const GarmentPattern& pattern) {
+            std::array<double, 2> of_half{};
+            for (std::size_t k = 0; k < 2; ++k) of_half[k] = area_of(pattern.panels[k]) / half_tube;
+            return of_half;
+        };
+        tube.own_scales = {{{0.7, 1.4}, {2, 0.5}}};
+        const GarmentPattern filled = tube.read();
+        QVERIFY(std::abs(areas(filled)[0] - 1) < 0.01 && std::abs(areas(filled)[1] - 1) < 0.01);
+        QCOMPARE(filled.uv_scale, 0.0);
+        const auto tells = [](const GarmentPattern& pattern) {
+            return std::any_of(pattern.issues.begin(), pattern.issues.end(),
+                               [](const std::string& issue) { return issue.find("from panel to panel") != std::string::npos; });
+        };
+        QVERIFY(tells(filled));
+        QCOMPARE(filled.seams.size(), std::size_t(2));
+        tube.own_scales = {{{1, 1}, {1.1, 1}}}; // a panel that is worn stretched
+        const GarmentPattern stretched = tube.read();
+        QVERIFY(stretched.uv_scale > 0 && !tells(stretched));
+        QVERIFY(areas(stretched)[1] / areas(stretched)[0] > 1.09);
+        tube.own_scales = {{{0.7, 1.4}, {2, 0.5}}};
+        QVERIFY(tube.read(UvUnit::metre).uv_scale == 1); // as it was given
     }
     void islandsArePanelsAndMeetingSidesAreSewn_data()
     {
