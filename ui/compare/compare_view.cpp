@@ -282,7 +282,7 @@ void CompareView::propose()
         fabrics << fabric;
     }
     if (!fidelity_follows_) { return; }
-    const KeptRun* shown = selecting_ && newest != runs.rend() ? &*newest : first;
+    const KeptRun* shown = !selecting_ && first ? first : newest != runs.rend() ? &*newest : nullptr;
     if (shown) { bar_->setFidelity(shown->run->plan.fidelity); }
 }
 
