@@ -107,8 +107,7 @@ ExperimentRows experiment_rows(const RunRecord& run, const Experiment& e, const 
     if (info.source != WaterSource::air) {
         std::string liquid = e.liquid;
         if (const Liquid* found = find_liquid(run.design, e.liquid))
-            liquid += fmt::format(": {}, {} at 20 °C", write.number(found->surface_tension_mn_m, "mN/m"),
-                                  write.number(found->viscosity_mpa_s, "mPa s"));
+            liquid += fmt::format(": {:.4g} mN/m, {:.4g} mPa s at 20 °C", found->surface_tension_mn_m, found->viscosity_mpa_s);
         rows.emplace_back("liquid", liquid);
     }
     rows.push_back(supply_row(e, write));

@@ -114,14 +114,14 @@ private Q_SLOTS:
         QCOMPARE(place.history.runs().size(), recorded); // mixtures are no runs of the project
 
         // In the user's unit, at once.
-        QVERIFY2(seen.cell(0, 3).endsWith(" mm") && seen.cell(0, 4).contains(" mm,"), qPrintable(seen.cell(0, 3)));
+        QVERIFY2(seen.cell(0, 3).endsWith(" mm") && seen.cell(0, 4).contains(" mm larger,"), qPrintable(seen.cell(0, 4)));
         const Preferences before = preferences();
         Preferences inches = before;
         inches.length = static_cast<int>(LengthUnit::inch);
         setPreferences(inches);
         QTRY_VERIFY_WITH_TIMEOUT(view.why() != nullptr, 20000); // the inputs, too
-        QVERIFY2(seen.cell(0, 3).endsWith(" in") && seen.cell(0, 4).contains(" in,"), qPrintable(seen.cell(0, 3)));
-        QVERIFY2(seen.said().contains(" in higher") && !seen.said().contains(" mm"), qPrintable(seen.said()));
+        QVERIFY2(seen.cell(0, 3).endsWith(" in") && seen.cell(0, 4).contains(" in larger,"), qPrintable(seen.cell(0, 4)));
+        QVERIFY2(seen.said().contains(" in larger") && !seen.said().contains(" mm"), qPrintable(seen.said()));
         setPreferences(before);
         QTRY_VERIFY_WITH_TIMEOUT(view.why() != nullptr && seen.cell(0, 3).endsWith(" mm"), 20000);
 
