@@ -180,7 +180,8 @@ std::string origin(const RunRecord& run, const Ledger& ledger, bool finished)
     if (finished) rows += row("computing time", fmt::format("{:.4g}", run.wall), "s");
     rows += row("simulated time", fmt::format("{:.4g}", ledger.time), "s");
     if (run.plan.expected_error)
-        rows += row("largest numerical error, but of “stain at rest from”", rounded_text(100 * *run.plan.expected_error, 2), "%");
+        rows +=
+            row("largest numerical error of all numbers but “stain at rest from”", rounded_text(100 * *run.plan.expected_error, 2), "%");
     if (!run.date.empty()) rows += row("started", run.date, "");
     return table(rows) + knobs(run.plan) + parts(run) + list(notes_of(run.plan));
 }
