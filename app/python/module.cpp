@@ -24,7 +24,7 @@ py::list issue_list(const std::vector<Issue>& issues)
     return list;
 }
 
-void translate(std::exception_ptr failure)
+void translate(std::exception_ptr failure) // NOLINT(performance-unnecessary-value-param): so pybind11 has it
 {
     if (!failure) return;
     try {

@@ -96,6 +96,7 @@ std::vector<FrameField> fields_named(const std::vector<std::string>& names)
 py::array caps_of(const std::vector<FrameCap>& caps)
 {
     std::vector<std::array<double, 6>> rows;
+    rows.reserve(caps.size());
     for (const FrameCap& cap : caps) rows.push_back({cap.x, cap.y, cap.face, cap.base, cap.height, cap.volume});
     return array_of(std::move(rows));
 }

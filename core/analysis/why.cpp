@@ -130,6 +130,7 @@ struct Runs {
             for (std::size_t i = 0; i < candidate->unknowns.size() && i < candidate->replicates[replicate]->places.size(); ++i)
                 by_name.emplace(candidate->unknowns[i], candidate->replicates[replicate]->places[i]);
         std::vector<double> places;
+        places.reserve(by_name.size());
         for (const auto& [name, place] : by_name) places.push_back(place);
         return places;
     }
@@ -151,6 +152,7 @@ std::optional<Compared> shown_step(const Runs& runs, const std::vector<std::size
                                    Mixture after, const Why& why)
 {
     std::vector<double> differences;
+    differences.reserve(replicates.size());
     for (const std::size_t r : replicates) differences.push_back(*runs.number(before, r) - *runs.number(after, r));
     const double numerical = std::max(runs.numerical(before, numerical_otherwise), runs.numerical(after, numerical_otherwise));
     Compared found = compared_with_nothing(differences, places, numerical, why);

@@ -25,7 +25,7 @@ struct Bundles {
         return static_cast<double>(end - begin) / count;
     }
     /// The yarn in its middle.
-    int middle_of(int bundle) const { return static_cast<int>((std::int64_t{2 * bundle + 1} * yarns) / (2 * count)); }
+    int middle_of(int bundle) const { return static_cast<int>(((2 * std::int64_t{bundle} + 1) * yarns) / (2 * count)); }
 };
 
 /// Bundles of about the wanted number of yarns, all of one size.

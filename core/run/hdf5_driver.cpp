@@ -96,7 +96,7 @@ hid_t driver()
         driver.name = "hygroloom";
         driver.maxaddr = static_cast<haddr_t>(INT64_MAX);
         driver.fc_degree = H5F_CLOSE_STRONG;
-        driver.fapl_size = sizeof(Storage*);
+        driver.fapl_size = sizeof(Storage*); // NOLINT(bugprone-sizeof-expression): a pointer is what it keeps
         driver.open = open_storage;
         driver.close = close_storage;
         driver.query = query;

@@ -126,9 +126,10 @@ bool is_message(std::uint64_t kind, Block block, Messages& found)
     case 0x08: return is_layout(block, found);
     case 0x0B: return are_filters(block);
     case 0x0C: return is_attribute(block);
-    case 0x10: return block.size() >= 16; // goes on elsewhere
-    case 0x11: return block.size() >= 16; // a group's tree and heap
-    case 0x12: return block.size() >= 8;  // a time
+    case 0x10: // goes on elsewhere
+    case 0x11: // a group's tree and heap
+        return block.size() >= 16;
+    case 0x12: return block.size() >= 8; // a time
     default: return false;
     }
 }

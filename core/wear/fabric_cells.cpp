@@ -46,8 +46,9 @@ template <typename Value> std::vector<Value> transposed(const std::vector<Value>
 {
     std::vector<Value> across;
     across.reserve(values.size());
-    for (int pick = 0; pick < picks && !values.empty(); ++pick)
-        for (int end = 0; end < ends; ++end) across.push_back(values[static_cast<std::size_t>(end * picks + pick)]);
+    const auto along = static_cast<std::size_t>(picks), all = static_cast<std::size_t>(ends) * along;
+    for (std::size_t pick = 0; pick < along && !values.empty(); ++pick)
+        for (std::size_t at = pick; at < all; at += along) across.push_back(values[at]);
     return across;
 }
 

@@ -143,9 +143,10 @@ void fill_panel(Builder& b, std::size_t panel)
         }
     }
     const std::size_t picks_from = b.made.grids.size() * static_cast<std::size_t>(cloth.ends);
-    for (int pick = 0; pick < grid.picks; ++pick) {
-        cloth.type[picks_from + static_cast<std::size_t>(grid.first_pick + pick)] = type_in_cloth(b, number, false, pick % fabric.picks);
-        cloth.panels.panel[static_cast<std::size_t>(grid.first_pick + pick)] = static_cast<std::uint8_t>(panel);
+    auto row = static_cast<std::size_t>(grid.first_pick);
+    for (int pick = 0; pick < grid.picks; ++pick, ++row) {
+        cloth.type[picks_from + row] = type_in_cloth(b, number, false, pick % fabric.picks);
+        cloth.panels.panel[row] = static_cast<std::uint8_t>(panel);
     }
 }
 
@@ -205,8 +206,8 @@ double capacity_of(const Builder& b, std::size_t panel, int end, int pick)
     const Cloth& tile = fabric.tile.cloth;
     const SceneClimate& climate = fabric.tile.climate;
     const auto type = [&](bool is_warp) {
-        return static_cast<std::size_t>(is_warp ? tile.type[static_cast<std::size_t>(end % fabric.ends)]
-                                                : tile.type[static_cast<std::size_t>(tile.ends + pick % fabric.picks)]);
+        const int line = is_warp ? end % fabric.ends : tile.ends + pick % fabric.picks;
+        return static_cast<std::size_t>(tile.type[static_cast<std::size_t>(line)]);
     };
     const auto of_yarn = [&](const YarnParameters& yarn, double length) {
         const double bound = std::max(0.0, yarn.isotherm.saturation_regain - yarn.initial_regain);

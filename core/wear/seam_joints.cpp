@@ -76,8 +76,8 @@ CellAtSeam cell_at_seam(const GarmentScene& garment, std::size_t panel, const st
     const FabricCells& fabric = garment.fabrics[static_cast<std::size_t>(garment.fabric[panel])];
     const Cloth &cloth = garment.scene.cloth, &tile = fabric.tile.cloth;
     const int end = cell[0], pick = cell[1], row = grid.first_pick + pick;
-    const std::size_t warp_type = tile.type[static_cast<std::size_t>(end % fabric.ends)],
-                      weft_type = tile.type[static_cast<std::size_t>(tile.ends + pick % fabric.picks)];
+    const int warp = end % fabric.ends, weft = tile.ends + pick % fabric.picks;
+    const std::size_t warp_type = tile.type[static_cast<std::size_t>(warp)], weft_type = tile.type[static_cast<std::size_t>(weft)];
     const BetweenParameters& room =
         tile.crossing[warp_type * static_cast<std::size_t>(tile.weft_types()) + weft_type - static_cast<std::size_t>(tile.warp_types)]
             .between;

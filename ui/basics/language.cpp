@@ -26,7 +26,7 @@ bool isSpoken(const QString& code)
 QString systemLanguage()
 {
     for (const QString& wish : QLocale::system().uiLanguages()) {
-        if (const QString code = wish.section('-', 0, 0); isSpoken(code)) { return code; }
+        if (QString code = wish.section('-', 0, 0); isSpoken(code)) { return code; }
     }
     return "en";
 }

@@ -111,15 +111,15 @@ ClothLook::ClothLook(const Fabric& fabric, const Textile& textile, int side)
 const QImage& ClothLook::at(const Textile& textile, const Frame& frame)
 {
     const std::vector<float> shares = wetShares(textile, frame);
-    const int picks = textile.picks();
+    const auto picks = static_cast<std::size_t>(textile.picks());
     for (int row = 0; row < side(); ++row) {
         const auto* dry = reinterpret_cast<const QRgb*>(dry_.constScanLine(row));
         const auto* wet = reinterpret_cast<const QRgb*>(wet_.constScanLine(row));
         auto* line = reinterpret_cast<QRgb*>(now_.scanLine(row));
-        const int pick = pick_of_[static_cast<std::size_t>(row)];
+        const auto pick = static_cast<std::size_t>(pick_of_[static_cast<std::size_t>(row)]);
         for (int column = 0; column < side(); ++column) {
-            const auto share =
-                static_cast<unsigned>(255.0F * shares[static_cast<std::size_t>(end_of_[static_cast<std::size_t>(column)] * picks + pick)]);
+            const auto end = static_cast<std::size_t>(end_of_[static_cast<std::size_t>(column)]);
+            const auto share = static_cast<unsigned>(255.0F * shares[end * picks + pick]);
             if (share == 0) {
                 line[column] = dry[column];
                 continue;
