@@ -63,6 +63,7 @@ Candidate run_all(const Design& design, const std::string& fabric, const std::st
         how.fidelity = Fidelity::draft;
         how.seed = one.seed + otherwise;
         how.threads = 1;
+        if (repeats() == 1) how.knobs = {{"particles_per_droplet", 300}}; // what is counted is of a draft as it is
         RunControl control;
         const auto backend = make_cpu_backend();
         FinishedRun run = run_and_measure(one.design, fabric, experiment, how, *backend, control);

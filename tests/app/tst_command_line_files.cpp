@@ -203,7 +203,7 @@ private Q_SLOTS:
         QFETCH(int, code);
         const QString recording = at("streams.hygrorec");
         QFile::remove(recording);
-        const QString simulate = QString("simulate \"%1\" --fidelity draft --backend cpu --set experiments[0].duration_s=0.01 -o \"%2\" ")
+        const QString simulate = QString("simulate \"%1\" --fidelity live --backend cpu --set experiments[0].duration_s=0.01 -o \"%2\" ")
                                      .arg(example("one-drop-on-cotton.hygro"), recording);
         const Answer run = run_in_shell(simulate + redirection);
         QCOMPARE(run.code, code);
@@ -219,7 +219,7 @@ private Q_SLOTS:
     {
         const QString recording = at("pipe-run.hygrorec"), code = at("code");
         const QString simulate =
-            QString("\"%1\" simulate \"%2\" --fidelity draft --backend cpu --set experiments[0].duration_s=0.01 -o \"%3\" 2>&1 >/dev/null")
+            QString("\"%1\" simulate \"%2\" --fidelity live --backend cpu --set experiments[0].duration_s=0.01 -o \"%3\" 2>&1 >/dev/null")
                 .arg(HYGROLOOM_CLI, example("one-drop-on-cotton.hygro"), recording);
         QCOMPARE(QProcess::execute("/bin/sh", {"-c", QString("{ %1; echo $? > \"%2\"; } | true").arg(simulate, code)}), 0);
         QCOMPARE(contents(code).trimmed(), QByteArray("0"));
@@ -247,7 +247,7 @@ private Q_SLOTS:
         project.replace("\"Textile F\"", "\"\\u001b]0;gone\\u0007\\u0000 \\u009b31m\"");
         const QString file = at("hostile.hygro"), recording = at("hostile.hygrorec"), report = at("hostile.html");
         write(file, project);
-        const QStringList run{"simulate", file,     "--fidelity", "draft", "--backend", "cpu", "--set", "experiments[0].duration_s=0.01",
+        const QStringList run{"simulate", file,     "--fidelity", "live", "--backend", "cpu", "--set", "experiments[0].duration_s=0.01",
                               "-o",       recording};
         for (const QStringList& verb :
              {QStringList{"check", file}, QStringList{"plan", file}, run, QStringList{"measure", recording, "--report", report},

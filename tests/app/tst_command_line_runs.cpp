@@ -28,6 +28,7 @@ class TestCommandLineRuns : public QObject {
                 "experiments[0].sample_mm=[8,8]",
                 "experiments[0].droplets[0].volume_ul=2",
                 "experiments[0].droplets[0].height_mm=0",
+                "fidelity.particles_per_droplet=200",
                 "-o",
                 recording};
     }
@@ -160,7 +161,7 @@ private Q_SLOTS:
     void aTradeoffComparesVariantsWithTheReference()
     {
         const Answer answer = run_cli(small_scene("0.001", "[4,4]", "0.3") << "--knobs"
-                                                                           << "fibre_shells,particles_per_droplet"
+                                                                           << "fibre_shells,network_step_limit_s"
                                                                            << "--convergence",
                                       300);
         QVERIFY2(answer.code == 0, answer.err);
@@ -215,7 +216,8 @@ private Q_SLOTS:
                                 "experiments.one drop.duration_s=0.05",
                                 "experiments.one drop.sample_mm=[8,8]",
                                 "experiments.one drop.droplets[0].volume_ul=2",
-                                "experiments.one drop.droplets[0].height_mm=0"};
+                                "experiments.one drop.droplets[0].height_mm=0",
+                                "fidelity.particles_per_droplet=200"};
         const QStringList names{"Hemp plain", "Cotton plain"};
         const Answer both = run_cli(
             QStringList{"simulate", project} + scene + QStringList{"--fabrics", names.join(","), "--at-once", "2", "-o", folder}, 300);
@@ -244,7 +246,8 @@ private Q_SLOTS:
                                 "experiments.one drop.duration_s=0.05",
                                 "experiments.one drop.sample_mm=[8,8]",
                                 "experiments.one drop.droplets[0].volume_ul=2",
-                                "experiments.one drop.droplets[0].height_mm=0"};
+                                "experiments.one drop.droplets[0].height_mm=0",
+                                "fidelity.particles_per_droplet=200"};
         const Answer answer = run_cli(compare + scene + QStringList{"-o", folder, "--json"}, 300);
         QVERIFY2(answer.code == 0, answer.err);
         const QJsonArray candidates = answer.json()["candidates"].toArray();

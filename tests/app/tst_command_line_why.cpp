@@ -14,7 +14,7 @@ class TestCommandLineWhy : public QObject {
 
     static QString structures() { return example("paper/figure-13-structures.hygro"); }
 
-    /// A small drop at draft.
+    /// A small drop that stands as a cap, which takes moments.
     static QStringList scene(const QString& project, const QString& experiment = "one drop", const QString& seconds = "0.2")
     {
         const QString of = "experiments." + experiment + ".";
@@ -23,7 +23,7 @@ class TestCommandLineWhy : public QObject {
                 "--experiment",
                 experiment,
                 "--fidelity",
-                "draft",
+                "live",
                 "--backend",
                 "cpu",
                 "--json",
@@ -70,7 +70,7 @@ private Q_SLOTS:
         QTest::addColumn<int>("fabrics");
         QTest::newRow("two parts, in all orders")
             << scene(structures()) + QStringList{"--why", "25 threads per cm", "--baseline", "35 threads per cm"} << "shapley" << 4;
-        QTest::newRow("eight parts, one at a time") << scene(example("paper/figure-10-three-fibres.hygro"), "three drops", "0.1") +
+        QTest::newRow("eight parts, one at a time") << scene(example("paper/figure-10-three-fibres.hygro"), "three drops", "0.5") +
                                                            QStringList{"--why", "Textile F", "--baseline", "Textile G"}
                                                     << "one_at_a_time" << 18;
     }

@@ -88,7 +88,7 @@ private Q_SLOTS:
         QFETCH(bool, on);
         QFETCH(ForcedParts, others);
         QFETCH(double, neglected);
-        const KnobSettings knobs{{"neglected_share", neglected}};
+        const KnobSettings knobs{{"neglected_share", neglected}, {"particles_per_droplet", 200}};
         const auto forced = [&](bool value) {
             ForcedParts parts = others;
             parts[part.toStdString()] = value;

@@ -248,7 +248,8 @@ private Q_SLOTS:
         experiment.droplets[0].volume_ul = 1;
         experiment.droplets[0].height_mm = 2;
         const auto time = [&](double steps) {
-            return run(design, Fidelity::draft, {}, {{"steps_between_absorption", steps}}).metrics.absorbency_time.value_or(0); // 0: never
+            return run(design, Fidelity::draft, {}, {{"steps_between_absorption", steps}, {"particles_per_droplet", 500}})
+                .metrics.absorbency_time.value_or(0); // 0: never
         };
         const double usual = time(8), each = time(1);
         QVERIFY(usual > 0.02 && each > 0.02);
@@ -282,7 +283,7 @@ private Q_SLOTS:
         design.materials.back().contact_angle_deg = 115;
         Fabric satin = library_fabric("Cotton sateen");
         satin.warp.material = {{"repellent cotton", 1.0}};
-        design.experiments[0].sample_mm = {16, 8};
+        design.experiments[0].sample_mm = {12, 6};
         const auto share_of_back = [&](const std::vector<std::uint8_t>& up) {
             satin.weave = Weave(5, 5, up);
             design.fabrics = {satin};
@@ -474,8 +475,9 @@ private Q_SLOTS:
         Frame frames[2];
         int visited = 0;
         for (bool growth : {false, true}) {
-            const ModelPlan plan = plan_run(design, design.fabrics[0], experiment, static_cast<Fidelity>(fidelity),
-                                            {{"growth", growth}, {"sorption", true}, {"vapour", true}, {"heat", true}});
+            const ModelPlan plan =
+                plan_run(design, design.fabrics[0], experiment, static_cast<Fidelity>(fidelity),
+                         {{"growth", growth}, {"sorption", true}, {"vapour", true}, {"heat", true}}, {{"particles_per_droplet", 300}});
             const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
             CpuSolver solver;
             solver.set_threads(2);

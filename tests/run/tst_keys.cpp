@@ -345,11 +345,11 @@ private Q_SLOTS:
             QTest::addRow("%s, %s %s", name_of(static_cast<ExperimentType>(type)), name_of(static_cast<Closure>(closure)), forced)
                 << type << closure << forced;
         };
-        for (int closure = 0; closure < closures; ++closure) {
+        for (int closure = 0; closure < closures; ++closure)
             for (int type = 0; type < experiment_types; ++type) row(type, closure, "");
+        for (const Closure closure : {Closure::kissa, Closure::pores}) // one by saturation, one by suction
             for (const char* forced : {"sorption=off", "vapour=off", "heat=off"})
-                row(static_cast<int>(ExperimentType::droplet), closure, forced);
-        }
+                row(static_cast<int>(ExperimentType::droplet), static_cast<int>(closure), forced);
     }
     void eachKeyMovesTheWaterOrIsNamedIdle()
     {

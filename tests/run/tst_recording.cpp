@@ -21,11 +21,11 @@ using namespace hygroloom;
 
 namespace {
 
-RunRecord record_run(const std::string& path, double duration, std::vector<Frame>* frames = nullptr)
+RunRecord record_run(const std::string& path, double duration, std::vector<Frame>* frames = nullptr, int particles = 200)
 {
     RunOptions options;
     options.fidelity = Fidelity::draft;
-    options.knobs = {{"fibre_shells", 4}};
+    options.knobs = {{"fibre_shells", 4}, {"particles_per_droplet", particles}};
     options.recording = path;
     RunControl control;
     RunCallbacks callbacks;
@@ -155,7 +155,7 @@ private Q_SLOTS:
         const pid_t child = fork();
         QVERIFY(child >= 0);
         if (child == 0) {
-            record_run(path, 50'000);
+            record_run(path, 50'000, nullptr, 2000); // longer than it lives
             _exit(0);
         }
         QTest::qSleep(1500);

@@ -351,7 +351,10 @@ private Q_SLOTS:
     void whoPausesAndAsksForItGetsAFinerAnswer()
     {
         Design design = two_cloths();
-        design.experiments[0].duration_s = 0.15;
+        design.experiments[0] = standard_experiment(ExperimentType::sweat); // of particles a finer answer would take half a minute
+        design.experiments[0].name = "sweat";
+        design.experiments[0].sample_mm = {8, 8};
+        design.experiments[0].duration_s = 5;
         Document document;
         document.take(design, "drops");
         LivePanel panel(document);
