@@ -27,19 +27,23 @@ constexpr double change_per_kelvin = 0.02;
 
 /// What of a scene decides its cost.
 struct SceneCounts {
-    std::string type;       ///< of the experiment
-    std::string closure;    ///< by which liquid moves
-    double drops = 0;       ///< that fall
-    double drop_volume = 0; ///< m3, of each
-    double duration = 0;    ///< s
-    double wet_share = 0;   ///< of the sample that can get wet, at most
-    double suction = 0;     ///< cosine of the smallest contact angle of a yarn; 0: none wicks
-    double uptake = 0;      ///< m3/s, as fast as cloth draws liquid away: pores under a face (m) times their liquid diffusivity; with the
-                            ///< closure pores what a metre of cloth conducts times the suction of its pores
-    double pores = 0;       ///< m3/m2, of all yarns that draw liquid; with the closure pores also of the room between them
-    double drop_base = 0;   ///< area that a small drop first stands on, over its volume to the power 2/3: see base_of_drop()
-    double capillarity = 0; ///< m3/s2, surface tension of the liquid over its density
-    double viscosity = 0;   ///< m2/s
+    std::string type;         ///< of the experiment
+    std::string closure;      ///< by which liquid moves
+    double drops = 0;         ///< that fall
+    double drop_volume = 0;   ///< m3, of each, on average
+    double largest_drop = 0;  ///< m3
+    double landing_speed = 0; ///< m/s, of the largest
+    double sample_area = 0;   ///< m2; 0: not known, as in files of older versions
+    double sample_edge = 0;   ///< m, around it
+    double duration = 0;      ///< s
+    double wet_share = 0;     ///< of the sample that can get wet, at most
+    double suction = 0;       ///< cosine of the smallest contact angle of a yarn; 0: none wicks
+    double uptake = 0;        ///< m3/s, as fast as cloth draws liquid away: pores under a face (m) times their liquid diffusivity; with the
+                              ///< closure pores what a metre of cloth conducts times the suction of its pores
+    double pores = 0;         ///< m3/m2, of all yarns that draw liquid; with the closure pores also of the room between them
+    double drop_base = 0;     ///< area that a small drop first stands on, over its volume to the power 2/3: see base_of_drop()
+    double capillarity = 0;   ///< m3/s2, surface tension of the liquid over its density
+    double viscosity = 0;     ///< m2/s
 };
 
 struct ModelPlan {

@@ -64,6 +64,10 @@ SceneCounts counts_from_json(const Json& json)
             .closure = json.value("closure", "kissa"), // once the only default
             .drops = json.at("drops"),
             .drop_volume = json.at("drop_volume_m3"),
+            .largest_drop = json.value("largest_drop_m3", json.at("drop_volume_m3").get<double>()),
+            .landing_speed = json.value("landing_speed_m_s", 0.0),
+            .sample_area = json.value("sample_area_m2", 0.0),
+            .sample_edge = json.value("sample_edge_m", 0.0),
             .duration = json.at("duration_s"),
             .wet_share = json.at("wet_share"),
             .suction = json.at("suction"),
@@ -72,6 +76,26 @@ SceneCounts counts_from_json(const Json& json)
             .drop_base = json.value("drop_base", 0.0),
             .capillarity = json.value("capillarity_m3_s2", 0.0),
             .viscosity = json.value("viscosity_m2_s", 0.0)};
+}
+
+Json json_of(const SceneCounts& counts)
+{
+    return {{"type", counts.type},
+            {"drops", counts.drops},
+            {"drop_volume_m3", counts.drop_volume},
+            {"largest_drop_m3", counts.largest_drop},
+            {"landing_speed_m_s", counts.landing_speed},
+            {"sample_area_m2", counts.sample_area},
+            {"sample_edge_m", counts.sample_edge},
+            {"duration_s", counts.duration},
+            {"wet_share", counts.wet_share},
+            {"closure", counts.closure},
+            {"suction", counts.suction},
+            {"uptake_m3_s", counts.uptake},
+            {"pores_m", counts.pores},
+            {"drop_base", counts.drop_base},
+            {"capillarity_m3_s2", counts.capillarity},
+            {"viscosity_m2_s", counts.viscosity}};
 }
 
 PlannedPart part_from_json(const Json& json)
@@ -135,19 +159,7 @@ Json plan_value(const ModelPlan& plan)
           {"settle_share", plan.knobs.settle_share},
           {"rest_tolerance", plan.rest_tolerance},
           {"reason", plan.resolution_reason}}},
-        {"counts",
-         {{"type", plan.counts.type},
-          {"drops", plan.counts.drops},
-          {"drop_volume_m3", plan.counts.drop_volume},
-          {"duration_s", plan.counts.duration},
-          {"wet_share", plan.counts.wet_share},
-          {"closure", plan.counts.closure},
-          {"suction", plan.counts.suction},
-          {"uptake_m3_s", plan.counts.uptake},
-          {"pores_m", plan.counts.pores},
-          {"drop_base", plan.counts.drop_base},
-          {"capillarity_m3_s2", plan.counts.capillarity},
-          {"viscosity_m2_s", plan.counts.viscosity}}},
+        {"counts", json_of(plan.counts)},
         {"expected",
          {{"time_s", plan.expected_seconds},
           {"memory_bytes", plan.expected_bytes},

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 namespace {
@@ -69,8 +70,16 @@ SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
     counts.closure = name_of(experiment.closure);
     counts.drops = static_cast<double>(b.drops);
     if (b.drops > 0) counts.drop_volume = b.delivered / b.liquid.density / counts.drops;
+    for (const Droplet& drop : falling_drops(experiment)) {
+        const double volume = cubic_metre_from_ul(drop.volume_ul);
+        if (volume <= counts.largest_drop) continue;
+        counts.largest_drop = volume;
+        counts.landing_speed = std::sqrt(drop.speed_m_s * drop.speed_m_s + 2.0 * gravity_acceleration * metre_from_mm(drop.height_mm));
+    }
+    counts.sample_area = metre_from_mm(width) * metre_from_mm(height);
+    counts.sample_edge = 2.0 * (metre_from_mm(width) + metre_from_mm(height));
     counts.duration = experiment.duration_s;
-    counts.wet_share = std::min(1.0, b.wet_area / (metre_from_mm(width) * metre_from_mm(height)));
+    counts.wet_share = std::min(1.0, b.wet_area / counts.sample_area);
     if (uses_field(experiment.type, "feed_s")) // not all may have come by the end
         counts.wet_share *= std::min(1.0, experiment.duration_s / experiment.feed_s);
     counts.suction = b.suction;

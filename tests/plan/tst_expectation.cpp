@@ -82,7 +82,7 @@ private Q_SLOTS:
         drop.droplets[0].volume_ul = 1e-6;
         ModelPlan plan = plan_run(design, design.fabrics[0], drop, Fidelity::standard, {}, {});
         expect(plan, {measured});
-        QCOMPARE(plan.expected_seconds, 0.01);
+        QVERIFY(plan.expected_seconds >= 0.01 && plan.expected_seconds < 0.011);
     }
     void theNearestSceneCounts()
     {
@@ -439,9 +439,9 @@ private Q_SLOTS:
             QVERIFY(memory < 1.5 && memory > 1 / 1.5);
         }
         // Known misses: small drops are estimated at up to 2.1 (CPU: flax, twill) and 2.2 times their time (H100: flax), never at less than
-        // 1 / 1.5 of it. At live the steps of a drop of syrup are taken for those of particles, which a cap does not need.
+        // 1 / 1.5 of it. At live, as caps, up to 2.15 times on the H100.
         QVERIFY2(worst < 2.3, qPrintable(QString::number(worst)));
-        QVERIFY2(worst_live < (file.contains("syrup") ? 5.5 : 2.1), qPrintable(QString::number(worst_live)));
+        QVERIFY2(worst_live < 2.2, qPrintable(QString::number(worst_live)));
         QVERIFY2(least > 1 / 1.5, qPrintable(QString::number(least)));
     }
 };

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Drops on a sample that may be too small for them: what stays, how it swings, and how long the rest takes to be gone.
+#pragma once
+
+#include "core/base/units.h"
+#include "core/physics/liquid.h"
+#include "core/plan/model_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hygroloom {
+
+/// m, of a ball of the largest drop's volume.
+inline double diameter_of_largest(const SceneCounts& scene) { return std::cbrt(6.0 * scene.largest_drop / pi); }
+
+/// m, of a rectangle with the sample's area and edge; without end where they are not known.
+inline double narrow_side(const SceneCounts& scene)
+{
+    if (scene.sample_area <= 0) return std::numeric_limits<double>::infinity();
+    const double mean = 0.25 * scene.sample_edge;
+    return mean - std::sqrt(std::max(0.0, mean * mean - scene.sample_area));
+}
+
+/// Of all drops' volume, what can stay on the sample: a puddle as high as water stands, twice the capillary length, and what hangs at the
+/// edge, tension over weight. A drop that is wider than the sample is stopped within its own diameter, which adds to its weight. Particles
+/// this far apart (m) neither stand on a narrower sample nor in a lower puddle.
+inline double share_that_stays(const SceneCounts& scene, double spacing)
+{
+    const double narrow = narrow_side(scene), wide = diameter_of_largest(scene), all = scene.drops * scene.drop_volume;
+    if (!std::isfinite(narrow) || all <= 0) return 1.0;
+    const double stopped = wide > narrow ? scene.landing_speed * scene.landing_speed / wide : 0.0; // m/s2
+    const double length2 = scene.capillarity / (gravity_acceleration + stopped), puddle = 2.0 * std::sqrt(length2);
+    if (narrow < spacing || puddle < spacing) return 0.0;
+    return std::min(1.0, (puddle * scene.sample_area + length2 * scene.sample_edge) / all);
+}
+
+/// Until a drop that does not stay has gone by and is no longer followed, s.
+inline double falls_past_in(const SceneCounts& scene)
+{
+    constexpr double followed = 5e-3; // m below the cloth
+    const double v = scene.landing_speed, way = diameter_of_largest(scene) + followed;
+    return (std::sqrt(v * v + 2.0 * gravity_acceleration * way) - v) / gravity_acceleration;
+}
+
+/// In which a drop's liquid swings once, s.
+inline double swing_of(const SceneCounts& scene, double volume)
+{
+    return capillary_time(volume, 1.0, scene.capillarity); // tension over density
+}
+
+/// In which the largest swings once, as far as it stays, s.
+inline double swing_of_largest(const SceneCounts& scene, double stays)
+{
+    return swing_of(scene, std::max(1e-18, std::min(scene.largest_drop, stays * scene.drops * scene.drop_volume)));
+}
+/// Of what stays of the drops, the share that the sample's pores can hold.
+inline double share_with_room(const SceneCounts& scene, double stays)
+{
+    return scene.sample_area > 0 ? std::min(1.0, scene.pores * scene.sample_area / (stays * scene.drops * scene.drop_volume)) : 1.0;
+}
+
+} // namespace hygroloom

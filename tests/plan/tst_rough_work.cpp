@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a plan counts of a run: which part computes for how long. No clock is asked.
+#include "core/plan/expectation.h"
+#include "core/run/plan_run.h"
+#include "tests/support/drop_design.h"
+
+#include <QTest>
+
+#include <algorithm>
+
+using namespace hygroloom;
+
+class TestRoughWork : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aStartIsNotMultiplied()
+    {
+        // Sweat for 0.7 s on a small sample took 0.05 s longer than its start, the shipped one 2.0 s.
+        Design design = drop_design();
+        Experiment& sweat = design.experiments[0] = standard_experiment(ExperimentType::sweat);
+        sweat.sample_mm = {2, 2};
+        sweat.duration_s = 0.7;
+        ModelPlan plan = plan_run(design, design.fabrics[0], sweat, Fidelity::draft);
+        expect(plan, shipped_measurements("cpu"));
+        QVERIFY(plan.on("vapour") || plan.on("sorption") || plan.on("wicking"));
+        QVERIFY2(plan.expected_seconds < 0.04, qPrintable(QString::number(plan.expected_seconds)));
+    }
+    // Scaled is the whole of a measured run: where one kind's counts are far off those of another, the smaller part of a run comes out as
+    // far off. At draft seconds over rough work lie between 0.2 and 2.
+    void countsOfAllKindsTakeAlikeLong()
+    {
+        double least = 1e30, most = 0;
+        for (const MeasuredScene& scene : shipped_measurements("cpu"))
+            for (const MeasuredRun& run : scene.runs) {
+                if (run.plan.fidelity != Fidelity::draft || !run.settings.empty() || run.seconds <= 0) continue;
+                const double ratio = run.seconds / rough_work(run.plan, "cpu");
+                qInfo("%s, %s: %.2f", scene.fabric.c_str(), scene.experiment.c_str(), ratio);
+                least = std::min(least, ratio);
+                most = std::max(most, ratio);
+            }
+        QVERIFY2(most / least < 12, qPrintable(QString("%1 to %2").arg(least).arg(most)));
+    }
+    void aDropThatFallsPastASmallSampleIsSoonGone()
+    {
+        // It took 89 steps and 0.16 s for 1 243 s.
+        Design design = drop_design();
+        Experiment& drop = design.experiments[0];
+        drop.sample_mm = {1.2, 0.33};
+        drop.duration_s = 1243;
+        drop.droplets[0].volume_ul = 5000;
+        drop.droplets[0].height_mm = 20;
+        drop.droplets[0].speed_m_s = 10;
+        ModelPlan plan = plan_run(design, design.fabrics[0], drop, Fidelity::draft);
+        expect(plan, shipped_measurements("cpu"));
+        const double steps = count_liquid(plan).steps;
+        QVERIFY2(steps > 89.0 / 3 && steps < 89.0 * 3, qPrintable(QString::number(steps)));
+        QVERIFY2(plan.expected_seconds < 0.5, qPrintable(QString::number(plan.expected_seconds)));
+        drop.sample_mm = {60, 60};
+        QVERIFY(count_liquid(plan_run(design, design.fabrics[0], drop, Fidelity::draft)).steps > 10 * steps);
+    }
+    void whatNoYarnAbsorbsSleepsSoon()
+    {
+        Design design = drop_design(120);
+        Experiment& drop = design.experiments[0];
+        drop.climate.relative_humidity = 1.2; // so that yarns take steps
+        const auto work = [&](double duration) {
+            drop.duration_s = duration;
+            return rough_work(plan_run(design, design.fabrics[0], drop, Fidelity::draft), "cpu");
+        };
+        QVERIFY2(work(600) < 2 * work(6), qPrintable(QString("%1 %2").arg(work(600)).arg(work(6))));
+    }
+    void whatLiesOnFullClothKeepsStepsShort()
+    {
+        Design design = drop_design();
+        Experiment& drop = design.experiments[0];
+        drop.closure = Closure::pores;
+        drop.sample_mm = {2, 2};
+        const auto work = [&](double volume, double duration) {
+            drop.droplets[0].volume_ul = volume;
+            drop.duration_s = duration;
+            return rough_work(plan_run(design, design.fabrics[0], drop, Fidelity::draft, {}, {{"free_liquid", 2}}), "cpu");
+        };
+        QVERIFY(work(0.1, 6000) < 2 * work(0.1, 600)); // absorbed
+        QVERIFY(work(10, 6000) > 5 * work(10, 600));
+    }
+    void aPoolThatNothingDrawsTakesNoMoreStepsThanFrames()
+    {
+        Design design = drop_design(120);
+        Experiment& management = design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
+        const auto work = [&](double duration) {
+            management.duration_s = duration;
+            return rough_work(plan_run(design, design.fabrics[0], management, Fidelity::draft), "cpu");
+        };
+        QVERIFY2(work(86400) < 15 * work(120), qPrintable(QString::number(work(86400) / work(120))));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestRoughWork)
+#include "tst_rough_work.moc"
