@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <limits>
 #include <memory>
 
@@ -175,21 +176,35 @@ bool stream_mesh(const Textile& textile, const MeshRequest& request, const std::
     std::vector<YarnMesh> buffers(at_once);
     std::size_t next_buffer = 0;
     std::atomic<bool> stopped{false};
+    std::exception_ptr failure;
+    // Nothing may be thrown through the pipeline, which would leak what is under way in it. The first failure ends it.
+    const auto attempt = [&](const auto& act) {
+        try {
+            if (!stopped) act();
+        } catch (...) {
+            if (!stopped.exchange(true)) failure = std::current_exception();
+        }
+    };
     struct Work {
         Piece piece;
         YarnMesh* mesh = nullptr;
     };
     tbb::parallel_pipeline(at_once, tbb::make_filter<void, Work>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& flow) {
                                         Work work;
-                                        if (stopped || !cutter.next(work.piece)) flow.stop();
+                                        bool more = false;
+                                        attempt([&] { more = cutter.next(work.piece); });
+                                        if (!more) flow.stop();
                                         work.mesh = &buffers[next_buffer++ % at_once];
                                         return work;
                                     }) & tbb::make_filter<Work, Work>(tbb::filter_mode::parallel, [&](Work work) {
-                                        make(textile, request, work.piece, *work.mesh);
+                                        attempt([&] { make(textile, request, work.piece, *work.mesh); });
                                         return work;
                                     }) & tbb::make_filter<Work, void>(tbb::filter_mode::serial_in_order, [&](const Work& work) {
-                                        if (!stopped && !take(*work.mesh)) stopped = true;
+                                        attempt([&] {
+                                            if (!take(*work.mesh)) stopped = true;
+                                        });
                                     }));
+    if (failure) std::rethrow_exception(failure);
     return !stopped;
 }
 

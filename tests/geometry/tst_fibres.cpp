@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/geometry/mesh_stream.h"
 #include "core/project/project_file.h"
 
 #include <QTest>
 
+#include <malloc.h>
+
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -316,6 +320,25 @@ private Q_SLOTS:
         int pieces = 0;
         QVERIFY(!stream_mesh(textile, {MeshDetail::fibre, 8, 6, true, true, 1}, [&](const YarnMesh&) { return ++pieces < 3; }));
         QCOMPARE(pieces, 3);
+    }
+    void aStreamThatFailsLeavesNoMemory()
+    {
+        const Design design = textile_f();
+        const Textile textile = part(design, {0, 0, 50, 50});
+        const auto fail = [&] {
+            int pieces = 0;
+            const auto take = [&](const YarnMesh&) -> bool {
+                if (++pieces == 3) throw Error("The disk is full.");
+                return true;
+            };
+            QVERIFY_EXCEPTION_THROWN(stream_mesh(textile, {MeshDetail::fibre, 8, 6, true, true, 1}, take), Error);
+            QCOMPARE(pieces, 3);
+        };
+        fail(); // what the library keeps
+        const std::size_t before = mallinfo2().uordblks;
+        for (int k = 0; k < 10; ++k) fail();
+        const std::size_t more = mallinfo2().uordblks - std::min(mallinfo2().uordblks, before);
+        QVERIFY2(more < 100'000, qPrintable(QString("%1 bytes").arg(more))); // one yarn's fibres take 98 304 bytes for their hairs alone
     }
     void extremesStayFinite()
     {
