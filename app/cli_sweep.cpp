@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <thread>
 #include <unistd.h>
 
 namespace hygroloom {
@@ -95,7 +94,7 @@ Shares shares_of(const SweepOptions& options, const StudyNeeds& needs)
 {
     const std::string backend = as_usage([&] { return expected_backend(backend_for(options.backend, knob_settings(options))); });
     if (backend != "cpu") return {options.jobs, options.threads};
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int cores = usable_threads();
     Shares shares;
     shares.jobs = options.jobs;
     if (shares.jobs == 0) {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string>
-#include <thread>
 
 namespace hygroloom {
 namespace {
@@ -93,7 +92,7 @@ std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int
         return backends;
     }
     const std::size_t side_by_side = asked > 0 ? most : std::min(most, gpus.size() * most_scenes_of_a_gpu);
-    const bool threads_sleep = side_by_side > std::thread::hardware_concurrency();
+    const bool threads_sleep = side_by_side > static_cast<std::size_t>(usable_threads());
     std::vector<std::size_t> room; // of each GPU
     std::string reason;
     for (const int gpu : gpus) {

@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <thread>
 
 namespace hygroloom::python {
 namespace {
@@ -34,7 +33,7 @@ int runs_at_once(const RunArguments& arguments, const StudyNeeds& needs, StudyOp
 {
     options.threads = std::max(1, arguments.threads);
     if (expected_backend(backend_for(arguments.backend, {})) != "cpu") return arguments.at_once;
-    const double cores = std::max(1U, std::thread::hardware_concurrency());
+    const double cores = usable_threads();
     const double memory = 0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     const double fit = memory / std::max(1.0, static_cast<double>(needs.bytes_each));
     const double asked = arguments.at_once > 0 ? arguments.at_once : std::min({cores, static_cast<double>(needs.rows), fit});

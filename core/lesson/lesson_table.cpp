@@ -23,8 +23,7 @@ LessonTable::LessonTable(std::vector<LessonCloth> cloths, const Climate& air, in
         places_.emplace_back();
         places_.back().cloth = std::move(cloth);
     }
-    const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const int wanted = std::clamp(threads > 0 ? threads : all, 1, std::max(1, this->cloths()));
+    const int wanted = std::clamp(threads > 0 ? threads : usable_threads(), 1, std::max(1, this->cloths()));
     for (int k = 0; k < wanted; ++k) threads_.emplace_back([this] { work(); });
 }
 

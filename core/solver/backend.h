@@ -55,6 +55,9 @@ public:
 
 std::unique_ptr<Backend> make_cpu_backend();
 
+/// How many threads can run at once: of the machine's cores those that this process may use. 1 at least.
+int usable_threads();
+
 /// A backend that this build or machine may have.
 struct BackendInfo {
     std::string name;

@@ -3,9 +3,10 @@
 #include "core/solver/backend.h"
 
 #include <fmt/format.h>
+#include <tbb/info.h>
 
+#include <algorithm>
 #include <fstream>
-#include <thread>
 
 namespace hygroloom {
 
@@ -33,8 +34,7 @@ public:
     std::string device() const override { return fmt::format("{}, {} thread(s)", processor_name(), threads_); }
     void set_threads(int threads) override
     {
-        const int all = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-        threads_ = threads > 0 ? threads : all;
+        threads_ = threads > 0 ? std::min(threads, usable_threads()) : usable_threads(); // TBB warns on stderr where it is asked for more
         solver_->set_threads(threads_);
     }
     void load(const Scene& scene) override
@@ -65,10 +65,12 @@ private:
     std::unique_ptr<Backend> solver_ = in_single::make_cpu_solver();
     bool is_double_ = false;
     bool times_stages_ = false;
-    int threads_ = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    int threads_ = usable_threads();
 };
 
 } // namespace
+
+int usable_threads() { return std::max(1, tbb::info::default_concurrency()); }
 
 std::unique_ptr<Backend> make_cpu_backend() { return std::make_unique<CpuBackend>(); }
 

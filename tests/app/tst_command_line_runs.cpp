@@ -148,6 +148,16 @@ private Q_SLOTS:
         QVERIFY2(script.err.contains(sentence) && !script.json().isEmpty(), script.err);
         QVERIFY2(quiet.code == 0 && quiet.err.isEmpty(), quiet.err);
     }
+    void moreThreadsThanCoresAreNoNewsAndNotClaimed()
+    {
+        const int cores = QThread::idealThreadCount();
+        const Answer run =
+            run_cli({"simulate", example("one-drop-on-cotton.hygro"), "--set", "experiments[0].duration_s=0.01", "--fidelity", "live",
+                     "--backend", "cpu", "--json", "--quiet", "--threads", QString::number(cores + 6)});
+        QVERIFY2(run.code == 0 && run.err.isEmpty(), run.err);
+        const QByteArray device = run.json()["provenance"].toObject()["device"].toString().toUtf8();
+        QVERIFY2(device.endsWith(QString(", %1 thread(s)").arg(cores).toUtf8()), device);
+    }
     void aProfileShowsWhereTheTimeWent()
     {
         const Answer run = run_cli(short_run(folder_.filePath("timed.hygrorec")) << "--profile", 300);

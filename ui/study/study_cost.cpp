@@ -14,7 +14,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <thread>
 #include <unistd.h>
 
 namespace hygroloom {
@@ -48,7 +47,7 @@ StudyShares sharesOf(const Study& study, std::size_t runs, double bytes_each)
 {
     const std::string backend = expected_backend(backend_for(backendOfMany(), study.knobs));
     if (backend != "cpu") { return {0, 1}; }
-    const int all = std::max(1, static_cast<int>(std::thread::hardware_concurrency())), own = preferences().threads;
+    const int all = usable_threads(), own = preferences().threads;
     const int cores = own > 0 ? std::min(own, all) : all;
     const double memory = 0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     const double fit = memory / std::max(1.0, bytes_each);
