@@ -78,6 +78,7 @@ py::dict about(const SharedWearRecording& shared)
     }
     for (const std::string& zone : record.layout.zone_names()) zones.append(text(zone));
     std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(shared.recording.frames()));
     for (int k = 0; k < shared.recording.frames(); ++k) times.push_back(shared.recording.time_of(k));
     py::dict all;
     all["garment"] = text(record.layout.garment);

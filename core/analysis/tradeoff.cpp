@@ -137,6 +137,7 @@ double error_scale(const std::string& metric, double value, double air_temperatu
 std::vector<TradeoffVariant> tradeoff_ladder()
 {
     std::vector<TradeoffVariant> variants;
+    variants.reserve(std::size(all_fidelities));
     for (Fidelity fidelity : all_fidelities) variants.push_back({name_of(fidelity), fidelity, {}, true});
     return variants;
 }

@@ -133,7 +133,7 @@ template <typename OfYarn> void add_yarn(std::vector<FabricPart>& parts, const s
 }
 
 #define OF(member)                                                                                                                         \
-    [](auto& fabric) -> auto& { return fabric.member; }
+    [](auto& fabric) -> auto& { return fabric.member; } // NOLINT(bugprone-macro-parentheses): the name of a member
 
 void add_faces(std::vector<FabricPart>& parts)
 {

@@ -133,6 +133,7 @@ std::vector<std::uint8_t> fed_blocks(const Blocks& blocks, const std::vector<std
     const double deepest = *std::max_element(hanging.begin(), hanging.end());
     const double enough = std::min(0.5 * blocks.ends.size() * blocks.picks.size(), deepest) * (1 - 1e-12);
     std::vector<std::uint8_t> fed;
+    fed.reserve(hanging.size());
     for (double crossings : hanging) fed.push_back(crossings > 0 && crossings >= enough);
     return fed;
 }
@@ -140,6 +141,7 @@ std::vector<std::uint8_t> fed_blocks(const Blocks& blocks, const std::vector<std
 std::vector<std::uint8_t> types(const Blocks& blocks, const std::vector<std::uint8_t>& fine)
 {
     std::vector<std::uint8_t> coarse;
+    coarse.reserve(static_cast<std::size_t>(blocks.ends.count) + static_cast<std::size_t>(blocks.picks.count));
     for (int end = 0; end < blocks.ends.count; ++end) coarse.push_back(fine[static_cast<std::size_t>(blocks.ends.middle_of(end))]);
     for (int pick = 0; pick < blocks.picks.count; ++pick)
         coarse.push_back(fine[static_cast<std::size_t>(blocks.ends.yarns + blocks.picks.middle_of(pick))]);

@@ -111,6 +111,7 @@ DropOnPlate shape_over(double floor, const std::vector<Frame>& frames, double we
 std::vector<double> times_between(double first, double last, int count)
 {
     std::vector<double> times;
+    times.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) times.push_back(first + (last - first) * k / (count - 1));
     return times;
 }

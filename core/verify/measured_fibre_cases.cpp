@@ -42,7 +42,7 @@ std::vector<VerifyResult> heats_of_wetting(const VerifyValues& v, Backend& backe
 {
     const bool calibrated = value(v, "calibrated") > 0.5;
     // Whether a fibre's heat is known to miss: by the law alone the heats, scaled to the table their proportion to the regain.
-    const auto noted = [&](VerifyResult result, bool misses) {
+    const auto noted = [&](const VerifyResult& result, bool misses) {
         const char* why = calibrated ? "heats are scaled fibre by fibre to the table's heats to saturation, which takes them apart at 65 %"
                                      : "Gibson's law with this isotherm gives too much; the program scales it to the table (calibrated=1)";
         return misses ? known_miss(result, why, (calibrated ? 0.2 : 0.4) * result.expected) : result;

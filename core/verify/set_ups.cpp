@@ -225,7 +225,7 @@ WholeRun run_whole(const Design& design, Fidelity fidelity, Backend& backend)
     MetricsCollector collector;
     RunCallbacks callbacks;
     callbacks.started = [&](const RunRecord& run) { collector.start(run); };
-    callbacks.frame = [&](std::shared_ptr<const Frame> frame) {
+    callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) {
         collector.add(*frame);
         whole.last = *frame;
     };

@@ -111,6 +111,7 @@ void GarmentView::addZone(int panel, const std::vector<FlatPlace>& outline)
     if (!choice_.garment() || !choice_.drawing() || showsRun()) { return; }
     constexpr double fine = 1e-3; // mm; files need no more
     std::vector<std::array<double, 2>> places;
+    places.reserve(outline.size());
     for (const FlatPlace& place : outline) {
         places.push_back({std::round(mm_from_metre(place[0]) / fine) * fine, std::round(mm_from_metre(place[1]) / fine) * fine});
     }

@@ -7,6 +7,7 @@
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 

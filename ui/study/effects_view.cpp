@@ -80,7 +80,8 @@ void EffectsChart::drawPicture(QPainter& painter)
     const int rows = (count + columns - 1) / columns;
     const double line = QFontMetricsF(font()).height(), wide = double(width()) / columns, high = double(height()) / rows;
     for (int i = 0; i < count; ++i) {
-        const QRectF cell((i % columns) * wide, (i / columns) * high, wide, high);
+        const int row = i / columns, column = i % columns;
+        const QRectF cell(column * wide, row * high, wide, high);
         const QRectF area = cell.adjusted(66, line + 10, -16, -line - 10);
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(QRectF(area.left(), cell.top() + 4, area.width(), line), Qt::AlignCenter,

@@ -17,10 +17,10 @@ namespace {
 using Type = FactorDistribution::Type;
 
 /// A comma may stand for the point.
-std::optional<double> numberOf(QString text)
+std::optional<double> numberOf(const QString& text)
 {
     bool is = false;
-    const double number = text.trimmed().replace(',', '.').toDouble(&is);
+    const double number = QString(text).replace(',', '.').trimmed().toDouble(&is);
     return is && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
