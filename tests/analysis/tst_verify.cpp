@@ -115,7 +115,7 @@ private Q_SLOTS:
         QTest::newRow("a large warm drop swings") << "rayleigh_drop"
                                                   << "radius_mm=2.5 temperature_c=50 particles=2000";
         QTest::newRow("a drop swings with three lobes") << "rayleigh_drop"
-                                                        << "mode=3 particles=1500";
+                                                        << "mode=3 particles=4000";
         QTest::newRow("a deep column") << "hydrostatic"
                                        << "depth_mm=45 particles=4000";
         QTest::newRow("a drop fired at a dense fabric") << "impact"

@@ -50,6 +50,11 @@ class TestCommandLineRuns : public QObject {
                 "-o",
                 folder_.filePath("tradeoff")};
     }
+    static QStringList small_drop()
+    {
+        return {"experiments.one drop.duration_s=0.05", "experiments.one drop.sample_mm=[8,8]", "fidelity.particles_per_droplet=200",
+                "experiments.one drop.droplets[0].volume_ul=2", "experiments.one drop.droplets[0].height_mm=0"};
+    }
     static QByteArray contents(const QString& path)
     {
         QFile file(path);
@@ -213,21 +218,9 @@ private Q_SLOTS:
     void severalFabricsRunAsEachAlone()
     {
         const QString folder = folder_.filePath("several"), project = example("three-candidates.hygro");
-        const QStringList scene{"--experiment",
-                                "one drop",
-                                "--backend",
-                                "cpu",
-                                "--fidelity",
-                                "draft",
-                                "--physics",
-                                "heat=off,vapour=off",
-                                "--json",
-                                "--set",
-                                "experiments.one drop.duration_s=0.05",
-                                "experiments.one drop.sample_mm=[8,8]",
-                                "experiments.one drop.droplets[0].volume_ul=2",
-                                "experiments.one drop.droplets[0].height_mm=0",
-                                "fidelity.particles_per_droplet=200"};
+        const QStringList scene = QStringList{"--experiment", "one drop",  "--backend",           "cpu",    "--fidelity",
+                                              "draft",        "--physics", "heat=off,vapour=off", "--json", "--set"} +
+                                  small_drop();
         const QStringList names{"Hemp plain", "Cotton plain"};
         const Answer both = run_cli(
             QStringList{"simulate", project} + scene + QStringList{"--fabrics", names.join(","), "--at-once", "2", "-o", folder}, 300);
@@ -250,14 +243,7 @@ private Q_SLOTS:
         const QString folder = folder_.filePath("compared");
         const QStringList compare{
             "compare", example("three-candidates.hygro"), "--backend", "cpu", "--fidelity", "draft", "--physics", "heat=off,vapour=off"};
-        const QStringList scene{"--experiment",
-                                "one drop",
-                                "--set",
-                                "experiments.one drop.duration_s=0.05",
-                                "experiments.one drop.sample_mm=[8,8]",
-                                "experiments.one drop.droplets[0].volume_ul=2",
-                                "experiments.one drop.droplets[0].height_mm=0",
-                                "fidelity.particles_per_droplet=200"};
+        const QStringList scene = QStringList{"--experiment", "one drop", "--set"} + small_drop();
         const Answer answer = run_cli(compare + scene + QStringList{"-o", folder, "--json"}, 300);
         QVERIFY2(answer.code == 0, answer.err);
         const QJsonArray candidates = answer.json()["candidates"].toArray();

@@ -127,7 +127,7 @@ private Q_SLOTS:
                                                                     : std::min(low, high) + std::abs(high - low) * share(random)};
                 const PoreCourse course = course_from(pores, before);
                 double last = 1;
-                for (double suction = -2 * pores.entry; suction < 20 * pores.entry; suction += 0.01 * pores.entry) {
+                for (double suction = -2 * pores.entry; suction < 20 * pores.entry; suction += 0.02 * pores.entry) {
                     const Held held = course.at(suction);
                     QVERIFY(held.saturation >= 0 && held.saturation <= 1 && held.fall >= 0);
                     QVERIFY2(held.saturation <= last + 1e-12, qPrintable(QString("%1 over %2").arg(held.saturation).arg(last)));
@@ -279,7 +279,7 @@ private Q_SLOTS:
         const std::unique_ptr<Backend> backend = make_cpu_backend();
         Experiment experiment = standard_experiment(ExperimentType::vertical_wicking);
         experiment.closure = Closure::pores;
-        experiment.sample_mm = {6, 130};
+        experiment.sample_mm = {2, 130};
         experiment.duration_s = 60;
         const auto water = [&](bool swelling) {
             experiment.swelling = swelling;
@@ -387,7 +387,7 @@ private Q_SLOTS:
         Scene scene = wet_patch("Textile F", 5, false);
         scene.rules.sorption = scene.rules.vapour = scene.rules.heat = false;
         scene.rules.saturation_change = 1;
-        scene.rules.network_step = scene.rules.calm_network_step = 10;
+        scene.rules.network_step = scene.rules.calm_network_step = 30;
         backend->load(scene);
         const auto saturations_at = [&](double time) {
             while (backend->advance(time) < time) {}

@@ -36,7 +36,7 @@ protected:
     void run()
     {
         if (window_->document().experiment()->duration_s != 0.02) { shortenExperiment(0.02, 4, 0.5); }
-        simulationPanel().setFidelity(Fidelity::draft);
+        simulationPanel().setFidelity(Fidelity::live);
         QSignalSpy ended(&simulation(), &SimulationRun::ended);
         window_->simulate().startRun();
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 60000);

@@ -310,6 +310,7 @@ private Q_SLOTS:
         const QString saved = folder_.filePath("first.hygrorec");
         QVERIFY(QFile::copy(first, saved));
         window_->document().edit("a longer experiment", {}, [](Design& d) { d.experiments[0].duration_s = 30; });
+        simulationPanel().setFidelity(Fidelity::draft); // seconds long
         QSignalSpy arrived(&simulation(), &SimulationRun::frameArrived);
         window_->simulate().startRun();
         QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 0, 30000);

@@ -123,7 +123,8 @@ private Q_SLOTS:
 
     void aRunShowsWaterOnTheMaps()
     {
-        shortenExperiment(0.4, 6, 1);
+        shortenExperiment(0.02, 4, 0.5);
+        simulationPanel().setFidelity(Fidelity::draft); // of particles
         QSignalSpy started(&simulation(), &SimulationRun::started);
         QSignalSpy ended(&simulation(), &SimulationRun::ended);
         QSignalSpy maps(&waterMaps(), &WaterMapView::mapChanged);

@@ -148,6 +148,7 @@ private Q_SLOTS:
     {
         window_->setWorkspace(Workspace::simulate);
         shortenExperiment(60, 6, 1);
+        simulationPanel().setFidelity(Fidelity::draft); // seconds long
         std::vector<QPushButton*> buttons;
         for (QPushButton* each : simulationPanel().findChildren<QPushButton*>()) {
             if (QStringList{"Run", "Pause", "Stop"}.contains(each->text())) { buttons.push_back(each); }

@@ -307,7 +307,7 @@ private:
             e.sample_mm = {6, 6};
             if (type == ExperimentType::droplet) { e.droplets = {Droplet{1, 0, {0, 0}, 0.05, 0}}; }
         });
-        simulationPanel().setFidelity(Fidelity::draft);
+        simulationPanel().setFidelity(Fidelity::live);
         QSignalSpy ended(&simulation(), &SimulationRun::ended);
         window_->simulate().startRun();
         return QTest::qWaitFor([&] { return ended.count() == 1 && playback().metrics() && playback().frame(); }, 120000);

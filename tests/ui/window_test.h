@@ -48,10 +48,11 @@ protected:
         applyAppearance(Appearance::light);
     }
 
-    void openWindow(QSize size = {})
+    /// Small, as a processor draws every pixel: for a test of what is seen, say how large.
+    void openWindow(QSize size = {900, 640})
     {
         window_ = std::make_unique<MainWindow>();
-        if (!size.isEmpty()) { window_->resize(size); }
+        window_->resize(size);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
         QApplication::setActiveWindow(window_.get()); // there may be no window manager to do it
@@ -126,7 +127,7 @@ protected:
         });
     }
 
-    /// Shortens the experiment to a small drop that a draft run simulates in seconds.
+    /// Shortens the experiment to a small drop that a live run simulates in a moment. Other fidelities have particles: seconds.
     void shortenExperiment(double duration_s, double sample_mm, double volume_ul)
     {
         window_->document().edit("a short experiment", {}, [=](Design& d) {
@@ -135,7 +136,7 @@ protected:
             e.sample_mm = {sample_mm, sample_mm};
             e.droplets = {Droplet{volume_ul, 0, {0, 0}, 0.05, 0}};
         });
-        simulationPanel().setFidelity(Fidelity::draft);
+        simulationPanel().setFidelity(Fidelity::live);
     }
 
     QTemporaryDir folder_;
