@@ -39,8 +39,7 @@ const std::vector<MeasuredScene>& shipped_measurements(const std::string& backen
 /// Of all backends.
 const std::vector<MeasuredScene>& shipped_measurements();
 
-/// Estimated work of the free liquid of a run: a guess, of which only ratios between scenes are right (for 15 ul on textile F 1.3
-/// times the steps and the particles that it takes at standard).
+/// Estimated work of the free liquid of a run: a guess, of which only ratios between scenes are right.
 struct LiquidCount {
     double steps = 0;
     double particles = 0; ///< on average over the steps
@@ -48,7 +47,7 @@ struct LiquidCount {
 
 /// From the plan's counts and knobs; nothing where no liquid is on. A drop moves until it rests, a few capillary times long. Then, as long
 /// as yarns absorb it, it is awake for a share of the time, and where they absorb slowly for some capillary times of each share of it that
-/// has gone; what has gone goes with the root of time. Where the cloth under it holds little its particles shrink together, and most of
+/// has gone; what has gone goes with the root of time. What does not stay on a small sample falls past it. Where the cloth under it holds little its particles shrink together, and most of
 /// them last until it is gone; else they vanish one after the other. Calibrated on ratios of what 43 drops of 2 to 15 ul took at
 /// draft and at standard: tests/data/liquid_counts, core/plan/DECISIONS.md.
 LiquidCount count_liquid(const ModelPlan& plan);

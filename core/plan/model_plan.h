@@ -30,6 +30,7 @@ struct SceneCounts {
     std::string type;         ///< of the experiment
     std::string closure;      ///< by which liquid moves
     double drops = 0;         ///< that fall
+    double landings = 0;      ///< moments at which they fall; 0: not known, one for each drop
     double drop_volume = 0;   ///< m3, of each, on average
     double largest_drop = 0;  ///< m3
     double landing_speed = 0; ///< m/s, of the largest

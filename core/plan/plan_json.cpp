@@ -63,6 +63,7 @@ SceneCounts counts_from_json(const Json& json)
     return {.type = json.at("type"),
             .closure = json.value("closure", "kissa"), // once the only default
             .drops = json.at("drops"),
+            .landings = json.value("landings", 0.0),
             .drop_volume = json.at("drop_volume_m3"),
             .largest_drop = json.value("largest_drop_m3", json.at("drop_volume_m3").get<double>()),
             .landing_speed = json.value("landing_speed_m_s", 0.0),
@@ -82,6 +83,7 @@ Json json_of(const SceneCounts& counts)
 {
     return {{"type", counts.type},
             {"drops", counts.drops},
+            {"landings", counts.landings},
             {"drop_volume_m3", counts.drop_volume},
             {"largest_drop_m3", counts.largest_drop},
             {"landing_speed_m_s", counts.landing_speed},

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace hygroloom {
 namespace {
@@ -70,12 +71,15 @@ SceneCounts counts_of(const Experiment& experiment, const Bounds& b)
     counts.closure = name_of(experiment.closure);
     counts.drops = static_cast<double>(b.drops);
     if (b.drops > 0) counts.drop_volume = b.delivered / b.liquid.density / counts.drops;
+    std::set<double> moments;
     for (const Droplet& drop : falling_drops(experiment)) {
+        moments.insert(drop.time_s);
         const double volume = cubic_metre_from_ul(drop.volume_ul);
         if (volume <= counts.largest_drop) continue;
         counts.largest_drop = volume;
         counts.landing_speed = std::sqrt(drop.speed_m_s * drop.speed_m_s + 2.0 * gravity_acceleration * metre_from_mm(drop.height_mm));
     }
+    counts.landings = static_cast<double>(moments.size());
     counts.sample_area = metre_from_mm(width) * metre_from_mm(height);
     counts.sample_edge = 2.0 * (metre_from_mm(width) + metre_from_mm(height));
     counts.duration = experiment.duration_s;

@@ -20,6 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr int version = 2; // in files of the first, plans do not tell the sample's area, which estimates need
+
 constexpr std::size_t most_runs = 60, most_bytes = std::size_t{4} << 20U;
 
 struct Kept {
@@ -65,7 +67,7 @@ std::vector<Json> entries(const std::filesystem::path& file)
     std::vector<Json> runs;
     try {
         const Json json = Json::parse(read_file(file, most_bytes));
-        if (json.at("format") == "hygroloom-times" && json.at("version") == 1)
+        if (json.at("format") == "hygroloom-times" && json.at("version") == version)
             for (const Json& run : json.at("runs"))
                 if (run.is_object()) runs.push_back(run);
     } catch (const std::exception&) {
@@ -131,7 +133,7 @@ try {
                         {"date", run.date},
                         {"seconds", run.wall},
                         {"plan", plan_without_words(run.plan)}});
-    write_file(all.file, Json{{"format", "hygroloom-times"}, {"version", 1}, {"runs", list}}.dump());
+    write_file(all.file, Json{{"format", "hygroloom-times"}, {"version", version}, {"runs", list}}.dump());
     all.read_at = {};
 } catch (const std::exception&) {
     // Without it estimates are as they were.

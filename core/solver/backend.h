@@ -21,7 +21,7 @@ public:
     virtual ~Backend() = default;
     virtual std::string name() const = 0;   ///< "cpu", "cuda"
     virtual std::string device() const = 0; ///< in words
-    /// 0 for all of the machine. Results do not depend on it.
+    /// 0 for all that this process may use, of which no more are taken. Results do not depend on it.
     virtual void set_threads(int threads) = 0;
     virtual void load(const Scene& scene) = 0;
     /// Gives back the memory that the scene takes, where the backend can.

@@ -338,7 +338,8 @@ private Q_SLOTS:
         const std::size_t before = mallinfo2().uordblks;
         for (int k = 0; k < 10; ++k) fail();
         const std::size_t more = mallinfo2().uordblks - std::min(mallinfo2().uordblks, before);
-        QVERIFY2(more < 100'000, qPrintable(QString("%1 bytes").arg(more))); // one yarn's fibres take 98 304 bytes for their hairs alone
+        // One yarn's fibres take 98 304 bytes for their hairs alone. With AddressSanitizer LeakSanitizer looks.
+        QVERIFY2(more < 90'000, qPrintable(QString("%1 bytes").arg(more)));
     }
     void extremesStayFinite()
     {

@@ -15,7 +15,8 @@ class TestRoughWork : public QObject {
 private Q_SLOTS:
     void aStartIsNotMultiplied()
     {
-        // Sweat for 0.7 s on a small sample took 0.05 s longer than its start, the shipped one 2.0 s.
+        // Sweat for 0.7 s on a small sample took 0.05 s longer than a start of 0.01 s, the shipped one 2.0 s. It was expected to take 0.08
+        // s and more.
         Design design = drop_design();
         Experiment& sweat = design.experiments[0] = standard_experiment(ExperimentType::sweat);
         sweat.sample_mm = {2, 2};
@@ -23,21 +24,24 @@ private Q_SLOTS:
         ModelPlan plan = plan_run(design, design.fabrics[0], sweat, Fidelity::draft);
         expect(plan, shipped_measurements("cpu"));
         QVERIFY(plan.on("vapour") || plan.on("sorption") || plan.on("wicking"));
-        QVERIFY2(plan.expected_seconds < 0.04, qPrintable(QString::number(plan.expected_seconds)));
+        QVERIFY2(plan.expected_seconds > 0.011 && plan.expected_seconds < 0.06, qPrintable(QString::number(plan.expected_seconds)));
     }
     // Scaled is the whole of a measured run: where one kind's counts are far off those of another, the smaller part of a run comes out as
     // far off. At draft seconds over rough work lie between 0.2 and 2.
     void countsOfAllKindsTakeAlikeLong()
     {
         double least = 1e30, most = 0;
+        int runs = 0;
         for (const MeasuredScene& scene : shipped_measurements("cpu"))
             for (const MeasuredRun& run : scene.runs) {
                 if (run.plan.fidelity != Fidelity::draft || !run.settings.empty() || run.seconds <= 0) continue;
                 const double ratio = run.seconds / rough_work(run.plan, "cpu");
                 qInfo("%s, %s: %.2f", scene.fabric.c_str(), scene.experiment.c_str(), ratio);
+                ++runs;
                 least = std::min(least, ratio);
                 most = std::max(most, ratio);
             }
+        QVERIFY(runs > 20);
         QVERIFY2(most / least < 12, qPrintable(QString("%1 to %2").arg(least).arg(most)));
     }
     void aDropThatFallsPastASmallSampleIsSoonGone()
@@ -82,6 +86,43 @@ private Q_SLOTS:
         };
         QVERIFY(work(0.1, 6000) < 2 * work(0.1, 600)); // absorbed
         QVERIFY(work(10, 6000) > 5 * work(10, 600));
+    }
+    void dropsThatFallAtOnceTakeTheStepsOfOne()
+    {
+        for (const Closure closure : {Closure::pores, Closure::kissa}) {
+            Design design = drop_design();
+            Experiment& drop = design.experiments[0];
+            drop.closure = closure;
+            drop.sample_mm = {60, 60};
+            drop.duration_s = 60;
+            drop.droplets.assign(4, drop.droplets[0]);
+            const auto steps = [&](double apart) {
+                for (std::size_t k = 0; k < 4; ++k) drop.droplets[k].time_s = apart * static_cast<double>(k);
+                return count_liquid(plan_run(design, design.fabrics[0], drop, Fidelity::draft)).steps;
+            };
+            const double together = steps(0), apart = steps(1);
+            QVERIFY2(apart > 3 * together, qPrintable(QString("%1 %2").arg(apart).arg(together)));
+        }
+    }
+    void liquidThatIsForcedOnWithoutADropCountsNothing()
+    {
+        Design design = drop_design();
+        Experiment& drying = design.experiments[0] = standard_experiment(ExperimentType::drying);
+        ModelPlan plan = plan_run(design, design.fabrics[0], drying, Fidelity::draft, {{"liquid", true}});
+        expect(plan, shipped_measurements("cpu"));
+        QCOMPARE(count_liquid(plan).steps, 0.0);
+        QVERIFY(std::isfinite(plan.expected_seconds) && plan.expected_seconds > 0);
+    }
+    // 15 ul on textile F at live, 10 s: 195 steps of the yarns. Without any the run would be expected to take its start and its frames.
+    void yarnsTakeStepsUnderCaps()
+    {
+        const auto work = [](double contact_angle) {
+            Design design = drop_design(contact_angle, 10);
+            design.experiments[0].closure = Closure::pores;
+            const ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::live);
+            return plan.on("cap") ? rough_work(plan, "cpu") : 0.0;
+        };
+        QVERIFY2(work(35) > 1.5 * work(120), qPrintable(QString("%1 %2").arg(work(35)).arg(work(120))));
     }
     void aPoolThatNothingDrawsTakesNoMoreStepsThanFrames()
     {

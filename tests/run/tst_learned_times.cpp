@@ -129,9 +129,9 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("content");
         QTest::newRow("text") << QByteArray("times");
-        QTest::newRow("other") << QByteArray(R"({"format": "hygroloom-times", "version": 2, "runs": [1]})");
-        QTest::newRow("entries") << QByteArray(R"({"format": "hygroloom-times", "version": 1, "runs": [1, {}, {"machine": 3}]})");
-        QTest::newRow("runs") << QByteArray(R"({"format": "hygroloom-times", "version": 1, "runs": 7})");
+        QTest::newRow("other") << QByteArray(R"({"format": "hygroloom-times", "version": 3, "runs": [1]})");
+        QTest::newRow("entries") << QByteArray(R"({"format": "hygroloom-times", "version": 2, "runs": [1, {}, {"machine": 3}]})");
+        QTest::newRow("runs") << QByteArray(R"({"format": "hygroloom-times", "version": 2, "runs": 7})");
     }
     void aDamagedFileCountsAsEmpty()
     {
