@@ -47,9 +47,9 @@ struct LiquidCount {
 
 /// From the plan's counts and knobs; nothing where no liquid is on. A drop moves until it rests, a few capillary times long. Then, as long
 /// as yarns absorb it, it is awake for a share of the time, and where they absorb slowly for some capillary times of each share of it that
-/// has gone; what has gone goes with the root of time. What does not stay on a small sample falls past it. Where the cloth under it holds little its particles shrink together, and most of
-/// them last until it is gone; else they vanish one after the other. Calibrated on ratios of what 43 drops of 2 to 15 ul took at
-/// draft and at standard: tests/data/liquid_counts, core/plan/DECISIONS.md.
+/// has gone; what has gone goes with the root of time. What does not stay on a small sample falls past it. Where the cloth under it holds
+/// little its particles shrink together, and most of them last until it is gone; else they vanish one after the other. Calibrated on ratios
+/// of what 43 drops of 2 to 15 ul took at draft and at standard: tests/data/liquid_counts, core/plan/DECISIONS.md.
 LiquidCount count_liquid(const ModelPlan& plan);
 
 /// Work of a run in seconds of one measured machine, a rough guess that only its ratio to that of a run of the same kind makes useful.

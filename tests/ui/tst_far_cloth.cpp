@@ -219,6 +219,17 @@ private Q_SLOTS:
         QVERIFY2(levelsAlongTheEdge(smooth) > 12, qPrintable(QString::number(levelsAlongTheEdge(smooth))));
     }
 
+    /// The fault that was seen: it was drawn for ever.
+    void aPictureIsTakenBeforeThereIsCloth()
+    {
+        TextileCanvas canvas;
+        canvas.resize(picture);
+        canvas.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&canvas));
+        QVERIFY(!canvas.fabric());
+        QCOMPARE(canvas.picture().size(), picture);
+    }
+
     void playingDoesNotProlongMotion()
     {
         TextileCanvas canvas;

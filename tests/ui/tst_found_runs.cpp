@@ -56,6 +56,7 @@ private Q_SLOTS:
     void quittingAsksBeforeRunsOfCompareAreStopped()
     {
         shortenExperiment(3600, 10, 5);
+        simulationPanel().setFidelity(Fidelity::draft); // seconds long
         trigger("Save");
         StudyRuns& study = window_->compare().study();
         study.start({{{window_->document().fabric()->name, window_->document().experiment()->name}, 1}});

@@ -404,6 +404,7 @@ private:
     void startLongRun()
     {
         shortenExperiment(3600, 10, 5);
+        simulationPanel().setFidelity(Fidelity::draft); // seconds long
         QSignalSpy arrived(&simulation(), &SimulationRun::frameArrived);
         window_->simulate().startRun();
         QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 1, 30000);

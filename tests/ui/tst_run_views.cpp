@@ -304,7 +304,7 @@ private:
         window_->document().edit("short", {}, [&](Design& d) {
             Experiment& e = d.experiments[static_cast<std::size_t>(index)];
             e.duration_s = duration_s;
-            e.sample_mm = {6, 6};
+            e.sample_mm = {12, 12}; // from afar yarns are drawn with less detail
             if (type == ExperimentType::droplet) { e.droplets = {Droplet{1, 0, {0, 0}, 0.05, 0}}; }
         });
         simulationPanel().setFidelity(Fidelity::live);

@@ -397,7 +397,8 @@ void TextileCanvas::paintGL()
             drawSample();
         }
         // As few on every machine: the same picture is the same, and a film has a hundred.
-        while (at_once_ && samples_.begun() && sampled_times_ < fewest_samples) { drawSample(); }
+        const int few = std::min(fewest_samples, samplesWanted()); // none without cloth
+        while (at_once_ && samples_.begun() && sampled_times_ < few) { drawSample(); }
         // nullptr is the context's own default; this widget has one of its own.
         auto* extra = context()->extraFunctions();
         extra->glBindFramebuffer(GL_READ_FRAMEBUFFER, scene_picture_->handle());
