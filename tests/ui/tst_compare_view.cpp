@@ -96,8 +96,11 @@ private Q_SLOTS:
         view.showExperiment({});
         KeptRun last = runOf(three_, 1, Fidelity::standard, 4);
         last.own = true;
+        const auto numbers = std::exchange(last.metrics, nullptr); // which are read after it was found
         history.keep(last);
         history.setListing(false);
+        QCOMPARE(view.bar()->fidelity(), Fidelity::standard);
+        history.setMetrics(last.path, numbers);
         QVERIFY(states().contains(GridCell::State::missing) && !states().contains(GridCell::State::reading));
         QCOMPARE(view.bar()->fidelity(), Fidelity::standard);
         QVERIFY(!fidelity->currentText().isEmpty());

@@ -265,7 +265,9 @@ void CompareView::propose()
 {
     chosen_.clear();
     const auto& runs = history_.runs();
-    const auto newest = std::find_if(runs.rbegin(), runs.rend(), [](const KeptRun& run) { return whyNotCompared(run, run).isEmpty(); });
+    const auto newest = std::find_if(runs.rbegin(), runs.rend(), [](const KeptRun& run) { // though its numbers are still being read
+        return !run.worn && run.problem.isEmpty() && run.complete();
+    });
     if (selecting_ && newest != runs.rend()) {
         selected_ = homeOf(*newest);
     } else if (selecting_ && document_.experiment()) {
