@@ -155,7 +155,8 @@ bool MainWindow::saveAs()
     QString start = document_.path();
     if (start.isEmpty()) {
         const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-        start = QDir(folder).filePath(document_.fabric() ? QString::fromStdString(document_.fabric()->name) + ".hygro" : "project.hygro");
+        const QString name = document_.fabric() ? QString::fromStdString(document_.fabric()->name).replace('/', '-') : "project";
+        start = QDir(folder).filePath(name + ".hygro");
     }
     const QString path = QFileDialog::getSaveFileName(this, tr("Save Project"), start, tr("Projects (*.hygro)"));
     if (path.isEmpty() || !copiesAreDone() || !document_.saveAs(withEnding(path, ".hygro"))) { return false; }
