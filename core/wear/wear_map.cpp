@@ -153,8 +153,8 @@ std::array<std::uint8_t, 3> step_colour(std::size_t step)
 
 double round_most(double most)
 {
-    constexpr double rounding = 1e-9;
-    if (!(most > 0)) return 1;
+    constexpr double rounding = 1e-9, dry = 1e-9; // less is what rounding leaves of sums
+    if (!(most > dry)) return 1;
     const double power = std::pow(10, std::floor(std::log10(most)));
     for (double round : {1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0})
         if (round * power >= most * (1 - rounding)) return round * power;

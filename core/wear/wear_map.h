@@ -33,7 +33,7 @@ struct WearMapOptions {
 };
 
 /// Where a scale of values up to this ends, so that its eight steps are round: 1, 1.2, 1.6, 2, 2.4, 3, 4, 5, 6 or 8 times a power of ten; 1
-/// where nothing is more than 0.
+/// where nothing is more than rounding leaves.
 double round_most(double most);
 
 /// Value of every cell: the mean over its group of cells. g/m2, or a share.

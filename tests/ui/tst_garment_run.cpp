@@ -172,6 +172,7 @@ private Q_SLOTS:
         }
         QVERIFY2(held > 0 && held < 0.8, qPrintable(QString::number(held))); // else 100 % would be right
         QCOMPARE(workspace_->playback().most(), roundedUp(held));
+        QCOMPARE(roundedUp(3e-14), 1.0); // a dry garment is white
         QVERIFY(workspace_->playback().most() < 1);
     }
 

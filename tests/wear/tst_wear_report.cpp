@@ -157,6 +157,7 @@ private Q_SLOTS:
             QCOMPARE(map.most(), round_most(most));
         }
         QCOMPARE(round_most(0), 1.0);
+        QCOMPARE(round_most(3e-14), 1.0); // a dry garment is white
         QCOMPARE(round_most(0.27), 0.3);
         QCOMPARE(round_most(169), 200.0);
         QCOMPARE(round_most(87), 100.0);
