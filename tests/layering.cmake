@@ -45,7 +45,7 @@ file(GLOB_RECURSE sources ${SOURCE}/tests/*.cpp ${SOURCE}/tests/*.h ${SOURCE}/te
 foreach(file IN LISTS all)
   if(file MATCHES "\\.(cpp|h|cu|cuh)$")
     list(APPEND sources ${file})
-  elseif(NOT file MATCHES "(\\.(md|cmake|json)|/CMakeLists\\.txt|^${SOURCE}/app/python/hygroloom/[^/]*\\.(py|typed))$")
+  elseif(NOT file MATCHES "(\\.(md|cmake|json)|/CMakeLists\\.txt|^${SOURCE}/ui/\\.clang-tidy|^${SOURCE}/app/python/hygroloom/[^/]*\\.(py|typed))$")
     fault(${file} "sources end in .cpp, .h, .cu or .cuh")
   endif()
 endforeach()
