@@ -5,6 +5,7 @@
 #include "ui/basics/film_end.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
+#include "ui/picture/textile_canvas.h"
 #include "ui/picture/viewport.h"
 #include "ui/results/chart.h"
 #include "ui/results/results_panel.h"
@@ -136,6 +137,7 @@ private Q_SLOTS:
     void theClockOfAPictureIsReadOnAnyCloth()
     {
         QVERIFY(run("one-drop-on-cotton", 0.2));
+        QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().findChild<TextileCanvas*>()->fabric(), 10000); // without cloth no time is shown
         const QString words = momentText(0.1, 0.2);
         for (const Appearance look : {Appearance::light, Appearance::dark}) {
             applyAppearance(look);
