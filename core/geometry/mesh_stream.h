@@ -37,7 +37,8 @@ double stream_memory(const Textile& textile, const MeshRequest& request);
 
 /// Hands over all ends, then all picks, in pieces of one yarn or of a part of its fibres: at most about a quarter of a million vertices
 /// unless one yarn or fibre alone has more. Each piece has one group, whose indices begin at 0. take returns false to stop; it is
-/// called from one thread at a time. Returns whether it ran to the end. Precondition: detail is not centreline.
+/// called from one thread at a time. What it throws ends the stream and is thrown on. Returns whether it ran to the end. Precondition:
+/// detail is not centreline.
 bool stream_mesh(const Textile& textile, const MeshRequest& request, const std::function<bool(const YarnMesh&)>& take);
 
 /// All fibres of a window of the textile (its crossings counted from the textile's first) in one mesh with a group per yarn; positions

@@ -127,7 +127,7 @@ protected:
         });
     }
 
-    /// Shortens the experiment to a small drop that a live run simulates in a moment. Other fidelities have particles: seconds.
+    /// Shortens the experiment to a small drop. A live run takes less than a second; other fidelities have particles and take seconds.
     void shortenExperiment(double duration_s, double sample_mm, double volume_ul)
     {
         window_->document().edit("a short experiment", {}, [=](Design& d) {
