@@ -14,7 +14,7 @@ class TestCommandLineWhy : public QObject {
 
     static QString structures() { return example("paper/figure-13-structures.hygro"); }
 
-    /// A small drop that stands as a cap, which takes moments.
+    /// A small drop that stands as a cap: without particles all tests of this file take some 4 s.
     static QStringList scene(const QString& project, const QString& experiment = "one drop", const QString& seconds = "0.2")
     {
         const QString of = "experiments." + experiment + ".";
