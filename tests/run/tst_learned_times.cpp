@@ -145,6 +145,25 @@ private Q_SLOTS:
         learn_time(run_of(before, 3));
         QVERIFY(std::abs(plan_of(15).expected_seconds / before.expected_seconds - 3) < 1e-9);
     }
+    void aFileOfTheFirstVersionIsLeftOut()
+    {
+        const ModelPlan before = plan_of(15);
+        const std::string path = folder_.filePath("older.json").toStdString();
+        keep_learned_times(path);
+        learn_time(run_of(before, 3));
+        QFile file(QString::fromStdString(path));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QByteArray content = file.readAll();
+        file.close();
+        QVERIFY(content.contains("\"version\":2"));
+        keep_learned_times(path);
+        QVERIFY(plan_of(15).expected_seconds != before.expected_seconds); // it is read
+        content.replace("\"version\":2", "\"version\":1");
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
+        file.close();
+        keep_learned_times(path);
+        QCOMPARE(plan_of(15).expected_seconds, before.expected_seconds);
+    }
     void numbersThatGiveNoEstimateAreLeftOut()
     {
         const ModelPlan before = plan_of(15);
