@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Studies that run: the same table whatever the order, the jobs, the slices and the interruptions.
-#include "core/analysis/sweep.h"
 #include "core/base/error.h"
-#include "core/project/project_json.h"
 #include "core/study/slurm.h"
 #include "core/study/study_run.h"
 #include "tests/support/drop_design.h"
 
-#include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -102,36 +99,6 @@ private Q_SLOTS:
         QCOMPARE(text_of(parts), expected);
         std::ifstream csv(parts / "results.csv");
         QCOMPARE(parse_results(std::string(std::istreambuf_iterator<char>(csv), {}), "results.csv").rows(), std::size_t{12});
-    }
-
-    void aPointTakesLittleBesideItsRun()
-    {
-        const QTemporaryDir place;
-        const Design design = quick_design(0.001);
-        Study study = study_of(50);
-        RunControl control;
-        const StudyPoints points = study_points(study, design);
-        const std::vector<std::unique_ptr<Backend>> backends = cpus(1);
-        RunOptions how;
-        how.fidelity = Fidelity::live;
-        how.knobs = study.knobs;
-        how.threads = 1;
-        QElapsedTimer timer;
-        double alone = INFINITY, swept = INFINITY;
-        for (int i = 0; i < 3; ++i) { // the least of three, as others use this machine
-            timer.start();
-            for (std::size_t point = 0; point < points.size(); ++point) {
-                const Design there = with_point(study, json_from_design(design), points, point).design;
-                run_and_measure(there, "cloth", design.experiments[0].name, how, *backends[0], control);
-            }
-            alone = std::min(alone, static_cast<double>(timer.nsecsElapsed()));
-            timer.start();
-            run_study(design, study, place.filePath(QString::number(i)).toStdString(), {}, backends, control, {});
-            swept = std::min(swept, static_cast<double>(timer.nsecsElapsed()));
-        }
-        const double each = (swept - alone) / 1e6 / static_cast<double>(points.size());
-        qInfo("a run takes %.2f ms, in a study %.2f ms more", alone / 1e6 / static_cast<double>(points.size()), each);
-        QVERIFY2(each < 5, qPrintable(QString::number(each)));
     }
 
     void replicatesShareTheirRandomNumbersBetweenPoints()
