@@ -8,6 +8,7 @@
 
 #include "core/analysis/metrics_json.h"
 #include "core/base/text.h"
+#include "core/base/units.h"
 #include "core/plan/idle_keys.h"
 #include "core/plan/plan_json.h"
 #include "core/run/learned_times.h"
@@ -360,8 +361,9 @@ int simulate(const SimulateOptions& options)
     const Design design = load_project(options);
     const FittedFabrics fitted = require_valid(design, options);
     if (const WearExperiment* wear = chosen_wear(design, options)) return wear_verb(design, *wear, options);
-    if (options.cell_mm > 0 || options.shown_mm > 0 || !options.detail.empty())
-        throw Stop(exit_usage, "--cell-mm, --shown-mm and --detail work with experiments of the type wear.");
+    if (options.cell_mm > 0 || !options.detail.empty())
+        throw Stop(exit_usage, "--cell-mm and --detail work with experiments of the type wear.");
+    how.shown_side = metre_from_mm(options.shown_mm);
     if (replicates) return simulate_replicates(options, design, fitted, how);
     return several ? simulate_several(options, design, fitted, how) : simulate_one(options, design, fitted, how);
 }
@@ -402,8 +404,8 @@ void add_simulate(CLI::App& app, Verb& verb)
         ->check(CLI::Range(0.05, 100.0));
     simulate_verb
         .add_option("--shown-mm", options->shown_mm,
-                    "Of a worn garment: sides of the cells that are recorded, mm; as computed when left out, or larger so that there are "
-                    "about 500 000 at most")
+                    "Sides of the cells that frames, maps and the recording show, mm. When left out: of a sample each crossing, of a worn "
+                    "garment each computed cell, or larger cells so that there are about 500 000 at most")
         ->check(CLI::Range(0.05, 100.0));
     simulate_verb
         .add_option("--detail", options->detail, "Of a worn garment: panels, separated by commas, of which each computed cell is recorded")

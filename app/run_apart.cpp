@@ -17,6 +17,7 @@ TradeoffOutcome run_here(const ApartRun& run, const TradeoffVariant& variant, co
     RunOptions options = run.options;
     options.fidelity = variant.fidelity;
     options.knobs = variant.settings;
+    options.shown_side = 1e-9; // m: each segment, so that maps of all variants have the same cells
     const std::unique_ptr<Backend> backend = make_backend(backend_for(run.backend, variant.settings));
     if (backend->name() == "cpu") backend->time_stages(); // on a GPU it would keep stages from running on without the host
     OutcomeCollector collector;

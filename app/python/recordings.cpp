@@ -227,6 +227,7 @@ py::dict about(const SharedRecording& recording)
     all["finished"] = file.finished();
     all["ends"] = run.textile.ends();
     all["picks"] = run.textile.picks();
+    all["yarns_per_cell"] = run.textile.yarns_per_cell();
     all["end_pitch_mm"] = 1e3 * run.textile.warp.pitch;
     all["pick_pitch_mm"] = 1e3 * run.textile.weft.pitch;
     all["frames"] = file.frames();

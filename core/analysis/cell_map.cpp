@@ -40,10 +40,12 @@ Frame start_of_maps(const RunRecord& run, Frame first)
 
 namespace {
 
-CellMap empty_map(const Textile& textile, int n)
+/// n crossings a cell, or, of a cloth that is shown in cells, as many of those as come nearest.
+CellMap empty_map(const Textile& textile, int crossings)
 {
+    const int n = std::max(1, static_cast<int>(std::lround(static_cast<double>(crossings) / textile.yarns_per_cell())));
     CellMap map;
-    map.crossings_per_cell = n;
+    map.crossings_per_cell = n * textile.yarns_per_cell();
     map.columns = (textile.ends() + n - 1) / n;
     map.rows = (textile.picks() + n - 1) / n;
     map.cell_width = n * textile.warp.pitch;
@@ -55,7 +57,7 @@ CellMap empty_map(const Textile& textile, int n)
 /// Calls use(kind, end, pick, segment, cell) for each segment that lies on a side.
 template <typename Use> void for_each_on(const Textile& textile, MapSide side, const CellMap& map, const Use& use)
 {
-    const int n = map.crossings_per_cell;
+    const int n = map.crossings_per_cell / textile.yarns_per_cell();
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
         for (int end = 0; end < textile.ends(); ++end)
             for (int pick = 0; pick < textile.picks(); ++pick) {

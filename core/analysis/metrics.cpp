@@ -30,9 +30,42 @@ struct WetFace {
     }
 };
 
+/// Top and bottom, of a frame that shows cells: as fine as it is simulated. A bundle of yarns reaches to its outer ones.
+std::array<WetFace, 2> wet_faces_of_ends(const Textile& textile, const Frame& frame)
+{
+    std::array<WetFace, 2> faces;
+    const auto ends = static_cast<double>(frame.wet.size());
+    const double across = textile.ends() * textile.warp.pitch / ends, along = textile.picks() * textile.weft.pitch / frame.wet_picks;
+    const double end_pitch = textile.warp.pitch / textile.ends_per_cell, pick_pitch = textile.weft.pitch / textile.picks_per_cell;
+    const double side = 0.5 * (across - end_pitch), tip = 0.5 * (along - pick_pitch); // m, from the bundle's middle
+    double x = -0.5 * (ends - 1) * across;
+    for (const WetEnd& end : frame.wet) {
+        for (std::size_t f = 0; f < 2; ++f) {
+            if (end.first[f] < 0) continue;
+            WetFace& face = faces[f];
+            const auto y_of = [&](float pick) { return (static_cast<double>(pick) - 0.5 * (frame.wet_picks - 1)) * along; };
+            for (double at : {x - side, x + side}) {
+                face.outline.push_back({at, y_of(end.first[f]) - tip});
+                face.outline.push_back({at, y_of(end.last[f]) + tip});
+            }
+            // Sums over the yarns of the bundles, which lie evenly in them.
+            const auto squares_in = [](double bundle, double pitch) { return (bundle * bundle - pitch * pitch) / 12; };
+            const auto count = static_cast<double>(end.count[f]);
+            face.count += count;
+            face.x += count * x;
+            face.xx += count * (x * x + squares_in(across, end_pitch));
+            face.y += static_cast<double>(end.places[f]) * along;
+            face.yy += static_cast<double>(end.squares[f]) * along * along + count * squares_in(along, pick_pitch);
+        }
+        x += across;
+    }
+    return faces;
+}
+
 /// Top and bottom.
 std::array<WetFace, 2> wet_faces(const Textile& textile, const Frame& frame)
 {
+    if (!frame.wet.empty()) return wet_faces_of_ends(textile, frame);
     std::array<WetFace, 2> faces;
     const auto wet = [&](YarnKind kind, int end, int pick) {
         return frame.saturation[static_cast<std::size_t>(textile.segment(kind, end, pick))] >= wet_saturation;
@@ -103,10 +136,24 @@ double wick_height(const Textile& textile, const Frame& frame, const Experiment&
     return sum / yarns;
 }
 
+/// The same of a frame that shows cells, as fine as it is simulated.
+bool wet_at_the_end_of_ends(const std::vector<WetEnd>& wet, int picks, const Experiment& experiment)
+{
+    const bool strip = is_strip(experiment.type), along_ends = !strip || !experiment.along_weft,
+               along_picks = !strip || experiment.along_weft;
+    const auto is_wet = [](const WetEnd& end) { return end.first[0] >= 0 || end.first[1] >= 0; };
+    if (along_picks && ((!strip && is_wet(wet.front())) || is_wet(wet.back()))) return true;
+    return along_ends && std::any_of(wet.begin(), wet.end(), [&](const WetEnd& end) {
+               const bool starts = end.first[0] == 0 || end.first[1] == 0;
+               return (!strip && starts) || std::max(end.last[0], end.last[1]) >= static_cast<float>(picks - 1);
+           });
+}
+
 /// Whether water has reached an edge of the sample or the upper end of a strip.
 bool wet_at_the_end(const Textile& textile, const Frame& frame, const Experiment& experiment)
 {
     if (changes_everywhere(experiment.type)) return false;
+    if (!frame.wet.empty()) return wet_at_the_end_of_ends(frame.wet, frame.wet_picks, experiment);
     const int last_end = textile.ends() - 1, last_pick = textile.picks() - 1;
     const auto wet = [&](int end, int pick) {
         return std::max(frame.saturation[static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick))],
@@ -177,7 +224,7 @@ void MetricsCollector::start(const RunRecord& run)
     textile_ = run.textile;
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     experiment_ = experiment ? *experiment : Experiment{};
-    crossings_per_cell_ = run.plan.crossings_per_cell;
+    crossings_per_cell_ = run.plan.shown_ends > 0 ? 1 : run.plan.crossings_per_cell;
     metrics_ = {};
     absorbed_before_ = absorbed_before(run, experiment_);
     regain_at_start_.clear();

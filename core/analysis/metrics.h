@@ -15,9 +15,6 @@ struct Circle {
     double x = 0, y = 0, radius = 0; ///< m
 };
 
-/// A segment counts as wet when liquid fills at least this share of its pores.
-constexpr double wet_saturation = 0.05;
-
 /// The smallest circle round the points (Welzl 1991); radius 0 for one point, negative for none.
 Circle smallest_enclosing_circle(const std::vector<std::array<double, 2>>& points);
 
@@ -40,7 +37,7 @@ private:
 
     Textile textile_;
     Experiment experiment_;
-    int crossings_per_cell_ = 1;
+    int crossings_per_cell_ = 1; ///< of frames: how many of them are alike
     Metrics metrics_;
     std::array<double, 2> absorbed_before_{0, 0}; ///< kg, top and bottom: of the test's water, by the fibres before the first frame
     std::vector<float> regain_at_start_;

@@ -272,6 +272,38 @@ Textile build_textile(const Fabric& fabric, const FittedFabric& fitted, const Te
     return textile;
 }
 
+Textile in_cells(const Textile& fine, int ends, int picks)
+{
+    Textile cells = fine;
+    cells.first_end = cells.first_pick = 0;
+    cells.ends_per_cell = double(fine.ends()) / ends;
+    cells.picks_per_cell = double(fine.picks()) / picks;
+    const auto widen = [&fine](YarnSystem& own, YarnKind kind, int count, double crossed) {
+        const double yarns = double(own.count) / count;
+        own.order.clear();
+        own.yarns.clear();
+        for (int cell = 0; cell < count; ++cell) {
+            const int middle = static_cast<int>((cell + 0.5) * yarns);
+            own.order.push_back(static_cast<std::uint8_t>(fine.type_of(kind, middle)));
+            own.yarns.push_back(static_cast<std::uint16_t>(fine.yarn_number(kind, middle)));
+        }
+        own.count = count;
+        own.pitch *= yarns;
+        for (YarnType& type : own.types) {
+            type.section.width *= yarns;
+            type.area *= yarns;
+        }
+        for (YarnPath& path : own.paths) {
+            for (double& width : path.half_width) width *= yarns;
+            for (double& slope : path.slope) slope /= crossed;
+            path.length *= crossed;
+        }
+    };
+    widen(cells.warp, YarnKind::warp, ends, cells.picks_per_cell);
+    widen(cells.weft, YarnKind::weft, picks, cells.ends_per_cell);
+    return cells;
+}
+
 YarnPoint yarn_point(const Textile& textile, YarnKind kind, int yarn, int at, double offset)
 {
     const bool is_warp = kind == YarnKind::warp;

@@ -7,6 +7,7 @@
 #include "core/base/vec3.h"
 #include "core/design/fitted_fabric.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace hygroloom {
@@ -72,7 +73,8 @@ struct Textile {
     std::optional<double> back_angle; ///< the same of the lower face
     int first_end = 0;                ///< of the region in the fabric, which goes on to both sides
     int first_pick = 0;
-    double thickness = 0; ///< m, of the interlaced yarns, from face to face
+    double thickness = 0;                         ///< m, of the interlaced yarns, from face to face
+    double ends_per_cell = 1, picks_per_cell = 1; ///< that each end and each pick stands for: see in_cells()
     FabricQuantities quantities;
 
     int ends() const { return warp.count; }
@@ -81,6 +83,8 @@ struct Textile {
     /// Of one yarn.
     int crossings_along(YarnKind kind) const { return kind == YarnKind::warp ? picks() : ends(); }
     int segments() const { return 2 * crossings(); }
+    /// Ends, and picks, that each stands for, about.
+    int yarns_per_cell() const { return static_cast<int>(std::lround(std::sqrt(ends_per_cell * picks_per_cell))); }
     int segment(YarnKind kind, int end, int pick) const
     {
         return kind == YarnKind::warp ? end * picks() + pick : crossings() + pick * ends() + end;
@@ -135,6 +139,11 @@ Textile textile_of_run(const Design& design, const Fabric& fabric, const Experim
                        const FittedFabric* fitted = nullptr);
 /// Of the experiment's whole sample.
 Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const FittedFabric* fitted = nullptr);
+
+/// The same cloth drawn with fewer, wider yarns: as many ends and picks as given, each in place of those that it covers, and of the type of
+/// the one in their middle. Each of its segments has the fibres and pores of all that it stands for; sample, thickness and weave stay.
+/// Precondition: 1 <= ends <= fine.ends(), 1 <= picks <= fine.picks().
+Textile in_cells(const Textile& fine, int ends, int picks);
 
 /// A yarn at one place: its centreline and half its section across and along the fabric.
 struct YarnPoint {

@@ -67,6 +67,23 @@ std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentTy
                        ends.yarns, picks.yarns, ends.count, picks.count);
 }
 
+void decide_shown_cells(ModelPlan& plan, const Textile& textile, double side)
+{
+    constexpr double most_unasked = 500'000; // cells
+    plan.shown_ends = plan.shown_picks = 0;
+    const double crossings = double(textile.ends()) * textile.picks();
+    const double wanted =
+        side > 0 ? std::round(side / std::sqrt(textile.warp.pitch * textile.weft.pitch)) : std::ceil(std::sqrt(crossings / most_unasked));
+    const bool mixes = textile.warp.types.size() + textile.weft.types.size() > 2; // a cell would be of one type
+    if (wanted <= 1 || mixes) return;
+    const auto cells = [&](int yarns) {
+        const int simulated = bundles_of(yarns, plan.crossings_per_cell).count;
+        return std::min(simulated, std::max(1, static_cast<int>(std::lround(yarns / wanted))));
+    };
+    plan.shown_ends = cells(textile.ends());
+    plan.shown_picks = cells(textile.picks());
+}
+
 void find_idle_bundle_knobs(ModelPlan& plan, const Textile& textile, ExperimentType type)
 {
     auto &at_fronts = plan.idle_knobs["crossings_per_cell"], &where_even = plan.idle_knobs["crossings_per_even_cell"];

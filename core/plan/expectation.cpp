@@ -300,7 +300,7 @@ double rough_work(const ModelPlan& plan, const std::string& backend)
     const LiquidCount liquid = has_particles(plan) ? count_liquid(plan) : LiquidCount{};
     const NetworkCount network = count_network(plan);
     constexpr double shown = 3e-8; // s, for a segment in a frame and its metrics
-    const double frames = shown * plan.segments * frames_of(plan);
+    const double frames = shown * (plan.shown_ends > 0 ? 2.0 * plan.shown_ends * plan.shown_picks : plan.segments) * frames_of(plan);
     if (backend == "cuda") {
         // Seconds on an H100: a step takes a while however little there is to do. Start and network step are the best of eight pairs on
         // the GPU's runs of tests/data/tradeoff, which test them no more. A step of the liquid is 2.5 times what one took there, as

@@ -34,6 +34,10 @@ std::vector<std::string> notes_of(const ModelPlan& plan)
         notes.push_back(fmt::format("Yarns side by side went in bundles: {} ends and {} picks as {} and {}.", plan.region.ends,
                                     plan.region.picks, bundles_of(plan.region.ends, plan.crossings_per_cell).count,
                                     bundles_of(plan.region.picks, plan.crossings_per_cell).count));
+    if (plan.shown_ends > 0)
+        notes.push_back(fmt::format("Frames, maps and the recording show the sample in {} by {} cells, of about {:.3g} by {:.3g} yarns.",
+                                    plan.shown_ends, plan.shown_picks, double(plan.region.ends) / plan.shown_ends,
+                                    double(plan.region.picks) / plan.shown_picks));
     const SceneCounts& scene = plan.counts;
     if (plan.on("wicking") && scene.closure == name_of(Closure::pores) && scene.suction > 0 && scene.uptake <= 0)
         notes.push_back(

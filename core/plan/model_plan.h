@@ -60,8 +60,10 @@ struct ModelPlan {
     int segments = 0;
     int fibre_shells = 0;       ///< radial cells in a fibre
     int crossings_per_cell = 1; ///< ends, and picks, in a bundle that is simulated as one
-    double frame_interval = 0;  ///< s
-    double rest_tolerance = 0;  ///< see Scene; 0: all of the sample is visited
+    int shown_ends = 0;         ///< cells in which frames show the sample; 0: each segment
+    int shown_picks = 0;
+    double frame_interval = 0; ///< s
+    double rest_tolerance = 0; ///< see Scene; 0: all of the sample is visited
     std::string resolution_reason;
     SceneCounts counts;
     double expected_seconds = 0;

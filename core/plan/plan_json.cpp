@@ -153,6 +153,8 @@ Json plan_value(const ModelPlan& plan)
           {"segments", plan.segments},
           {"fibre_shells", plan.fibre_shells},
           {"crossings_per_cell", plan.crossings_per_cell},
+          {"shown_ends", plan.shown_ends},
+          {"shown_picks", plan.shown_picks},
           {"frame_interval_s", plan.frame_interval},
           {"network_step_limit_s", plan.knobs.network_step_limit},
           {"saturation_change", plan.knobs.saturation_change},
@@ -190,6 +192,8 @@ try {
     plan.segments = whole_number(resolution.at("segments"));
     plan.fibre_shells = whole_number(resolution.at("fibre_shells"));
     plan.crossings_per_cell = whole_number(resolution.value("crossings_per_cell", Json(1)));
+    plan.shown_ends = whole_number(resolution.value("shown_ends", Json(0)));
+    plan.shown_picks = whole_number(resolution.value("shown_picks", Json(0)));
     plan.frame_interval = resolution.at("frame_interval_s");
     plan.knobs = knobs_from_json(json, plan.fidelity);
     plan.rest_tolerance = resolution.value("rest_tolerance", 0.0);

@@ -2,6 +2,7 @@
 #include "core/run/recording.h"
 
 #include "core/base/error.h"
+#include "core/plan/bundles.h"
 #include "core/plan/plan_json.h"
 #include "core/project/project_file.h"
 #include "core/run/hdf5_reader.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 namespace hygroloom {
 
@@ -118,6 +120,19 @@ std::string read_provenance(hid_t file, RunRecord& run)
     return h5::read_text(file, "design");
 }
 
+/// Ends, or picks, as they were simulated.
+int simulated(int yarns, const ModelPlan& plan) { return bundles_of(yarns, plan.crossings_per_cell).count; }
+
+/// Whether frames show cells. Throws FileError where those cannot be. Precondition: the region can be.
+bool shows_cells(const ModelPlan& plan)
+{
+    const int ends = plan.shown_ends, picks = plan.shown_picks;
+    if (plan.crossings_per_cell < 1 || ends < 0 || picks < 0 || ends > simulated(plan.region.ends, plan) ||
+        picks > simulated(plan.region.picks, plan) || (ends == 0) != (picks == 0))
+        throw FileError("the recording's cells do not lie in its sample; it is damaged.");
+    return ends > 0;
+}
+
 void rebuild_textile(RunRecord& run, const std::string& project)
 {
     run.design = parse_project(project, "the recording's design");
@@ -134,6 +149,7 @@ void rebuild_textile(RunRecord& run, const std::string& project)
         throw FileError("the recording's region does not lie in its sample; it is damaged.");
     const auto place = static_cast<std::size_t>(fabric - run.design.fabrics.data());
     run.textile = textile_of_run(run.design, *fabric, *experiment, region, valid.fabrics[place].get());
+    if (shows_cells(run.plan)) run.textile = in_cells(run.textile, run.plan.shown_ends, run.plan.shown_picks);
 }
 
 } // namespace
@@ -200,6 +216,21 @@ void Recording::File::require_order()
     for (const StoredFrame& frame : frames) ledgers.push_back(frame.ledger);
 }
 
+/// Which segments were wet along each end of a cloth that is shown in cells.
+std::vector<WetEnd> read_wet(hid_t group, int ends, int picks)
+{
+    std::vector<WetEnd> wet(static_cast<std::size_t>(ends));
+    const std::vector<float> numbers = h5::read_floats(group, "wet", wet_numbers * wet.size());
+    std::memcpy(static_cast<void*>(wet.data()), numbers.data(), numbers.size() * sizeof(float));
+    for (const WetEnd& end : wet)
+        for (int face = 0; face < 2; ++face) {
+            const float first = end.first[face], last = end.last[face];
+            const bool holds = first < 0 ? end.count[face] == 0 : first <= last && last < static_cast<float>(picks) && end.count[face] > 0;
+            if (!holds) throw FileError("its wet crossings do not lie in the sample.");
+        }
+    return wet;
+}
+
 Frame Recording::File::values_of(const StoredFrame& stored, std::span<const FrameField> fields) const
 {
     const hid_t g = stored.group.get();
@@ -220,6 +251,10 @@ Frame Recording::File::values_of(const StoredFrame& stored, std::span<const Fram
     for (std::size_t i = 0; i < x.size(); i += 3) {
         frame.positions.push_back({x[i], x[i + 1], x[i + 2]});
         frame.velocities.push_back({v[i], v[i + 1], v[i + 2]});
+    }
+    if (run.plan.shown_ends > 0) {
+        frame.wet = read_wet(g, simulated(run.plan.region.ends, run.plan), simulated(run.plan.region.picks, run.plan));
+        frame.wet_picks = simulated(run.plan.region.picks, run.plan);
     }
     if (h5::exists(g, "cap_place")) {
         constexpr hsize_t most_caps = 1000;

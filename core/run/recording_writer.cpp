@@ -118,6 +118,7 @@ void write_frame(hid_t group, const Frame& frame, const std::vector<float>& warp
     h5::write_floats(group, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
     h5::write_floats(group, "particle_velocity", particles ? frame.velocities[0].data() : nullptr, particles, 3, "m/s");
     if (!frame.caps.empty()) write_caps(group, frame.caps);
+    if (!frame.wet.empty()) h5::write_floats(group, "wet", frame.wet[0].first, wet_numbers * frame.wet.size(), 1, "1");
 }
 
 } // namespace

@@ -20,6 +20,7 @@ struct RunOptions {
     KnobSettings knobs; ///< on top of the fidelity's
     std::uint64_t seed = 1;
     double frame_interval = 0;              ///< s; 0: the plan's own
+    double shown_side = 0;                  ///< m, of the cells in which frames show the sample; 0: by its size: see decide_shown_cells()
     int threads = 0;                        ///< 0: all the machine has
     bool may_go_on_on_cpu = false;          ///< when the device fails
     std::mutex* one_on_cpu = nullptr;       ///< of runs side by side that go on there: held by the one that does

@@ -21,7 +21,7 @@ struct RunRecord {
     std::string fabric;
     std::string experiment;
     ModelPlan plan;
-    Textile textile;
+    Textile textile; ///< as frames show it: in cells where the plan says so
     std::uint64_t seed = 1;
     int threads = 0;
     std::string backend;                   ///< "cpu", "cuda"

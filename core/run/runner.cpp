@@ -2,6 +2,7 @@
 #include "core/run/runner.h"
 
 #include "core/base/error.h"
+#include "core/plan/bundling.h"
 #include "core/plan/frame_times.h"
 #include "core/run/failover.h"
 #include "core/run/plan_run.h"
@@ -199,8 +200,10 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.design = design;
     run.fabric = fabric_name;
     run.experiment = experiment_name;
-    run.textile = options.textile ? *options.textile : textile_of_run(design, *fabric, *experiment);
-    run.plan = plan_run(design, run.textile, *experiment, options.fidelity, options.forced, options.knobs, backend.name());
+    const Textile textile = options.textile ? *options.textile : textile_of_run(design, *fabric, *experiment);
+    run.plan = plan_run(design, textile, *experiment, options.fidelity, options.forced, options.knobs, backend.name());
+    if (options.shown_side > 0) decide_shown_cells(run.plan, textile, options.shown_side);
+    run.textile = run.plan.shown_ends > 0 ? in_cells(textile, run.plan.shown_ends, run.plan.shown_picks) : textile;
     run.plan.fidelity_reason = options.fidelity_reason;
     if (options.frame_interval > 0) run.plan.frame_interval = options.frame_interval;
     run.seed = options.seed;
@@ -210,7 +213,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     backend.set_threads(options.threads);
     run.device = backend.device();
 
-    Session session(backend, build_scene(design, run.textile, *experiment, run.plan, options.seed), run.plan.crossings_per_cell);
+    Session session(backend, build_scene(design, textile, *experiment, run.plan, options.seed), run.plan.crossings_per_cell);
     Publisher publisher(run, experiment->duration_s, session, callbacks, start);
     Course course(run, *experiment, session, publisher, options, control);
     course.load();

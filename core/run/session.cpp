@@ -97,7 +97,7 @@ void Session::move_to(std::unique_ptr<Backend> backend)
 
 Frame Session::of_single_yarns(Frame frame) const
 {
-    if (!single_) return frame; // a conditional expression would copy it
+    if (!single_ || scene_.cloth.shown_ends > 0) return frame; // a conditional expression would copy it
     return refined(std::move(frame), scene_, *single_);
 }
 

@@ -39,7 +39,7 @@ public:
     double advance(double until);
     /// What the scene has come to, as it is simulated; see Backend::take_frame().
     std::future<Frame> take_frame() { return backend_->take_frame(); }
-    /// Such a frame with the values of each single yarn.
+    /// Such a frame with the values of each single yarn, or as it is where it shows cells.
     Frame of_single_yarns(Frame frame) const;
     /// Everything the scene has come to.
     std::vector<std::byte> state() { return backend_->state(); }

@@ -81,6 +81,9 @@ void check(const Cloth& cloth)
     demand(std::all_of(cloth.type.begin(), cloth.type.end(), [&](std::uint8_t type) { return type < cloth.yarns.size(); }),
            "an end or a pick is of a type that does not exist");
     if (cloth.panels.count > 0) check_panels(cloth);
+    demand(cloth.shown_ends >= 0 && cloth.shown_ends <= cloth.ends && cloth.shown_picks >= 0 && cloth.shown_picks <= cloth.picks &&
+               (cloth.shown_ends > 0) == (cloth.shown_picks > 0) && (cloth.shown_ends == 0 || cloth.panels.count == 0),
+           "it is shown in cells that it does not have");
     demand(cloth.cell_area >= 0 && cloth.warp_pitch > 0 && cloth.weft_pitch > 0, "its cloth has no area");
 }
 

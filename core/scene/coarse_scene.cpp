@@ -243,6 +243,8 @@ Scene coarsened(const Scene& fine, int crossings_per_cell)
     coarse.cloth.warp_up.clear();
     for (float share : coarse.cloth.warp_up_share) coarse.cloth.warp_up.push_back(share >= 0.5f);
     coarse.cloth.threads_per_cell = crossings_per_cell;
+    coarse.cloth.shown_ends = std::min(fine.cloth.shown_ends, blocks.ends.count);
+    coarse.cloth.shown_picks = std::min(fine.cloth.shown_picks, blocks.picks.count);
     coarse.cloth.type = types(blocks, fine.cloth.type);
     coarse.cloth.start.liquid = summed(blocks, fine.cloth.start.liquid);
     coarse.supply.fed = fed_blocks(blocks, fine.supply.fed);

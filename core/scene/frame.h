@@ -68,6 +68,20 @@ struct CellSums {
     double stored = 0, released = 0, lost = 0; ///< J, as in the ledger
 };
 
+/// A segment counts as wet when liquid fills at least this share of its pores.
+constexpr double wet_saturation = 0.05;
+
+/// The wet segments on the faces of one end, top and bottom, where frames show cells: its crossings by their number, sums by their place
+/// from the cloth's middle, in picks.
+struct WetEnd {
+    float first[2] = {-1, -1}; ///< less than 0: none is wet
+    float last[2] = {-1, -1};
+    float count[2] = {0, 0};
+    float places[2] = {0, 0};
+    float squares[2] = {0, 0};
+};
+constexpr std::size_t wet_numbers = sizeof(WetEnd) / sizeof(float); ///< of each
+
 /// A drop that stands as a cap, or falls as a ball, m.
 struct FrameCap {
     double x = 0, y = 0; ///< from the cloth's middle
@@ -90,6 +104,8 @@ struct Frame {
     std::map<std::string, std::vector<float>> others; ///< of frame fields without a member here, by their name
     std::vector<float> shells;   ///< regain of every shell of every segment, from the inside; empty unless the scene asks
     std::vector<CellSums> cells; ///< of a garment: see ClothPanels::shown
+    std::vector<WetEnd> wet;     ///< of each end as it is simulated, where the cloth is shown in cells (see Cloth::shown_ends); else empty
+    int wet_picks = 0;           ///< that are simulated
     // Free liquid.
     std::vector<std::array<float, 3>> positions;  ///< m
     std::vector<std::array<float, 3>> velocities; ///< m/s

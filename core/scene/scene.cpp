@@ -407,6 +407,8 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
         }
     scene.cloth.cell_area = textile.warp.pitch * textile.weft.pitch;
     scene.cloth.half_thickness = textile.half_thickness();
+    scene.cloth.shown_ends = plan.shown_ends;
+    scene.cloth.shown_picks = plan.shown_picks;
     add_climate(scene, textile, *find_liquid(design, experiment.liquid), experiment);
     add_yarns(scene, textile, experiment);
     if (experiment.closure == Closure::pores) {

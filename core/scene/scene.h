@@ -138,6 +138,7 @@ struct Cloth {
     std::vector<std::uint8_t> warp_up;     ///< one per crossing, end x picks + pick
     std::vector<float> warp_up_share;      ///< of the crossings that each stands for; empty: each is one
     int threads_per_cell = 1;              ///< ends, and picks, that each stands for, about
+    int shown_ends = 0, shown_picks = 0;   ///< cells in which frames show it; 0: each segment. At most as many as there are of each
     double cell_area = 0;                  ///< m2 of fabric per crossing
     double half_thickness = 0;             ///< m
     double warp_pitch = 0, weft_pitch = 0; ///< m, from end to end and from pick to pick

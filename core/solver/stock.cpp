@@ -148,6 +148,43 @@ void add_cells(const Stock& stock, Ledger& l)
     }
 }
 
+/// Adds what the cells hold that a large sample is shown in.
+void add_shown(const Stock& stock, Ledger& l)
+{
+    ShownSums all;
+    for (const ShownSums& line : stock.shown_lines) all.add(line);
+    l.water_delivered += all.supplied;
+    l.water_liquid = all.liquid;
+    l.water_bound = all.bound;
+    l.water_vapour = all.vapour;
+    l.water_evaporated += all.evaporated;
+    l.energy_stored = all.stored;
+    l.energy_released = all.released;
+    l.energy_lost = all.lost;
+}
+
+/// The fields and faces of a sample that is shown in cells.
+void show_cells(const Stock& stock, Frame& f)
+{
+    static_assert(std::size(frame_fields) == shown_field_count, "a field of frames is not seen in cells: see SeeShown");
+    const std::size_t n = stock.shown_fields.size() / shown_field_count;
+    const auto take = [&](ShownField field, std::vector<float>& values) {
+        const auto first = stock.shown_fields.begin() + static_cast<std::ptrdiff_t>(field * n);
+        values.assign(first, first + static_cast<std::ptrdiff_t>(n));
+    };
+    take(shown_saturation, f.saturation);
+    take(shown_liquid, f.liquid);
+    take(shown_regain, f.regain);
+    take(shown_vapour, f.vapour);
+    take(shown_temperature, f.temperature);
+    take(shown_between, f.between);
+    for (const ShownSums& line : stock.shown_lines) {
+        f.water_top += line.top;
+        f.water_bottom += line.bottom;
+    }
+    f.wet.assign(stock.wet.begin(), stock.wet.end());
+}
+
 void add_segments(const Stock& stock, const Scene& scene, Ledger& l)
 {
     Yarns yarns = yarns_of(scene);
@@ -182,6 +219,8 @@ Ledger ledger_of(const Stock& stock, const Scene& scene)
     l.energy_delivered = stock.initial_energy;
     if (scene.cloth.panels.count > 0)
         add_cells(stock, l);
+    else if (scene.cloth.shown_ends > 0)
+        add_shown(stock, l);
     else
         add_segments(stock, scene, l);
     return l;
@@ -194,6 +233,12 @@ Frame frame_of(const Stock& stock, const Scene& scene)
     f.unsolved_lines = stock.unsolved_lines;
     f.ledger = ledger_of(stock, scene);
     f.cells.assign(stock.cells.begin(), stock.cells.end());
+    f.caps = stock.caps;
+    show_particles(stock, scene, f);
+    if (!stock.shown_fields.empty()) {
+        show_cells(stock, f);
+        f.wet_picks = scene.cloth.picks;
+    }
     if (stock.segments.liquid.empty()) return f;
     f.shells.assign(stock.segments.regain.begin(), stock.segments.regain.end());
     f.resize_fields(stock.segments.liquid.size());
@@ -208,8 +253,6 @@ Frame frame_of(const Stock& stock, const Scene& scene)
             crossing += l.is_warp ? 1 : static_cast<std::size_t>(scene.cloth.picks);
         }
     }
-    f.caps = stock.caps;
-    show_particles(stock, scene, f);
     return f;
 }
 

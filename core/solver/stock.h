@@ -5,6 +5,7 @@
 #include "core/scene/frame.h"
 #include "core/solver/particles.h"
 #include "core/solver/segments.h"
+#include "core/solver/steps/shown_cells.h"
 
 #include <span>
 #include <vector>
@@ -39,8 +40,11 @@ struct Stock {
     double unsolved_lines = 0; ///< see Frame
     double stressed = 0;       ///< s for which stresses were summed
     Unvisited unvisited;
-    SegmentFields<Shown> segments;   ///< of a garment empty, where its cells alone are shown
-    Shown<CellSums> cells;           ///< of a garment
+    SegmentFields<Shown> segments; ///< empty where cells alone are shown
+    Shown<CellSums> cells;         ///< of a garment
+    Shown<float> shown_fields;     ///< of a cloth that is shown in cells: see ShownField; its segments are empty
+    Shown<ShownSums> shown_lines;  ///< of each of its lines of cells
+    Shown<WetEnd> wet;
     ParticleFields<Shown> particles; ///< also those that yarns have absorbed
     std::vector<Real> stress;        ///< of each particle; empty unless the scene asks
 };

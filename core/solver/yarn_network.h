@@ -113,6 +113,8 @@ private:
     void move_liquid_and_heat(double dt, const StepSigns& signs);
     bool exchanges_in(const NetworkStep& step) const { return step.exchange_dt > 0 && exchanges(*scene_); }
     template <typename Archive> void pass_regain(Archive& archive);
+    bool shows_cells() const { return scene_->cloth.shown_ends > 0; }
+    void see_shown();
 
     Executor& exec_;
     const Scene* scene_ = nullptr;
@@ -139,9 +141,13 @@ private:
     Buffer<SeamJoint> seams_;
     Buffer<CapOnFace> cap_views_;
     Buffer<CapSums> cap_sums_;
-    Buffer<int> reach_;         ///< see Reach: where particles gave liquid since the last step
-    Buffer<YarnTotals> totals_; ///< one, of this step
-    Buffer<CellSums> cells_;    ///< of a garment's frames
+    Buffer<int> reach_;          ///< see Reach: where particles gave liquid since the last step
+    Buffer<YarnTotals> totals_;  ///< one, of this step
+    Buffer<CellSums> cells_;     ///< of a garment's frames
+    Buffer<float> shown_fields_; ///< of a cloth that is shown in cells
+    Buffer<ShownSums> shown_sums_, shown_lines_;
+    Buffer<WetEnd> wet_;
+    bool cells_were_seen_ = false; ///< all of them, since the scene or a state was loaded
 };
 
 template <typename Executor> Segments YarnNetwork<Executor>::segments()
@@ -158,6 +164,7 @@ template <typename Executor> Segments YarnNetwork<Executor>::segments()
 template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene)
 {
     scene_ = &scene;
+    cells_were_seen_ = false;
     climate_ = scene.climate;
     exchange_time_ = 0;
     may_have_absorbed_ = false;
@@ -370,6 +377,7 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
     caps_.pass_state(archive);
     archive.value(evaporated_from_caps_);
     archive.value(region_.unvisited());
+    if (Archive::reads) cells_were_seen_ = false;
     if (Archive::reads && !scene_->climate.course.empty()) region_.unvisited() = {}; // the air may have been constant so far
     archive.buffer(reach_, "reach");
     pass_regain(archive);

@@ -43,6 +43,7 @@ if [ -d "$examples" ]; then
     }
     agree "a drop" "$examples/one-drop-on-cotton.hygro" --set "experiments[0].duration_s=0.2"
     agree "a drop as a cap" "$examples/one-drop-on-cotton.hygro" --set "experiments[0].duration_s=0.2" --set fidelity.free_liquid=cap
+    agree "a drop shown in cells" "$examples/one-drop-on-cotton.hygro" --set "experiments[0].duration_s=0.2" --shown-mm 0.8
     agree "a drying" "$examples/laboratory.hygro" --experiment drying --set "experiments[4].duration_s=600"
     # Blocks of few threads with one fabric at a time, of many side by side: the same bytes.
     compared() { # fabrics at once, file
@@ -73,6 +74,8 @@ if command -v compute-sanitizer > /dev/null; then
             --set closure=pores --set fidelity=live --set duration_s=0.05 --backend cuda
         try "$tool, a drop on cloth" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
             --set closure=pores --set fidelity=draft --set duration_s=0.02 --backend cuda
+        try "$tool, cells" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" simulate "$examples/laboratory.hygro" --experiment drying \
+            --set "experiments[4].duration_s=1" --shown-mm 2 --fidelity draft --backend cuda
         try "$tool, yarns that touch" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
             --set experiment=moisture_management --set "fabric=Textile C" --set duration_s=0.02 --backend cuda
     done

@@ -139,12 +139,17 @@ std::shared_ptr<const PreviewFabric> prepare_fabric(const PreviewRequest& reques
     fabric->period_picks = period_of(shown.weave.picks(), pick_order, request.whole.picks);
     fabric->cell_ends = cell_for(fabric->period_ends);
     fabric->cell_picks = cell_for(fabric->period_picks);
-    for (int end = 0; end < request.whole.ends; ++end) {
-        fabric->end_yarns.push_back(end_order[static_cast<std::size_t>(request.whole.first_end + end) % end_order.size()]);
-    }
-    for (int pick = 0; pick < request.whole.picks; ++pick) {
-        fabric->pick_yarns.push_back(pick_order[static_cast<std::size_t>(request.whole.first_pick + pick) % pick_order.size()]);
-    }
+    if (request.shown_ends > 0) { fabric->textile = in_cells(fabric->textile, request.shown_ends, request.shown_picks); }
+    const auto yarns_in = [](const std::vector<const Yarn*>& order, int first, int yarns, int shown) {
+        std::vector<const Yarn*> all;
+        for (int i = 0; i < shown; ++i) { // of a cell the yarn in its middle
+            const auto middle = static_cast<int>((i + 0.5) * yarns / shown);
+            all.push_back(order[static_cast<std::size_t>(first + middle) % order.size()]);
+        }
+        return all;
+    };
+    fabric->end_yarns = yarns_in(end_order, request.whole.first_end, request.whole.ends, fabric->textile.ends());
+    fabric->pick_yarns = yarns_in(pick_order, request.whole.first_pick, request.whole.picks, fabric->textile.picks());
     return fabric;
 }
 

@@ -105,6 +105,11 @@ void Viewport::showRun(const std::shared_ptr<const RunRecord>& run)
     wanted.design = std::make_shared<const Design>(run->design);
     wanted.fabric = static_cast<int>(fabric - fabrics.begin());
     wanted.whole = {run->textile.first_end, run->textile.first_pick, run->textile.ends(), run->textile.picks()};
+    if (run->plan.shown_ends > 0) {
+        wanted.whole = run->plan.region;
+        wanted.shown_ends = run->textile.ends();
+        wanted.shown_picks = run->textile.picks();
+    }
     if (run_ != run) { frame_.reset(); }
     run_ = run;
     request(Subject::run, wanted, QString::fromStdString(run->fabric));

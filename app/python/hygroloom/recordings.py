@@ -40,7 +40,8 @@ class Recording:
     Attributes:
         path: of the file.
         about: what the run was: fabric, experiment, type, fidelity, backend, device, seed, date, wall_s, finished, ends, picks,
-            end_pitch_mm, pick_pitch_mm, frames; problems: sentences about frames that are damaged and left out.
+            end_pitch_mm, pick_pitch_mm, yarns_per_cell, frames; problems: sentences about frames that are damaged and left out.
+            Where yarns_per_cell is over 1, frames show cells of so many ends and picks, and ends and picks count those.
         times: s, of each frame.
 
     Raises FileError when the file is no recording, is damaged, or has no whole frame. Several threads may use it.
@@ -259,12 +260,14 @@ def _of_sample(recording: Recording, cells: int) -> "xarray.Dataset":
         attrs = {"units": unit, "long_name": _FIELD_NAMES.get(name, name), "ends": ends, "picks": picks}
         values[name] = xarray.Variable(("time", "segment"), _lazy((frames, count), np.float32, read), attrs)
 
+    yarns = about["yarns_per_cell"]
+    cells = max(1, int(cells / yarns + 0.5))  # of the shown ones
     rows, columns = -(-picks // cells), -(-ends // cells)
-    read_maps = lambda k: np.stack([recording.water_map(k, side, cells) for side in SIDES])  # noqa: E731
+    read_maps = lambda k: np.stack([recording.water_map(k, side, cells * yarns) for side in SIDES])  # noqa: E731
     values["water_map"] = xarray.Variable(
         ("time", "side", "y", "x"),
         _lazy((frames, len(SIDES), rows, columns), np.float64, read_maps),
-        {"units": "g/m2", "long_name": "water over the start", "crossings_per_cell": cells},
+        {"units": "g/m2", "long_name": "water over the start", "crossings_per_cell": cells * yarns},
     )
     for key, title in recording._file.series_titles():
         if key != "time_s":
