@@ -172,8 +172,9 @@ std::string basis_text(const Comparison& comparison)
                                  "unevenness and the place of the drops, alike for all fabrics; the numerical error is added. The model's "
                                  "own error is not in them.",
                                  100 * of_intervals.held, comparison.replicates)
-               : "Intervals and verdicts rest on the numerical error alone; 8 replicates (Replicates over the window's table, or "
-                 "--replicates 8) add what is not known of the cloths and their scatter.";
+               : "Intervals and verdicts rest on the numerical error alone; 8 replicates of each fabric add what is not known of the "
+                 "cloths "
+                 "and their scatter.";
 }
 
 std::string comparison_table(const Comparison& comparison)
@@ -181,7 +182,7 @@ std::string comparison_table(const Comparison& comparison)
     std::string text =
         fmt::format("{}: ranked by {} ({})\n", comparison.experiment, full_title(comparison.ranked_by), order_words(comparison.ranked_by));
     text += numbers_table(comparison) + verdicts_table(comparison);
-    text += "\n  " + basis_text(comparison) + "\n";
+    text += "\n  " + basis_text(comparison) + (comparison.replicates > 1 ? "\n" : " Ask for them with --replicates 8.\n");
     for (const LoneNumber& lone : comparison.lone) text += "  " + lone.sentence + "\n";
     for (const Candidate& c : comparison.candidates)
         for (const std::string& note : all_notes(comparison, c)) text += fmt::format("  {}: {}\n", c.fabric, note);

@@ -4,6 +4,7 @@
 #include "core/analysis/comparative.h"
 #include "core/analysis/line_chart.h"
 #include "core/analysis/replicate_range.h"
+#include "core/analysis/report_inputs.h"
 #include "core/analysis/svg.h"
 #include "core/analysis/why.h"
 #include "core/base/text.h"
@@ -319,57 +320,61 @@ std::string maps_of(const Comparison& comparison, const std::vector<ReportPictur
     return (comparison.replicates > 1 ? about : "") + figures_of(maps);
 }
 
-/// Every value of a fabric's description by its path.
-void flatten(const Json& value, const std::string& path, std::map<std::string, std::string>& values)
+/// What the fabrics of the candidates weigh, and what else follows from their descriptions.
+std::string calculated(const Comparison& comparison, const ReaderUnits& units)
 {
-    if (value.is_object())
-        for (const auto& [key, member] : value.items()) flatten(member, path.empty() ? key : path + "." + key, values);
-    else
-        values[path] = value.dump();
+    const std::string mm = reader_unit(units, "mm").unit;
+    std::string rows = fmt::format("<tr><th>fabric</th><th>mass per area, g/m²</th><th>thickness, {}</th><th>porosity</th></tr>\n", mm);
+    bool any = false;
+    for (const Candidate& candidate : comparison.candidates) {
+        if (!candidate.run || !(candidate.run->textile.quantities.areal_density_g_m2 > 0)) continue;
+        const FabricQuantities& q = candidate.run->textile.quantities;
+        any = true;
+        rows += "<tr><th>" + escaped_markup(candidate.fabric) + "</th>";
+        for (const std::string& number : {rounded_text(q.areal_density_g_m2, 4),
+                                          rounded_text(reader_unit(units, "mm").of(q.thickness_mm), 3), rounded_text(q.porosity, 3)})
+            rows += "<td class=\"number\">" + number + "</td>";
+        rows += "</tr>\n";
+    }
+    return any ? table(rows) : std::string();
 }
 
-std::map<std::string, std::string> description(const Candidate& candidate)
+std::vector<std::pair<std::string, std::string>> description(const Candidate& candidate, const ReaderUnits& units)
 {
-    std::map<std::string, std::string> values;
     const Fabric* fabric = candidate.run ? find_fabric(candidate.run->design, candidate.run->fabric) : nullptr;
-    if (!fabric) return values;
+    if (!fabric) return {};
     Design alone;
     alone.fabrics.push_back(*fabric);
-    flatten(json_from_design(alone).at("fabrics").at(0), "", values);
-    values.erase("name");
-    return values;
-}
-
-/// As people read it: numbers with six digits, words without quotes.
-std::string readable(const std::string& value)
-{
-    if (value.empty()) return "–";
-    const Json json = Json::parse(value);
-    if (json.is_string()) return json.get<std::string>();
-    return json.is_number_float() ? fmt::format("{:.6g}", json.get<double>()) : value;
+    Json value = json_from_design(alone).at("fabrics").at(0);
+    value.erase("name");
+    return inputs_in_words(value, units);
 }
 
 /// What the candidates' descriptions do not share.
-std::string differences(const Comparison& comparison)
+std::string differences(const Comparison& comparison, const ReaderUnits& units)
 {
+    std::vector<std::string> names; // in the order in which a description has them
     std::map<std::string, std::vector<std::string>> rows;
-    for (std::size_t i = 0; i < comparison.candidates.size(); ++i)
-        for (const auto& [path, value] : description(comparison.candidates[i])) {
-            rows[path].resize(comparison.candidates.size());
-            rows[path][i] = value;
+    const std::size_t count = comparison.candidates.size();
+    for (std::size_t i = 0; i < count; ++i)
+        for (const auto& [name, text] : description(comparison.candidates[i], units)) {
+            if (!rows.contains(name)) names.push_back(name);
+            rows[name].resize(count);
+            rows[name][i] = text;
         }
     std::string body = "<tr><th></th>";
     for (const Candidate& candidate : comparison.candidates) body += "<th>" + escaped_markup(candidate.fabric) + "</th>";
     body += "</tr>\n";
     bool any = false;
-    for (const auto& [path, values] : rows) {
-        if (std::all_of(values.begin(), values.end(), [&](const std::string& value) { return value == values.front(); })) continue;
+    for (const std::string& name : names) {
+        const std::vector<std::string>& texts = rows[name];
+        if (std::all_of(texts.begin(), texts.end(), [&](const std::string& text) { return text == texts.front(); })) continue;
         any = true;
-        body += "<tr><th>" + escaped_markup(path) + "</th>";
-        for (const std::string& value : values) body += "<td>" + escaped_markup(readable(value)) + "</td>";
+        body += "<tr><th>" + escaped_markup(name) + "</th>";
+        for (const std::string& text : texts) body += "<td>" + (text.empty() ? "–" : escaped_markup(text)) + "</td>";
         body += "</tr>\n";
     }
-    return any ? keys_of_project + table(body) : "<p>Nothing: the descriptions are the same.</p>\n";
+    return any ? table(body) : "<p>Nothing: the descriptions are the same.</p>\n";
 }
 
 /// Whose time it is.
@@ -427,8 +432,9 @@ std::string comparison_report_html(const Comparison& comparison, const std::vect
                     section("Experiment", experiment_table(comparison, units)) + section("Results", results(comparison, units)) +
                     section("Intervals", intervals) + section("Why", comparison.why ? why_html(*comparison.why, units) : std::string()) +
                     section("Maps", maps_of(comparison, maps)) + section("Over time", curves(comparison, units)) +
-                    section("What differs in the descriptions", differences(comparison)) + section("Computation", computation(comparison)) +
-                    section("What is not known", unknown(comparison)));
+                    section("Fabrics", calculated(comparison, units)) +
+                    section("What differs in the descriptions", differences(comparison, units)) +
+                    section("Computation", computation(comparison)) + section("What is not known", unknown(comparison)));
 }
 
 } // namespace hygroloom

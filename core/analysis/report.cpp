@@ -5,6 +5,7 @@
 #include "core/analysis/line_chart.h"
 #include "core/analysis/outcomes.h"
 #include "core/analysis/plots.h"
+#include "core/analysis/report_inputs.h"
 #include "core/analysis/svg.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
@@ -87,7 +88,7 @@ std::string charts(const Metrics& metrics, const ReaderUnits& units)
 
 std::string derived(const ReaderUnits& units, const FabricQuantities& q)
 {
-    return row("cover factor", rounded_text(q.cover_factor, 3), "") + row("areal density", rounded_text(q.areal_density_g_m2, 4), "g/m²") +
+    return row("cover factor", rounded_text(q.cover_factor, 3), "") + row("mass per area", rounded_text(q.areal_density_g_m2, 4), "g/m²") +
            row_of(units, "thickness", q.thickness_mm, 3, "mm") + row("porosity", rounded_text(q.porosity, 3), "") +
            row("fibres in the yarn layer", rounded_text(q.fibre_volume_fraction, 3), "m³/m³") +
            row_of(units, "gap between ends", q.gap_warp_mm, 3, "mm") + row_of(units, "gap between picks", q.gap_weft_mm, 3, "mm") +
@@ -134,13 +135,10 @@ std::string input(const RunRecord& run, const ReaderUnits& units)
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     if (!fabric || !experiment) return body;
     const Json project = json_from_design(with_what_was_used(run, *fabric, *experiment));
-    body += keys_of_project;
     constexpr std::pair<const char*, const char*> parts[] = {
         {"fabrics", "Fabric"}, {"materials", "Fibres"}, {"experiments", "Experiment"}, {"liquids", "Liquid"}};
     for (const auto& [key, name] : parts)
-        for (const Json& value : project.value(key, Json::array()))
-            body +=
-                fmt::format("<details open><summary>{}</summary><pre>{}</pre></details>\n", name, escaped_markup(text_from_json(value)));
+        for (const Json& value : project.value(key, Json::array())) body += table_of_inputs(name, value, units);
     return body;
 }
 

@@ -14,11 +14,6 @@ struct ReportPicture {
     Image image;
 };
 
-/// Stands above inputs: these are not words, but what is written in the project.
-constexpr const char* keys_of_project =
-    "<p>The names below are keys of the project file. They end in their unit: mm, um (µm), pct (%), deg (°), "
-    "ul (µl) and so on; a key without one is a plain number or a word.</p>\n";
-
 /// A whole page; body: HTML.
 std::string page(const std::string& title, const std::string& body);
 /// A heading and what follows it; nothing where the body is empty.

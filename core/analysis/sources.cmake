@@ -29,6 +29,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/replicate_file.cpp
   analysis/replicate_range.cpp
   analysis/report.cpp
+  analysis/report_inputs.cpp
   analysis/report_parts.cpp
   analysis/run_trace.cpp
   analysis/series_keys.cpp

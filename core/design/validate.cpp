@@ -36,7 +36,7 @@ void validate_material(const Material& material, const std::string& where, Issue
         list.error("unknown_material", where + ".based_on", fmt::format("The library has no material \"{}\".", material.based_on));
     list.range(where + ".density_kg_m3", "density of a fibre", material.density_kg_m3, 500, 3000, "kg/m3");
     list.range(where + ".fibre_radius_um", "radius of a fibre", material.fibre_radius_um, least_fibre_radius_um, most_fibre_radius_um,
-               "um");
+               "µm");
     list.range(where + ".standard_regain", "regain at 65 % relative humidity", material.standard_regain, 0, 0.5);
     if (list.range(where + ".saturation_regain", "regain at 100 % relative humidity", material.saturation_regain, 0, 2) &&
         material.saturation_regain < material.standard_regain)

@@ -171,13 +171,13 @@ void validate_filaments(const Design& design, const Yarn& yarn, const std::strin
         (1 - (yarn.core ? yarn.core->share : 0)) * free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3).linear_density_tex;
     const double radius = filament_radius_um(tex, *yarn.filament_count, fibre.density_kg_m3);
     if (!list.range(where + ".filament_count", "radius of a fibre that follows from the number of filaments", radius, least_fibre_radius_um,
-                    most_fibre_radius_um, "um"))
+                    most_fibre_radius_um, "µm"))
         return;
     if (std::abs(radius / fibre.fibre_radius_um - 1) > 0.01)
         list.add(
             Severity::note, "filaments", where + ".filament_count",
-            fmt::format("{:.4g} tex of {} filaments ({:.0f} kg/m3) make a fibre radius of {:.3g} um, which counts; that of {} is {:.3g} "
-                        "um and is left aside.",
+            fmt::format("{:.4g} tex of {} filaments ({:.0f} kg/m3) make a fibre radius of {:.3g} µm, which counts; that of {} is {:.3g} "
+                        "µm and is left aside.",
                         tex, *yarn.filament_count, fibre.density_kg_m3, radius, fibre.name, fibre.fibre_radius_um));
 }
 
@@ -236,7 +236,7 @@ void validate_measured(const Measured& measured, const std::string& where, Issue
 {
     list.range_if_given(where + ".porosity", "porosity", measured.porosity, 0.01, 0.999);
     list.range_if_given(where + ".areal_density_g_m2", "areal density", measured.areal_density_g_m2, 1, 10000, "g/m2");
-    list.range_if_given(where + ".capillary_radius_um", "capillary radius", measured.capillary_radius_um, 0.05, 1000, "um");
+    list.range_if_given(where + ".capillary_radius_um", "capillary radius", measured.capillary_radius_um, 0.05, 1000, "µm");
     list.range_if_given(where + ".tortuosity", "tortuosity", measured.tortuosity, 1, 20);
     list.range_if_given(where + ".crimp_percent", "crimp", measured.crimp_percent, 0, 100, "%");
 }

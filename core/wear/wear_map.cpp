@@ -3,6 +3,7 @@
 
 #include "core/analysis/cairo_image.h"
 #include "core/base/error.h"
+#include "core/base/round_up.h"
 #include "core/base/text.h"
 #include "core/base/utf8.h"
 
@@ -151,16 +152,6 @@ std::array<std::uint8_t, 3> step_colour(std::size_t step)
     return colours[step];
 }
 
-double round_most(double most)
-{
-    constexpr double rounding = 1e-9, dry = 1e-9; // less is what rounding leaves of sums
-    if (!(most > dry)) return 1;
-    const double power = std::pow(10, std::floor(std::log10(most)));
-    for (double round : {1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0})
-        if (round * power >= most * (1 - rounding)) return round * power;
-    return 10 * power;
-}
-
 WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMapOptions& options)
 {
     const auto group_of = [&](const WearPanel& panel) {
@@ -189,7 +180,7 @@ WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMap
         map.values.push_back(options.scale == WearScale::same ? 1e3 * sum.water / sum.area : sum.water / sum.capacity);
         most = std::max(most, map.values.back());
     }
-    map.steps = options.steps ? *options.steps : even_steps(options.most > 0 ? options.most : round_most(most));
+    map.steps = options.steps ? *options.steps : even_steps(options.most > 0 ? options.most : rounded_up(most));
     require_ascending(map.steps);
     const WearPanel& first = layout.panels.front();
     map.cells = fmt::format("by {0} x {0} crossings", group_of(first) * first.crossings_per_cell);

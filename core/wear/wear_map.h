@@ -27,14 +27,10 @@ std::size_t step_of(const WearSteps& steps, double value);
 struct WearMapOptions {
     int crossings = 2; ///< over which water is summed up each way; at least a cell
     WearScale scale = WearScale::same;
-    double most = 0;                ///< at the scale's end, g/m2 or a share; 0: see round_most()
+    double most = 0;                ///< at the scale's end, g/m2 or a share; 0: see rounded_up()
     std::optional<WearSteps> steps; ///< instead of even ones up to most
     ReaderUnits units{};            ///< of the scale bar
 };
-
-/// Where a scale of values up to this ends, so that its eight steps are round: 1, 1.2, 1.6, 2, 2.4, 3, 4, 5, 6 or 8 times a power of ten; 1
-/// where nothing is more than rounding leaves.
-double round_most(double most);
 
 /// Value of every cell: the mean over its group of cells. g/m2, or a share.
 struct WearMap {

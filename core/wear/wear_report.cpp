@@ -2,6 +2,7 @@
 #include "core/wear/wear_report.h"
 
 #include "core/analysis/line_chart.h"
+#include "core/analysis/report_inputs.h"
 #include "core/analysis/svg.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
@@ -152,11 +153,9 @@ std::string input(const WearRecord& record)
     for (const std::string& name : names)
         if (const Fabric* fabric = find_fabric(record.design, name)) used.fabrics.push_back(*fabric);
     const ProjectJson project = json_from_design(used);
-    std::string body = keys_of_project;
+    std::string body;
     for (const auto& [key, name] : {std::pair{"garments", "Garment"}, {"experiments", "Experiment"}, {"fabrics", "Fabric"}})
-        for (const ProjectJson& value : project.value(key, ProjectJson::array()))
-            body +=
-                fmt::format("<details open><summary>{}</summary><pre>{}</pre></details>\n", name, escaped_markup(text_from_json(value)));
+        for (const ProjectJson& value : project.value(key, ProjectJson::array())) body += table_of_inputs(name, value);
     return body;
 }
 

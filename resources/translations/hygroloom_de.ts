@@ -1060,6 +1060,22 @@
         <source>ellipse of equal moments on top, semi-axis along weft</source>
         <translation>Ellipse gleicher Momente oben, Halbachse in Schussrichtung</translation>
     </message>
+    <message>
+        <source>round</source>
+        <translation>rund</translation>
+    </message>
+    <message>
+        <source>trilobal</source>
+        <translation>trilobal</translation>
+    </message>
+    <message>
+        <source>bean</source>
+        <translation>bohnenförmig</translation>
+    </message>
+    <message>
+        <source>channelled</source>
+        <translation>gerillt</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>
@@ -1674,10 +1690,6 @@
     <message>
         <source>Make %1 the baseline</source>
         <translation>%1 zum Bezug machen</translation>
-    </message>
-    <message>
-        <source>run of another design</source>
-        <translation>Lauf eines anderen Entwurfs</translation>
     </message>
     <message>
         <source>%1. Tick two to four to see their maps and curves below.</source>
@@ -2386,16 +2398,28 @@ Klicken zeigt diese Zeit.</translation>
         <translation>%1 Wiederholungen dieser Läufe sind da. Wählen Sie unter Wiederholungen mehr als eine, um nach ihnen zu urteilen.</translation>
     </message>
     <message>
-        <source>The design has changed since this was run.</source>
-        <translation>Der Entwurf wurde nach diesem Lauf geändert.</translation>
-    </message>
-    <message>
         <source>Outdated, as the design has changed since they were run: %1. “Run All Missing” runs them again. The older runs stand under All Runs.</source>
         <translation>Überholt, weil der Entwurf nach dem Lauf geändert wurde: %1. „Alle fehlenden rechnen“ rechnet sie neu. Die älteren Läufe stehen unter Alle Läufe.</translation>
     </message>
     <message>
         <source>The runs of this project are being read.</source>
         <translation>Die Läufe dieses Projekts werden gelesen.</translation>
+    </message>
+    <message>
+        <source>fidelity %1</source>
+        <translation>Genauigkeit %1</translation>
+    </message>
+    <message>
+        <source>earlier run</source>
+        <translation>früherer Lauf</translation>
+    </message>
+    <message>
+        <source>other run: %1</source>
+        <translation>anderer Lauf: %1</translation>
+    </message>
+    <message>
+        <source>Since this was run, these have changed: %1.</source>
+        <translation>Seit diesem Lauf wurde geändert: %1.</translation>
     </message>
 </context>
 <context>
@@ -2498,8 +2522,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Wasser, live</translation>
     </message>
     <message>
-        <source>Edit the values of “%1” in the project file, under “materials”.</source>
-        <translation>Ändern Sie die Werte von „%1“ in der Projektdatei unter „materials“.</translation>
+        <source>Edit this value of “%1” in the project file, under “materials”.</source>
+        <translation>Ändern Sie diesen Wert von „%1“ in der Projektdatei unter „materials“.</translation>
     </message>
 </context>
 <context>
@@ -3805,6 +3829,249 @@ Klicken zeigt diese Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>hygroloom::FibrePanel</name>
+    <message>
+        <source>Fibres of the project</source>
+        <translation>Fasern des Projekts</translation>
+    </message>
+    <message>
+        <source>Duplicate the fibre</source>
+        <translation>Die Faser duplizieren</translation>
+    </message>
+    <message>
+        <source>Rename the fibre</source>
+        <translation>Die Faser umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete the fibre</source>
+        <translation>Die Faser löschen</translation>
+    </message>
+    <message>
+        <source>Fibre of the project</source>
+        <translation>Faser des Projekts</translation>
+    </message>
+    <message>
+        <source>About the fibre</source>
+        <translation>Über die Faser</translation>
+    </message>
+    <message>
+        <source>own perimeter</source>
+        <translation>eigener Umfang</translation>
+    </message>
+    <message>
+        <source>Acts in the closure “pores” only.</source>
+        <translation>Wirkt nur im Saugmodell mit Poren.</translation>
+    </message>
+    <message>
+        <source>A fibre of more surface draws water in more strongly.</source>
+        <translation>Eine Faser mit mehr Oberfläche saugt Wasser stärker an.</translation>
+    </message>
+    <message>
+        <source>Cross-section</source>
+        <translation>Querschnitt</translation>
+    </message>
+    <message>
+        <source>cross-section</source>
+        <translation>Querschnitt</translation>
+    </message>
+    <message>
+        <source>Perimeter ratio</source>
+        <translation>Umfangsverhältnis</translation>
+    </message>
+    <message>
+        <source>perimeter of the fibre</source>
+        <translation>Umfang der Faser</translation>
+    </message>
+    <message>
+        <source>Of the cross-section, over that of a circle of the same area; deep-grooved fibres reach 2.5 to 3.</source>
+        <translation>Des Querschnitts, geteilt durch den eines Kreises gleicher Fläche; tief gerillte Fasern erreichen 2,5 bis 3.</translation>
+    </message>
+    <message>
+        <source>Fibre radius</source>
+        <translation>Faserradius</translation>
+    </message>
+    <message>
+        <source>fibre radius</source>
+        <translation>Faserradius</translation>
+    </message>
+    <message>
+        <source>Of a circle of the fibre&apos;s area. A yarn&apos;s filament count takes its place.</source>
+        <translation>Eines Kreises mit der Fläche der Faser. Die Filamentzahl eines Garns ersetzt ihn.</translation>
+    </message>
+    <message>
+        <source>Fibre density</source>
+        <translation>Faserdichte</translation>
+    </message>
+    <message>
+        <source>fibre density</source>
+        <translation>Faserdichte</translation>
+    </message>
+    <message>
+        <source>Of the dry fibre.</source>
+        <translation>Der trockenen Faser.</translation>
+    </message>
+    <message>
+        <source>Contact angle</source>
+        <translation>Randwinkel</translation>
+    </message>
+    <message>
+        <source>contact angle of the fibre</source>
+        <translation>Randwinkel der Faser</translation>
+    </message>
+    <message>
+        <source>Of water that advances. A fabric&apos;s finish takes its place.</source>
+        <translation>Von vorrückendem Wasser. Die Ausrüstung eines Gewebes ersetzt ihn.</translation>
+    </message>
+    <message>
+        <source>Receding angle</source>
+        <translation>Rückzugswinkel</translation>
+    </message>
+    <message>
+        <source>receding angle of the fibre</source>
+        <translation>Rückzugswinkel der Faser</translation>
+    </message>
+    <message>
+        <source>Of water that draws back; at most the contact angle. Leave empty for the assumed one. Acts in the closure “pores” only.</source>
+        <translation>Von Wasser, das sich zurückzieht; höchstens der Randwinkel. Leer lassen für den angenommenen. Wirkt nur im Saugmodell mit Poren.</translation>
+    </message>
+    <message>
+        <source>Standard regain</source>
+        <translation>Normalfeuchte</translation>
+    </message>
+    <message>
+        <source>standard regain</source>
+        <translation>Feuchteaufnahme im Normalklima</translation>
+    </message>
+    <message>
+        <source>Water per dry fibre at 65 % relative humidity and 20 °C, absorption.</source>
+        <translation>Wasser je trockener Faser bei 65 % relativer Feuchte und 20 °C, Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Saturation regain</source>
+        <translation>Sättigungsfeuchte</translation>
+    </message>
+    <message>
+        <source>saturation regain</source>
+        <translation>Feuchteaufnahme bei Sättigung</translation>
+    </message>
+    <message>
+        <source>The same at 100 % relative humidity.</source>
+        <translation>Dasselbe bei 100 % relativer Feuchte.</translation>
+    </message>
+    <message>
+        <source>as the fibre it is based on</source>
+        <translation>wie die Ausgangsfaser</translation>
+    </message>
+    <message>
+        <source>master curve</source>
+        <translation>Einheitskurve</translation>
+    </message>
+    <message>
+        <source>Regain over relative humidity. The master curve goes through the standard regain.</source>
+        <translation>Feuchteaufnahme über der relativen Feuchte. Die Einheitskurve geht durch die Feuchteaufnahme im Normalklima.</translation>
+    </message>
+    <message>
+        <source>Isotherm</source>
+        <translation>Isotherme</translation>
+    </message>
+    <message>
+        <source>isotherm</source>
+        <translation>Isotherme</translation>
+    </message>
+    <message>
+        <source>Conductivity</source>
+        <translation>Leitfähigkeit</translation>
+    </message>
+    <message>
+        <source>thermal conductivity</source>
+        <translation>Wärmeleitfähigkeit</translation>
+    </message>
+    <message>
+        <source>Of heat, across the fibre.</source>
+        <translation>Für Wärme, quer zur Faser.</translation>
+    </message>
+    <message>
+        <source>Specific heat</source>
+        <translation>Spezifische Wärme</translation>
+    </message>
+    <message>
+        <source>specific heat</source>
+        <translation>spezifische Wärme</translation>
+    </message>
+    <message>
+        <source>Heat of wetting</source>
+        <translation>Benetzungswärme</translation>
+    </message>
+    <message>
+        <source>heat of wetting</source>
+        <translation>Benetzungswärme</translation>
+    </message>
+    <message>
+        <source>From dry to saturated, per gram of fibre. 0: what the law of sorption heats gives.</source>
+        <translation>Von trocken bis gesättigt, je Gramm Faser. 0: was das Gesetz der Sorptionswärmen ergibt.</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>No fabric uses it.</source>
+        <translation>Kein Gewebe verwendet sie.</translation>
+    </message>
+    <message>
+        <source>Used by %1.</source>
+        <translation>Verwendet von %1.</translation>
+    </message>
+    <message>
+        <source>Based on %1. %2</source>
+        <translation>Beruht auf %1. %2</translation>
+    </message>
+    <message>
+        <source>duplicate fibre</source>
+        <translation>Faser duplizieren</translation>
+    </message>
+    <message>
+        <source>A fibre needs a name.</source>
+        <translation>Eine Faser braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>A fibre “%1” already exists. Choose another name.</source>
+        <translation>Eine Faser „%1“ gibt es schon. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>rename fibre</source>
+        <translation>Faser umbenennen</translation>
+    </message>
+    <message>
+        <source>delete fibre</source>
+        <translation>Faser löschen</translation>
+    </message>
+    <message>
+        <source>Rename fibre</source>
+        <translation>Faser umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete fibre</source>
+        <translation>Faser löschen</translation>
+    </message>
+    <message>
+        <source>Delete “%1”?</source>
+        <translation>„%1“ löschen?</translation>
+    </message>
+    <message>
+        <source>“%1” is used by %2. They will use %3 instead.</source>
+        <translation>„%1“ wird von %2 verwendet. Stattdessen wird dort %3 verwendet.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>None yet. “Own…” beside the fibre of a yarn makes one of it.</source>
+        <translation>Noch keine. „Eigene…“ neben der Faser eines Garns macht daraus eine.</translation>
+    </message>
+</context>
+<context>
     <name>hygroloom::FieldPicker</name>
     <message>
         <source>Add Factors</source>
@@ -4379,10 +4646,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Die Stufen haben eigene Enden; Stufen… unter der Legende ändert sie und setzt sie zurück.</translation>
     </message>
     <message>
-        <source>Where the eight steps of the colours end. Empty: at a round number over the most that the runs hold.</source>
-        <translation>Wo die acht Stufen der Farben enden. Leer: bei einer runden Zahl über dem Höchsten, das die Läufe enthalten.</translation>
-    </message>
-    <message>
         <source>About the recording</source>
         <translation>Über die Aufzeichnung</translation>
     </message>
@@ -4401,6 +4664,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Run that is kept</source>
         <translation>Aufbewahrter Lauf</translation>
+    </message>
+    <message>
+        <source>Where the eight steps of the colours end. Empty: at a round number over the most that the runs hold; while a run goes on, over the most that it is expected to hold.</source>
+        <translation>Wo die acht Stufen der Farben enden. Leer: bei einer runden Zahl über dem Höchsten, das die Läufe enthalten; während ein Lauf rechnet, über dem Höchsten, das von ihm zu erwarten ist.</translation>
     </message>
 </context>
 <context>
@@ -5586,8 +5853,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Die Antwort folgt.</translation>
     </message>
     <message>
-        <source>looked at 20 times, of an error that is not known</source>
-        <translation>20-mal angesehen, Fehler nicht bekannt</translation>
+        <source>20 frames, numerical error not known</source>
+        <translation>20 Bilder, numerischer Fehler nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -7269,6 +7536,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>The recording is being read: these are the numbers so far.</source>
         <translation>Die Aufzeichnung wird gelesen: bisherige Zahlen.</translation>
     </message>
+    <message>
+        <source>largest wetted radius</source>
+        <translation>größter Benetzungsradius</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::RunActions</name>
@@ -7492,6 +7763,34 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>This run is of another experiment. Only runs of the same experiment can be compared.</source>
         <translation>Dieser Lauf gehört zu einem anderen Versuch. Nur Läufe desselben Versuchs lassen sich vergleichen.</translation>
+    </message>
+    <message>
+        <source>experiment is gone</source>
+        <translation>Versuch fehlt</translation>
+    </message>
+    <message>
+        <source>sample</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <source>experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>liquid</source>
+        <translation>Flüssigkeit</translation>
+    </message>
+    <message>
+        <source>fabric is gone</source>
+        <translation>Gewebe fehlt</translation>
+    </message>
+    <message>
+        <source>fabric</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>fibres</source>
+        <translation>Fasern</translation>
     </message>
 </context>
 <context>
@@ -9366,8 +9665,8 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Ab dieser Zeit gelten die Raten der Zonentabelle mal dieser Zahl: 1 ergibt die Raten der Tabelle, 0 keinen Schweiß. Die Tabelle wird unter Kleidungsstück, Schweiß gewählt.</translation>
     </message>
     <message>
-        <source>Sweat, × table</source>
-        <translation>Schweiß, × Tabelle</translation>
+        <source>Sweat factor</source>
+        <translation>Schweißfaktor</translation>
     </message>
 </context>
 <context>
@@ -10005,10 +10304,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>%1: Mischung</translation>
     </message>
     <message>
-        <source>Blend ratio</source>
-        <translation>Mischungsanteil</translation>
-    </message>
-    <message>
         <source>%1 blend share</source>
         <translation>%1: Anteil der Mischung</translation>
     </message>
@@ -10047,6 +10342,42 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>Fraction of the core, by the yarn&apos;s dry mass.</source>
         <translation>Anteil des Kerns an der Trockenmasse des Garns.</translation>
+    </message>
+    <message>
+        <source>Own fibre from the yarn&apos;s</source>
+        <translation>Eigene Faser aus der des Garns</translation>
+    </message>
+    <message>
+        <source>Own fibre from the blended one</source>
+        <translation>Eigene Faser aus der beigemischten</translation>
+    </message>
+    <message>
+        <source>First fibre</source>
+        <translation>Erste Faser</translation>
+    </message>
+    <message>
+        <source>own fibre</source>
+        <translation>eigene Faser</translation>
+    </message>
+    <message>
+        <source>Own fibre from the core&apos;s</source>
+        <translation>Eigene Faser aus der des Kerns</translation>
+    </message>
+    <message>
+        <source>Shows the values of this fibre of the project: cross-section, size, wetting, regain.</source>
+        <translation>Zeigt die Werte dieser Faser des Projekts: Querschnitt, Größe, Benetzung, Feuchteaufnahme.</translation>
+    </message>
+    <message>
+        <source>Copies this fibre into the project, where its cross-section, size, wetting and regain can be set.</source>
+        <translation>Kopiert diese Faser in das Projekt, wo Querschnitt, Größe, Benetzung und Feuchteaufnahme eingestellt werden können.</translation>
+    </message>
+    <message>
+        <source>Own…</source>
+        <translation>Eigene…</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Ändern…</translation>
     </message>
 </context>
 <context>

@@ -246,14 +246,16 @@ private Q_SLOTS:
         QVERIFY2(page().find("for the run of the cloth as given; no times of its 2 replicates are kept") != std::string::npos,
                  page().c_str());
         QVERIFY(comparison_csv(c).find("# wall_s=of the run of the cloth as given") != std::string::npos);
-        Design other = drop_design();
-        other.fabrics[0].ends_per_cm += 1;
         auto run = std::make_shared<RunRecord>(*c.candidates[0].run);
-        run->design = other;
+        run->design.fabrics[0].ends_per_cm += 1;
+        run->design.fabrics[0].warp.material = {{"polyester", 0.65}, {"cotton", 0.35}};
+        run->textile.quantities.areal_density_g_m2 = 180;
         c.candidates[1].run = run;
-        const std::string differs = page();
-        QVERIFY2(differs.find("ends_per_cm") != std::string::npos, differs.c_str());
-        QVERIFY2(differs.find("keys of the project file") < differs.find("ends_per_cm"), differs.c_str());
+        const std::string ends = QString::number(run->design.fabrics[0].ends_per_cm - 1, 'g', 10).toStdString();
+        for (const std::string& words : {"<tr><th>ends</th><td>" + ends + " /cm</td>", std::string("<td>65 % polyester, 35 % cotton</td>"),
+                                         std::string("mass per area, g/m²"), std::string("<td class=\"number\">180.0</td>")})
+            QVERIFY2(page().find(words) != std::string::npos, words.c_str());
+        for (const char* key : {"ends_per_cm", "--replicates"}) QVERIFY2(page().find(key) == std::string::npos, key);
     }
     void theReportSaysWhatTheExperimentWas()
     {

@@ -124,7 +124,7 @@ private Q_SLOTS:
         CandidateTable* table = view.table();
         QVERIFY(!table->tabKeyNavigation()); // it would keep the focus
         QCOMPARE(table->rowCount(), 2);
-        QCOMPARE(table->horizontalHeaderItem(CandidateTable::first_number)->text(), QString("Wetted radius, top (mm)"));
+        QCOMPARE(table->horizontalHeaderItem(CandidateTable::first_number)->text(), QString("Largest wetted radius, top (mm)"));
         QVERIFY(thick_.metrics->maximum_wetted_radius_top != thin_.metrics->maximum_wetted_radius_top);
         const auto text = [&](const KeptRun& run) { return table->cellText(rowOf(view, run.run->fabric), 0); };
         QVERIFY(text(thick_).endsWith("\nbaseline")); // it is not better than itself

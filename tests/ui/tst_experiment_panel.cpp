@@ -332,8 +332,8 @@ private Q_SLOTS:
     void resultsAndCurvesAreThoseOfTheType()
     {
         QFETCH(int, type);
-        const char* results[] = {"Absorbency time",    "Overall capability (OMMC)", "Height",       "Wicking rate",
-                                 "Steady drying rate", "Regain at the end",         "Wetted radius"};
+        const char* results[] = {"Absorbency time",   "Overall capability (OMMC)", "Height", "Wicking rate", "Steady drying rate",
+                                 "Regain at the end", "Largest wetted radius"};
         const char* titles[] = {"Wetted radius, mm", "Water content, % of dry mass", "Height, mm", "Wetted radius, mm", "Temperature, °C",
                                 "Temperature, °C",   "Water in the faces, mg"};
         Playback playback;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A garment that is worn in the Garment workspace: frames as they come, colours, numbers, the pin, a kept run, recordings.
+#include "core/base/round_up.h"
 #include "core/wear/wear_map.h"
-#include "ui/basics/color_map.h"
 #include "ui/basics/elided_label.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
@@ -171,8 +171,8 @@ private Q_SLOTS:
             for (const double share : cellValues(run.layout(), *frame, WearValue::share)) { held = std::max(held, share); }
         }
         QVERIFY2(held > 0 && held < 0.8, qPrintable(QString::number(held))); // else 100 % would be right
-        QCOMPARE(workspace_->playback().most(), roundedUp(held));
-        QCOMPARE(roundedUp(3e-14), 1.0); // a dry garment is white
+        QCOMPARE(workspace_->playback().most(), rounded_up(held));
+        QCOMPARE(rounded_up(3e-14), 1.0); // a dry garment is white
         QVERIFY(workspace_->playback().most() < 1);
     }
 

@@ -70,9 +70,10 @@ private Q_SLOTS:
         QVERIFY2(before.endsWith(QString::fromUtf8(" mm")), qPrintable(before));
         choose("Lengths", 2);
         QVERIFY2(textOf("Yarn layer").endsWith(QString::fromUtf8(" in")), qPrintable(textOf("Yarn layer")));
-        QVERIFY2(results().text().contains(QRegularExpression("Wetted radius\t[0-9.]+.in")), qPrintable(results().text()));
+        QVERIFY2(results().text().contains(QRegularExpression("Largest wetted radius\t[0-9.]+.in")), qPrintable(results().text()));
         window_->setWorkspace(Workspace::compare);
-        QTRY_COMPARE(compareView().table()->horizontalHeaderItem(CandidateTable::first_number)->text(), QString("Wetted radius, top (in)"));
+        QTRY_COMPARE(compareView().table()->horizontalHeaderItem(CandidateTable::first_number)->text(),
+                     QString("Largest wetted radius, top (in)"));
     }
 
     void settsAndCountsReachTheirFields()

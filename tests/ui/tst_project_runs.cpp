@@ -37,7 +37,7 @@ private Q_SLOTS:
         QVERIFY(compareView().chosen().contains(runs().runs()[1].path)); // as before
         window_->document().edit("ends", {}, [](Design& d) { d.fabrics[0].ends_per_cm = 30; });
         QVERIFY(!runs().runs()[0].current);
-        QCOMPARE(list()->topLevelItem(0)->text(5), QString("older design"));
+        QCOMPARE(list()->topLevelItem(0)->text(5), QString("older design: fabric"));
         window_->document().history()->undo();
         QVERIFY(runs().runs()[0].current);
         QCOMPARE(list()->topLevelItem(0)->text(5), QString());
@@ -321,7 +321,7 @@ private Q_SLOTS:
         list()->setCurrentItem(list()->topLevelItem(0));
         button("Keep")->click();
         QVERIFY(isMarked(marked));
-        QCOMPARE(list()->topLevelItem(0)->text(5), QString("kept, older design"));
+        QCOMPARE(list()->topLevelItem(0)->text(5), QString("kept, older design: fabric"));
         const auto asked = press("Forget");
         button("Forget Older…")->click();
         QVERIFY2(asked->contains("2: ") && !asked->contains("1: "), qPrintable(*asked));

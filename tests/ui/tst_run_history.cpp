@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The list of runs: their numbers when their recordings move.
+#include "tests/support/drop_design.h"
 #include "ui/results/run_history.h"
 
 #include <QTest>
@@ -54,6 +55,42 @@ private Q_SLOTS:
         QVERIFY(whyNotCompared(bare, whole).contains("being read"));
         whole.problem = "it is damaged.";
         QCOMPARE(whyNotCompared(whole, bare), whole.problem);
+    }
+
+    void whatDiffersIsNamed()
+    {
+        RunRecord run;
+        run.design = drop_design();
+        run.design.fabrics.push_back(run.design.fabrics[0]);
+        run.design.fabrics[1].name = "other";
+        run.fabric = run.design.fabrics[0].name;
+        run.experiment = run.design.experiments[0].name;
+        QVERIFY(holdsFor(run, run.design));
+        Design now = run.design;
+        now.experiments[0].sample_mm = {33, 44};
+        QCOMPARE(differencesOf(run, now), QStringList{"sample"});
+        now.experiments[0].duration_s += 1;
+        now.fabrics[0].ends_per_cm += 1;
+        QCOMPARE(differencesOf(run, now), (QStringList{"experiment", "fabric"}));
+        now = run.design;
+        now.experiments.clear();
+        QCOMPARE(differencesOf(run, now), QStringList{"experiment is gone"});
+    }
+
+    /// A fibre of one's own, made for another fabric, makes no run of this one an older one.
+    void fibresOfOtherFabricsDoNotMatter()
+    {
+        RunRecord run;
+        run.design = drop_design();
+        run.fabric = run.design.fabrics[0].name;
+        run.experiment = run.design.experiments[0].name;
+        Design now = run.design;
+        now.materials.push_back(*find_library_material("wool"));
+        now.materials.back().name = "own wool";
+        QVERIFY(holdsFor(run, now));
+        now.materials.push_back(*find_library_material(now.fabrics[0].warp.material[0].name));
+        now.materials.back().fibre_radius_um += 1;
+        QCOMPARE(differencesOf(run, now), QStringList{"fibres"});
     }
 
 private:

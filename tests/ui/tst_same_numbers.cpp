@@ -34,7 +34,7 @@ private Q_SLOTS:
 
     void theResultsHaveTheExactRadius()
     {
-        QVERIFY2(results().text().contains("Wetted radius\t" + valueText(radius_, "mm")), qPrintable(results().text()));
+        QVERIFY2(results().text().contains("Largest wetted radius\t" + valueText(radius_, "mm")), qPrintable(results().text()));
         QVERIFY(!results().text().contains("rings")); // no tester read this run
     }
 
@@ -53,7 +53,7 @@ private Q_SLOTS:
         window_->setWorkspace(Workspace::compare);
         CandidateTable* table = compareView().table();
         QTRY_VERIFY_WITH_TIMEOUT(number(*table) > 0, 20000);
-        QCOMPARE(table->horizontalHeaderItem(CandidateTable::first_number)->text(), QString("Wetted radius, top (mm)"));
+        QCOMPARE(table->horizontalHeaderItem(CandidateTable::first_number)->text(), QString("Largest wetted radius, top (mm)"));
         QVERIFY2(std::abs(number(*table) - radius_) < 0.01 * radius_, qPrintable(cell(*table)->text()));
         QVERIFY2(cell(*table)->toolTip().contains(valueText(radius_, "mm", true).toHtmlEscaped()), qPrintable(cell(*table)->toolTip()));
     }

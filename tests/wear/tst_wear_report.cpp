@@ -3,6 +3,7 @@
 #include "core/wear/wear_report.h"
 
 #include "core/base/error.h"
+#include "core/base/round_up.h"
 #include "tests/support/crafted_wear.h"
 
 #include <QRegularExpression>
@@ -154,13 +155,13 @@ private Q_SLOTS:
             const WearMap map = wear_map(recording.record().layout, recording.frame(2), how);
             const double most = *std::max_element(map.values.begin(), map.values.end());
             QVERIFY(map.most() >= most && map.most() <= 1.25 * most);
-            QCOMPARE(map.most(), round_most(most));
+            QCOMPARE(map.most(), rounded_up(most));
         }
-        QCOMPARE(round_most(0), 1.0);
-        QCOMPARE(round_most(3e-14), 1.0); // a dry garment is white
-        QCOMPARE(round_most(0.27), 0.3);
-        QCOMPARE(round_most(169), 200.0);
-        QCOMPARE(round_most(87), 100.0);
+        QCOMPARE(rounded_up(0), 1.0);
+        QCOMPARE(rounded_up(3e-14), 1.0); // a dry garment is white
+        QCOMPARE(rounded_up(0.27), 0.3);
+        QCOMPARE(rounded_up(169), 200.0);
+        QCOMPARE(rounded_up(87), 100.0);
         how.most = 0.5;
         QCOMPARE(wear_map(recording.record().layout, recording.frame(2), how).most(), 0.5);
     }

@@ -96,17 +96,6 @@ QImage waterRamp(WaterColors colors)
     return ramp;
 }
 
-double roundedUp(double value)
-{
-    constexpr double nothing = 1e-9; // less is what rounding leaves of sums
-    if (!(value > nothing)) { return 1; }
-    const double power = std::pow(10, std::floor(std::log10(value)));
-    for (const double factor : {1.0, 1.2, 1.6, 2.0, 2.4, 3.0, 4.0, 5.0, 6.0, 8.0}) {
-        if (factor * power >= value * (1 - 1e-9)) { return factor * power; }
-    }
-    return 10 * power;
-}
-
 void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit, WaterColors colors)
 {
     drawLegend(painter, area, title, 0, maximum, unit, colors);

@@ -25,9 +25,6 @@ QColor differenceColor(double share);
 /// What a difference map shows where there is no difference to speak of.
 QColor noDifferenceColor();
 
-/// A number to put at the end of a range: short, and not below value. 1 where value is what rounding leaves of 0.
-double roundedUp(double value);
-
 /// A bar from zero to maximum with its unit; right of the bar the numbers.
 void drawLegend(QPainter& painter, const QRectF& area, const QString& title, double maximum, const QString& unit, WaterColors colors);
 /// The same from another number than zero.

@@ -173,6 +173,11 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "elastane"),
     QT_TRANSLATE_NOOP("core", "water"),
     QT_TRANSLATE_NOOP("core", "saline"),
+    // Cross-sections of fibres: resources/materials/fibres.json.
+    QT_TRANSLATE_NOOP("core", "round"),
+    QT_TRANSLATE_NOOP("core", "trilobal"),
+    QT_TRANSLATE_NOOP("core", "bean"),
+    QT_TRANSLATE_NOOP("core", "channelled"),
     // Zones of the body and garments: core/design/garment.cpp.
     QT_TRANSLATE_NOOP("core", "head"),
     QT_TRANSLATE_NOOP("core", "chest"),

@@ -7,6 +7,7 @@
 #include "ui/basics/quantity.h"
 #include "ui/basics/words.h"
 #include "ui/results/report_file.h"
+#include "ui/results/results_panel.h"
 
 #include <QLocale>
 
@@ -47,7 +48,7 @@ GridColumn columnOf(const OutcomeInfo& info)
     GridColumn column;
     column.info = info;
     const QString unit = userUnit(QString::fromStdString(shown(info, 0.0).unit)).unit;
-    column.head = capital(coreTitle(info.title, info.face));
+    column.head = capital(info.face.empty() ? outcomeTitle(info) : outcomeTitle(info) + ", " + coreWord(info.face));
     if (!unit.isEmpty()) { column.head += " (" + unit + ")"; }
     column.tip = betterText(info);
     return column;

@@ -44,6 +44,7 @@ struct GridRow {
     int place = 0;
     bool baseline = false;
     bool candidate = true; ///< a fabric of the project
+    QString note{};        ///< of another run, how it differs
     QString path;          ///< of its run, where the rows are of one experiment
     std::vector<GridCell> cells;
 };

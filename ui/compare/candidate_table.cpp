@@ -151,7 +151,7 @@ void CandidateTable::fillRow(int row)
         paragraph(from.baseline ? tr("The others are compared with %1.").arg(name) : tr("Click to compare the others with %1.").arg(name)));
     pin->setData(Qt::AccessibleTextRole, from.baseline ? tr("%1 is the baseline").arg(name) : tr("Make %1 the baseline").arg(name));
     setItem(row, pin_column, pin);
-    auto* title = new QTableWidgetItem(from.candidate ? name : name + "\n" + tr("run of another design"));
+    auto* title = new QTableWidgetItem(from.candidate ? name : name + "\n" + from.note);
     title->setToolTip(paragraph(name));
     if (!from.path.isEmpty() && !overview_) {
         title->setData(Qt::UserRole, from.path);

@@ -47,6 +47,7 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     experiment_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     for (const Fidelity each : all_fidelities) { fidelity_->addItem(fidelityName(each), static_cast<int>(each)); }
     fidelity_->setPlaceholderText(tr("reading…"));
+    setFidelity(Fidelity::draft); // as Simulate does
     for (const int count : {1, 4, 8, 16}) { replicates_->addItem(QString::number(count), count); }
     replicates_->setToolTip(
         "<p>" +

@@ -2,6 +2,7 @@
 #include "ui/compare/compare_maps.h"
 
 #include "core/base/error.h"
+#include "core/base/round_up.h"
 #include "core/base/text.h"
 #include "ui/basics/quantity.h"
 
@@ -310,7 +311,7 @@ void CompareMaps::showProblem(const QString& sentence)
 
 void CompareMaps::showRange()
 {
-    for (WaterMap* map : maps_) { map->setRange(roundedUp(maximum_), colors_); }
+    for (WaterMap* map : maps_) { map->setRange(rounded_up(maximum_), colors_); }
     update();
 }
 
@@ -323,9 +324,9 @@ void CompareMaps::paintEvent(QPaintEvent*)
     const QRectF room(legend_->mapTo(this, QPoint(0, 0)), legend_->size());
     const QRectF area = room.adjusted(4, 0, -4, -std::max(0.0, room.height() - 240));
     if (differs() && baseline_) {
-        drawDifferenceLegend(painter, area, tr("Difference"), 1000 * roundedUp(maximum_), tr("g/m²"));
+        drawDifferenceLegend(painter, area, tr("Difference"), 1000 * rounded_up(maximum_), tr("g/m²"));
     } else {
-        drawLegend(painter, area, tr("Water"), 1000 * roundedUp(maximum_), tr("g/m²"), colors_);
+        drawLegend(painter, area, tr("Water"), 1000 * rounded_up(maximum_), tr("g/m²"), colors_);
     }
 }
 

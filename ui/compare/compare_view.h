@@ -94,8 +94,9 @@ private:
     void refreshTable();
     Grid overview();
     void markMissing(Grid& grid) const;
-    /// Whether it was run, on an older design.
-    bool isOutdated(const std::string& fabric, const std::string& experiment) const;
+    QString noteOf(const QString& path) const;
+    /// The newest run of it on an older design; nullptr: there is none.
+    const KeptRun* outdatedRun(const std::string& fabric, const std::string& experiment) const;
     QString outdatedText() const;
     void refreshMissing();
     void refreshLower();

@@ -16,6 +16,7 @@
 #include "ui/compare/why_view.h"
 #include "ui/document/document.h"
 #include "ui/results/device_choice.h"
+#include "ui/results/plan_dialog.h"
 #include "ui/results/report_file.h"
 
 #include <QDir>
@@ -50,7 +51,10 @@ void CompareView::refreshTable()
         numbers_.measured = measured_[numbers_.experiment];
         grid = gridOf(numbers_, gridEntries(rows_));
         const std::size_t own = shown->own ? document_.design()->fabrics.size() : 0;
-        for (std::size_t i = 0; i < grid.rows.size(); ++i) { grid.rows[i].candidate = i < own; }
+        for (std::size_t i = 0; i < grid.rows.size(); ++i) {
+            grid.rows[i].candidate = i < own;
+            if (i >= own) { grid.rows[i].note = noteOf(rows_[i].path); }
+        }
     } else {
         grid = overview();
     }
@@ -58,6 +62,16 @@ void CompareView::refreshTable()
     table_->setGrid(grid, QSet<QString>(chosen_.begin(), chosen_.end()), !entry());
     bar_->offerFiles(numbers_.candidates.size());
     refreshHint();
+}
+
+/// What makes a run another than that of a fabric of the project.
+QString CompareView::noteOf(const QString& path) const
+{
+    const KeptRun* run = history_.find(path);
+    if (!run) { return {}; }
+    QStringList differs = differencesOf(*run->run, *document_.design());
+    if (run->run->plan.fidelity != bar_->fidelity()) { differs << tr("fidelity %1").arg(fidelityName(run->run->plan.fidelity)); }
+    return differs.isEmpty() ? tr("earlier run") : tr("other run: %1").arg(differs.join(", "));
 }
 
 Grid CompareView::overview()
@@ -86,8 +100,13 @@ void CompareView::markMissing(Grid& grid) const
             const QString failure = runs_.failureOf(cell.missing.front());
             if (cell.state != GridCell::State::missing) { continue; }
             cell.tip = tr("Enter or the button runs it.");
-            cell.outdated = isOutdated(cell.missing.front().fabric, cell.missing.front().experiment);
-            if (cell.outdated) { cell.tip = tr("The design has changed since this was run.") + "\n" + cell.tip; }
+            const KeptRun* older = outdatedRun(cell.missing.front().fabric, cell.missing.front().experiment);
+            cell.outdated = older != nullptr;
+            if (older) {
+                cell.tip =
+                    tr("Since this was run, these have changed: %1.").arg(differencesOf(*older->run, *document_.design()).join(", ")) +
+                    "\n" + cell.tip;
+            }
             if (any(StudyRuns::State::running)) {
                 cell.verdict = tr("running…");
             } else if (any(StudyRuns::State::waiting)) {
@@ -100,13 +119,14 @@ void CompareView::markMissing(Grid& grid) const
     }
 }
 
-bool CompareView::isOutdated(const std::string& fabric, const std::string& experiment) const
+const KeptRun* CompareView::outdatedRun(const std::string& fabric, const std::string& experiment) const
 {
     const auto& runs = history_.runs();
-    return std::any_of(runs.begin(), runs.end(), [&](const KeptRun& run) {
+    const auto found = std::find_if(runs.rbegin(), runs.rend(), [&](const KeptRun& run) {
         return run.own && !run.worn && run.problem.isEmpty() && run.complete() && !run.current && run.run->fabric == fabric &&
                run.run->experiment == experiment;
     });
+    return found == runs.rend() ? nullptr : &*found;
 }
 
 /// Which fabrics have only runs of an older design; empty: none.
@@ -114,7 +134,7 @@ QString CompareView::outdatedText() const
 {
     QStringList fabrics;
     for (const StudyRow& row : rows_) {
-        if (entry()->own && row.path.isEmpty() && !row.missing.empty() && isOutdated(row.fabric, entry()->name)) {
+        if (entry()->own && row.path.isEmpty() && !row.missing.empty() && outdatedRun(row.fabric, entry()->name)) {
             fabrics << QString::fromStdString(row.fabric);
         }
     }
@@ -299,7 +319,7 @@ void CompareView::start(const std::vector<StudyJob>& jobs)
         return;
     }
     std::vector<StudyRuns::Expected> expected;
-    for (const StudyJob& job : jobs) { expected.push_back({job, std::max(0.1, secondsOf(job).value_or(1))}); }
+    for (const StudyJob& job : jobs) { expected.push_back({job, secondsOf(job).value_or(0)}); }
     runs_.start(expected);
 }
 

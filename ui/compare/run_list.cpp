@@ -20,11 +20,15 @@ namespace hygroloom {
 namespace {
 
 /// What there is to say of where a run stands.
-QString stateOf(const KeptRun& run)
+QString stateOf(const KeptRun& run, const Design& design)
 {
     QStringList words;
     if (run.marked) { words << RunList::tr("kept"); }
-    if (!run.current) { words << (run.own ? RunList::tr("older design") : RunList::tr("other design")); }
+    if (!run.current) {
+        const QString differs = run.worn ? QString() : differencesOf(*run.run, design).join(", ");
+        const QString of = run.own ? RunList::tr("older design") : RunList::tr("other design");
+        words << (differs.isEmpty() ? of : RunList::tr("%1: %2").arg(of, differs));
+    }
     if (!isSaved(run)) { words << RunList::tr("not saved"); }
     return words.join(", ");
 }
@@ -59,6 +63,7 @@ void RunList::build()
     list_->setAccessibleName(worn() ? tr("Runs of garments") : tr("Runs to compare"));
     list_->setHeaderLabels({worn() ? tr("Garment") : tr("Fabric"), tr("Experiment"), tr("Fidelity"), tr("Took"), tr("Size"), tr("State")});
     list_->setRootIsDecorated(false);
+    list_->setTextElideMode(Qt::ElideMiddle); // names often differ at their end
     list_->setFrameShape(QFrame::NoFrame);
     list_->setMinimumSize(240, 80);
     list_->setToolTip(worn() ? tr("Double-click a run, or press Enter, to show it.")
@@ -109,10 +114,11 @@ void RunList::fill(QTreeWidgetItem* item, const KeptRun& run, bool ticked)
     item->setText(2, fidelityName(run.run->plan.fidelity));
     item->setText(3, run.complete() ? tr("%1 s").arg(shownNumber(run.run->wall, decimals_for(run.run->wall, 2))) : tr("stopped"));
     item->setText(4, bytesText(run.bytes));
-    item->setText(5, stateOf(run));
+    item->setText(5, stateOf(run, *history_.design()));
     const QString why = worn() ? run.problem : why_not_(run);
     const QString origin = worn() ? QString::fromStdString(run.run->date + ", " + run.run->device) : originOf(*run.run, false);
-    const QString tip = (why.isEmpty() ? origin : why) + ". " + QDir::toNativeSeparators(run.path);
+    const QString name = item->text(0) + ", " + item->text(1);
+    const QString tip = name + ". " + (why.isEmpty() ? origin : why) + ". " + QDir::toNativeSeparators(run.path);
     if (!worn()) { item->setCheckState(0, ticked ? Qt::Checked : Qt::Unchecked); }
     if (!why.isEmpty()) { item->setFlags(item->flags() & ~Qt::ItemIsUserCheckable); }
     for (int column = 0; column < list_->columnCount(); ++column) {

@@ -23,6 +23,9 @@ namespace hygroloom {
 namespace {
 
 /// One scene fills a CPU. A GPU computes some drafts as fast as one, where its memory holds them: see the gate.
+/// In the bar of progress.
+double weightOf(const StudyRuns::Expected& run) { return run.seconds > 0 ? std::max(0.1, run.seconds) : 1; }
+
 std::size_t atOnce(Fidelity fidelity) { return expected_backend(backendOfMany()) == "cpu" || fidelity != Fidelity::draft ? 1 : 8; }
 
 } // namespace
@@ -56,6 +59,7 @@ bool StudyRuns::start(const std::vector<Expected>& jobs)
     if (!running()) {
         control_.cancel = false;
         all_seconds_ = done_seconds_ = 0;
+        times_ = {};
         all_ = done_ = 0;
         clock_.start();
     }
@@ -63,7 +67,7 @@ bool StudyRuns::start(const std::vector<Expected>& jobs)
         if (stateOf(each.job) != State::none) { continue; }
         failures_.erase(kindOf(each.job));
         queue_.push_back({each, each.design ? each.design : document_.design()});
-        all_seconds_ += each.seconds;
+        all_seconds_ += weightOf(each);
         ++all_;
     }
     startNext();
@@ -88,6 +92,7 @@ void StudyRuns::startNext()
         }
         Slot* own = slot.get();
         slots_.push_back(std::move(slot));
+        own->clock.start();
         own->thread = std::jthread([this, own, work = own->work, recording = own->recording] {
             const auto result = std::make_shared<Result>(run(work, recording, own));
             post([this, own, result] { end(own, result); });
@@ -114,6 +119,7 @@ StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, 
                 const auto is_it = [slot](const auto& each) { return each.get() == slot; };
                 if (std::none_of(slots_.begin(), slots_.end(), is_it)) { return; } // its end came first
                 slot->share = share;
+                slot->course.emplace_back(share, 1e-3 * static_cast<double>(slot->clock.elapsed()));
                 Q_EMIT progressed();
             });
         };
@@ -150,7 +156,8 @@ void StudyRuns::end(Slot* slot, const std::shared_ptr<Result>& result)
     slots_.erase(at);
     own->thread.join(); // it has posted its last
     const StudyJob& job = own->work.expected.job;
-    done_seconds_ += own->work.expected.seconds;
+    done_seconds_ += weightOf(own->work.expected);
+    if (result->finished) { times_.add(own->work.expected.seconds, 1e-3 * static_cast<double>(own->clock.elapsed()), own->course); }
     ++done_;
     if (job.mixture != 0) {
         handOver(job, *result);
@@ -237,11 +244,23 @@ StudyRuns::State StudyRuns::stateOf(const StudyJob& job) const
 double StudyRuns::share() const
 {
     double done = done_seconds_;
-    for (const auto& slot : slots_) { done += slot->share * slot->work.expected.seconds; }
+    for (const auto& slot : slots_) { done += slot->share * weightOf(slot->work.expected); }
     return all_seconds_ > 0 ? std::clamp(done / all_seconds_, 0.0, 1.0) : 0;
 }
 
-std::optional<double> StudyRuns::timeLeft() const { return time_left(share(), 1e-3 * static_cast<double>(clock_.elapsed())); }
+std::optional<double> StudyRuns::timeLeft() const
+{
+    constexpr qint64 soonest = 2000; // ms
+    if (clock_.elapsed() < soonest) { return std::nullopt; }
+    std::vector<TimedRun> running;
+    std::vector<double> waiting;
+    for (const auto& slot : slots_) {
+        running.push_back({slot->work.expected.seconds, 1e-3 * static_cast<double>(slot->clock.elapsed()), slot->share});
+    }
+    for (const Waiting& each : queue_) { waiting.push_back(each.expected.seconds); }
+    const Fidelity fidelity = queue_.empty() ? Fidelity::draft : queue_.front().expected.job.fidelity;
+    return times_.left(running, waiting, static_cast<int>(std::max(atOnce(fidelity), slots_.size())));
+}
 
 QString StudyRuns::progressText() const { return tr("%1 of %2 runs done").arg(done_).arg(all_); }
 

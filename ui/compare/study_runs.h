@@ -7,6 +7,7 @@
 #include "core/run/memory_gate.h"
 #include "ui/compare/replicate_store.h"
 #include "ui/compare/study.h"
+#include "ui/compare/time_of_runs.h"
 
 #include <QElapsedTimer>
 
@@ -25,10 +26,10 @@ public:
     /// Cancels and waits, 0.2 s or so.
     ~StudyRuns() override;
 
-    /// A run and the time that it is expected to take.
+    /// A run and the time that it is expected to take; 0: not known.
     struct Expected {
         StudyJob job;
-        double seconds = 1;
+        double seconds = 0;
         std::shared_ptr<const Design> design{}; ///< of a mixture; nullptr: the document's
     };
     enum class State { none, waiting, running };
@@ -69,6 +70,8 @@ private:
         Waiting work;
         QString recording; ///< of a run that is recorded
         double share = 0;
+        QElapsedTimer clock;       ///< since it began
+        TimeOfRuns::Course course; ///< so far
         std::jthread thread;
     };
     struct Result {
@@ -97,6 +100,7 @@ private:
     static Kind kindOf(const StudyJob& job) { return {job.fabric, job.experiment, job.fidelity}; }
     std::map<Kind, QString> failures_;
     QElapsedTimer clock_;
+    TimeOfRuns times_;
     double all_seconds_ = 0, done_seconds_ = 0; ///< expected
     int all_ = 0, done_ = 0;
     std::vector<std::unique_ptr<Slot>> slots_; // last: their threads are joined before the rest goes

@@ -250,8 +250,7 @@ void WhyView::findOut()
     if (!plan_ || !whyNot().isEmpty()) { return; }
     std::vector<StudyRuns::Expected> expected;
     for (const StudyJob& job : missing()) {
-        expected.push_back(
-            {job, std::max(0.1, secondsOfRun()), std::make_shared<const Design>(mixed(*study_.design, *plan_, job.mixture))});
+        expected.push_back({job, secondsOfRun(), std::make_shared<const Design>(mixed(*study_.design, *plan_, job.mixture))});
     }
     if (expected.empty()) { return; }
     asked_ = keys();

@@ -18,7 +18,7 @@ GarmentRun::~GarmentRun()
     if (thread_.joinable()) { thread_.join(); }
 }
 
-void GarmentRun::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
+void GarmentRun::post(std::function<void()> work) { mail_.post(std::move(work)); }
 
 void GarmentRun::setPaused(bool paused)
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/wear/wear_run.h"
+#include "ui/basics/mailbox.h"
 #include "ui/garment/worn_run.h"
 
 #include <QObject>
@@ -61,6 +62,7 @@ private:
 
     RunControl control_;
     bool running_ = false, computing_ = false;
+    Mailbox mail_;
     std::jthread thread_;
 };
 

@@ -132,7 +132,7 @@ void GarmentView::refreshBar()
     QuantityEdit* edit = share ? most_share_ : most_water_;
     edit->setHelp(playback_.ownSteps() ? tr("The steps have ends of their own; Steps… under the legend edits and resets them.")
                                        : tr("Where the eight steps of the colours end. Empty: at a round number over the most that the "
-                                            "runs hold."));
+                                            "runs hold; while a run goes on, over the most that it is expected to hold."));
     edit->setValue(playback_.ownSteps() ? std::nullopt : playback_.setMost());
     edit->setDerived(playback_.most());
 }

@@ -122,7 +122,7 @@ void WearForm::addField(QFormLayout* form, const QString& name, const Quantity& 
 
 QWidget* WearForm::makeActivity()
 {
-    activity_->setHorizontalHeaderLabels({tr("From"), tr("Sweat, × table")});
+    activity_->setHorizontalHeaderLabels({tr("From"), tr("Sweat factor")});
     activity_->horizontalHeaderItem(1)->setToolTip("<p>" + aboutFactor() + "</p>");
     activity_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     activity_->verticalHeader()->hide();

@@ -1,18 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/wear_playback.h"
 
-#include "ui/basics/color_map.h"
+#include "core/base/round_up.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace hygroloom {
 
+namespace {
+
+/// g/m2, of the cell that can hold the most.
+double mostCapacity(const WearLayout& layout)
+{
+    double most = 0;
+    for (const GarmentCell& cell : layout.cells) {
+        if (cell.area > 0) { most = std::max(most, 1e3 * cell.capacity / cell.area); }
+    }
+    return most;
+}
+
+} // namespace
+
+double scaleEndOfRun(double most, double share_of_time, double capacity)
+{
+    const double at_end = share_of_time > 0 ? most / std::min(1.0, share_of_time) : most;
+    return rounded_up(std::max(most, std::min(at_end, capacity)));
+}
+
 void WearPlayback::begin(const std::shared_ptr<WornRun>& run)
 {
     run_ = run;
     current_ = -1;
     follow_ = true;
+    held_ = {};
     if (pin_.panel >= static_cast<int>(run->layout().panels.size())) { pin_ = {}; }
     pair();
     Q_EMIT runChanged();
@@ -29,6 +50,7 @@ void WearPlayback::append(const std::shared_ptr<const WearFrame>& frame, const s
     run_->most_water = std::max(run_->most_water, most.areal);
     run_->most_share = std::max(run_->most_share, most.share);
     if (!run_->live) { run_->duration = std::max(run_->duration, frame->time); }
+    holdScale(frame->time);
     if (this->most() != before) { Q_EMIT scaleChanged(); }
     Q_EMIT framesChanged();
     if (follow_) {
@@ -40,8 +62,11 @@ void WearPlayback::append(const std::shared_ptr<const WearFrame>& frame, const s
 void WearPlayback::end()
 {
     if (!run_) { return; }
+    const double before = most();
     run_->live = false;
+    held_ = {};
     if (!run_->frames.empty()) { run_->duration = run_->frames.back()->time; }
+    if (most() != before) { Q_EMIT scaleChanged(); }
     Q_EMIT framesChanged();
 }
 
@@ -119,7 +144,21 @@ double WearPlayback::most() const
     const auto held = [this](const std::shared_ptr<WornRun>& run) {
         return !run ? 0 : value_ == WearValue::share ? run->most_share : run->most_water;
     };
-    return roundedUp(std::max(held(run_), held(kept_)));
+    return std::max(held_[static_cast<std::size_t>(value_)], rounded_up(std::max(held(run_), held(kept_))));
+}
+
+/// Colours of one time can be compared with those of another while a run goes on.
+void WearPlayback::holdScale(double time)
+{
+    if (!run_->live || !(run_->duration > 0)) { return; }
+    const double passed = time / run_->duration;
+    constexpr double least = 1e-3; // g/m2 and a share, from which on the next frames can be told
+    const auto hold = [&](WearValue value, double most, double capacity) {
+        double& end = held_[static_cast<std::size_t>(value)];
+        if (most > least && most > end) { end = scaleEndOfRun(most, passed, capacity); }
+    };
+    hold(WearValue::water, run_->most_water, mostCapacity(run_->layout()));
+    hold(WearValue::share, run_->most_share, 1);
 }
 
 void WearPlayback::pair()
@@ -157,7 +196,7 @@ void WearPlayback::measureDifference() const
 double WearPlayback::mostDifference() const
 {
     measureDifference();
-    return roundedUp(most_difference_[static_cast<std::size_t>(value_)]);
+    return rounded_up(most_difference_[static_cast<std::size_t>(value_)]);
 }
 
 void WearPlayback::setMost(std::optional<double> most)

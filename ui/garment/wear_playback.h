@@ -8,6 +8,10 @@
 
 namespace hygroloom {
 
+/// Where the scale of a run may end that holds most (g/m2, or a share) after a share of its time: as much as would be there at the end if
+/// water went on coming as fast, up to the capacity; a round number that is not below most.
+double scaleEndOfRun(double most, double share_of_time, double capacity);
+
 class WearPlayback : public QObject {
     Q_OBJECT
 public:
@@ -43,7 +47,8 @@ public:
 
     WearValue value() const { return value_; }
     void setValue(WearValue value);
-    /// Where the colours end: g/m2, or a share. Both runs have the same: what the user has set, else a round number over what they hold.
+    /// Where the colours end: g/m2, or a share. Both runs have the same: what the user has set, else a round number over what they hold;
+    /// while a run goes on, over what it is expected to hold, so that the scale stays.
     double most() const;
     /// What the user has set; none: by the runs.
     std::optional<double> setMost() const { return most_[static_cast<std::size_t>(value_)]; }
@@ -67,6 +72,7 @@ Q_SIGNALS:
 
 private:
     void pair();
+    void holdScale(double time);
     void measureDifference() const;
 
     std::shared_ptr<WornRun> run_, kept_;
@@ -78,6 +84,7 @@ private:
     bool follow_ = true;
     WearValue value_ = WearValue::water;
     std::array<std::optional<double>, 2> most_;
+    std::array<double, 2> held_{}; ///< ends of the scales of a run that goes on; 0: none yet
     std::array<std::optional<WearSteps>, 2> steps_;
     GarmentSpot pin_;
 };

@@ -146,6 +146,15 @@ QLabel* DesignForm::addRow(const QString& label, QWidget* widget, std::function<
     return name;
 }
 
+void DesignForm::putBeside(QWidget* choice, QWidget* button)
+{
+    int row = 0, column = 0, rows = 0, columns = 0;
+    target_->getItemPosition(target_->indexOf(choice), &row, &column, &rows, &columns);
+    target_->removeWidget(choice);
+    target_->addWidget(choice, row, column);
+    target_->addWidget(button, row, column + 1);
+}
+
 void DesignForm::setLabel(QWidget* field, const QString& label)
 {
     const auto place = std::find_if(places_.begin(), places_.end(), [field](const Place& p) { return p.field == field; });

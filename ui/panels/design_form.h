@@ -51,6 +51,8 @@ public:
     QuantityEdit* addQuantity(const Quantity& quantity, const DesignField& field, bool optional = false);
     /// Any other widget in the field column, with its label, and the path of what it edits where an issue may be about that.
     QLabel* addRow(const QString& label, QWidget* widget, std::function<std::string()> where = {});
+    /// A button that has the room of notes, beside a choice that was just added.
+    void putBeside(QWidget* choice, QWidget* button);
     void setLabel(QWidget* field, const QString& label);
     /// A widget over the whole width.
     void addWide(QWidget* widget);

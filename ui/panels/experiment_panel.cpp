@@ -51,6 +51,13 @@ std::string freeName(const std::string& wish, const Design& design)
 
 } // namespace
 
+Experiment freshExperiment(ExperimentType type)
+{
+    Experiment experiment = standard_experiment(type);
+    if (type == ExperimentType::droplet) { experiment.sample_mm = {40, 40}; }
+    return experiment;
+}
+
 ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
     : QScrollArea(parent), document_(document), form_(new DesignForm(document))
 {
@@ -285,7 +292,7 @@ void ExperimentPanel::setType(int chosen)
     document_.edit(tr("type of experiment"), {}, [&](Design& design) {
         Experiment& e = design.experiments[static_cast<std::size_t>(document_.experimentIndex())];
         const std::string old = std::exchange(e.name, {}); // which is free now
-        Experiment standard = standard_experiment(type);
+        Experiment standard = freshExperiment(type);
         standard.name = isUsualName(old, e.type) ? freeName(usualName(type), design) : old;
         standard.closure = e.closure;
         standard.swelling = e.swelling;
@@ -329,7 +336,7 @@ bool ExperimentPanel::showField(const std::string& where)
 void ExperimentPanel::addExperiment()
 {
     document_.editState(tr("add experiment"), [this](Design& design, DesignState& state) {
-        Experiment experiment = document_.experiment() ? *document_.experiment() : Experiment{};
+        Experiment experiment = document_.experiment() ? *document_.experiment() : freshExperiment(ExperimentType::droplet);
         experiment.name = freeName(experiment.name.empty() ? usualName(experiment.type) : experiment.name, design);
         design.experiments.push_back(experiment);
         state.experiment = static_cast<int>(design.experiments.size()) - 1;

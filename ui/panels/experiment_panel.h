@@ -15,6 +15,9 @@ class ClimateCourse;
 class DropletSection;
 class LiquidPanel;
 
+/// As the window begins one: the standard's; a drop has a sample on which its water stays. Files that name no sample keep theirs.
+Experiment freshExperiment(ExperimentType type);
+
 class ExperimentPanel : public QScrollArea {
     Q_OBJECT
 public:

@@ -5,6 +5,7 @@
 #include "ui/basics/core_words.h"
 #include "ui/basics/number_label.h"
 #include "ui/basics/preferences.h"
+#include "ui/panels/fibre_panel.h"
 #include "ui/panels/yarn_panel.h"
 
 #include <QAbstractButton>
@@ -21,8 +22,15 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent) : QScrollArea(pare
 {
     addConstruction();
     warp_ = new YarnPanel(*form_, YarnUse::warp, this);
-    new YarnPanel(*form_, YarnUse::weft, this);
+    auto* weft = new YarnPanel(*form_, YarnUse::weft, this);
     stripes_ = new YarnPanel(*form_, YarnUse::stripes, this);
+    fibres_ = new FibrePanel(*form_, this);
+    for (const YarnPanel* yarn : {warp_, weft, stripes_}) {
+        connect(yarn, &YarnPanel::fibreRequested, this, [this](int fibre) {
+            fibres_->choose(fibre);
+            fibres_->startEditing();
+        });
+    }
     addFlyaway();
     addMeasured();
     form_->fill(this);
@@ -51,6 +59,8 @@ bool FabricPanel::showField(const std::string& where)
     if (const std::size_t at = where.find(extra); at != std::string::npos) {
         stripes_->choose(std::atoi(where.c_str() + at + extra.size()) + 1);
     }
+    const std::string fibre = "materials[";
+    if (where.starts_with(fibre)) { fibres_->choose(std::atoi(where.c_str() + fibre.size())); }
     if (form_->showField(where)) { return true; }
     // A weft that is the same as the warp is edited there.
     const std::size_t weft = where.find("].weft");

@@ -8,6 +8,7 @@
 
 namespace hygroloom {
 
+class FibrePanel;
 class YarnPanel;
 
 class FabricPanel : public QScrollArea {
@@ -17,7 +18,7 @@ public:
 
     /// Opens and scrolls to the fields of a yarn, as yarn_in() numbers them: 0 is the fabric's own.
     void showYarn(int yarn);
-    /// Shows the field of the value at this path, in the chosen fabric, and gives it the focus.
+    /// Shows the field of the value at this path, in the chosen fabric or one of the project's own fibres, and gives it the focus.
     bool showField(const std::string& where);
 
 private:
@@ -38,6 +39,7 @@ private:
     DesignForm* form_;
     YarnPanel* warp_ = nullptr;
     YarnPanel* stripes_ = nullptr;
+    FibrePanel* fibres_ = nullptr;
 };
 
 } // namespace hygroloom

@@ -228,65 +228,6 @@ void YarnPanel::addColor()
     form_.addRow(tr("Colour"), color_);
 }
 
-void YarnPanel::addMaterials()
-{
-    fibre_ = new QComboBox;
-    blend_ = new QComboBox;
-    form_.addRow(tr("Fibre"), fibre_, [this] { return path("material"); });
-    form_.addRow(tr("Blended with"), blend_);
-    connect(fibre_, &QComboBox::activated, this, [this](int index) {
-        const std::string name = fibre_->itemData(index).toString().toStdString();
-        editYarn(tr("%1 fibre").arg(kind_), path("material"), [&](Yarn& y) { y.material.front().name = name; });
-    });
-    connect(blend_, &QComboBox::activated, this, [this](int index) {
-        const std::string name = blend_->itemData(index).toString().toStdString();
-        editYarn(tr("%1 blend").arg(kind_), path("material"), [&](Yarn& y) {
-            const double share = y.material.size() > 1 ? y.material.front().share : 0.5;
-            y.material.resize(1);
-            y.material.front().share = index == 0 ? 1.0 : share;
-            if (index > 0) { y.material.push_back({name, 1 - share}); }
-        });
-    });
-    share_ = form_.addQuantity(
-        Quantity::percent(0.01, 1),
-        {tr("Blend ratio"), tr("%1 blend share").arg(kind_), [this] { return path("material[0].share"); },
-         [this] { return yarn() && !yarn()->material.empty() ? std::optional(yarn()->material.front().share) : std::nullopt; },
-         writing([](Yarn& y, std::optional<double> v) {
-             if (y.material.size() == 2 && v) {
-                 y.material[0].share = *v;
-                 y.material[1].share = 1 - *v;
-             }
-         }),
-         tr("Fraction of the first fibre, by dry mass.")});
-}
-
-void YarnPanel::addCore()
-{
-    core_ = new QComboBox;
-    core_->setToolTip(
-        "<p>" +
-        tr("Of a core-spun yarn: the bare filament in its middle, which the fibres are spun round. It takes room from the pores "
-           "and no liquid water.") +
-        "</p>");
-    form_.addRow(tr("Core"), core_, [this] { return path("core"); });
-    connect(core_, &QComboBox::activated, this, [this](int index) {
-        const std::string name = core_->itemData(index).toString().toStdString();
-        editYarn(tr("%1 core").arg(kind_), path("core"), [&](Yarn& y) {
-            const YarnCore before = y.core.value_or(YarnCore{});
-            y.core.reset();
-            if (index > 0) { y.core = YarnCore{name, before.share}; }
-        });
-    });
-    core_share_ = form_.addQuantity(Quantity::percent(least_core_share, most_core_share),
-                                    field(
-                                        tr("Core share"), tr("core share"), "core.share",
-                                        [](const Yarn& y) { return y.core ? std::optional(y.core->share) : std::nullopt; },
-                                        [](Yarn& y, std::optional<double> v) {
-                                            if (y.core && v) { y.core->share = *v; }
-                                        },
-                                        tr("Fraction of the core, by the yarn's dry mass.")));
-}
-
 const Yarn* YarnPanel::yarn() const
 {
     const Fabric* fabric = form_.document().fabric();
@@ -342,6 +283,7 @@ void YarnPanel::refresh()
     if (!y) {
         fibre_->setCurrentIndex(-1);
         blend_->setCurrentIndex(-1);
+        refreshOwnButtons();
         refreshDerived();
         return;
     }
@@ -354,6 +296,7 @@ void YarnPanel::refresh()
     core_share_->setEnabled(y->core.has_value());
     ply_twist_->setEnabled(y->plies > 1);
     ply_direction_->setEnabled(y->plies > 1);
+    refreshOwnButtons();
     if (same_) { refreshSame(); }
     refreshDerived();
 }
@@ -365,6 +308,7 @@ void YarnPanel::refreshSame()
     form_.setProperty("weft apart", !same);
     same_->setChecked(same);
     for (QWidget* field : fields_) { field->setEnabled(!same && field->isEnabled()); }
+    for (const auto& [button, part] : own_buttons_) { button->setEnabled(!same); }
 }
 
 void YarnPanel::refreshChoice()
@@ -406,30 +350,6 @@ void YarnPanel::refreshDerived()
     } else {
         for (QLabel* label : {crimp_, pore_}) { label->setText(QStringLiteral("–")); }
     }
-}
-
-void YarnPanel::refreshMaterials()
-{
-    QStringList names;
-    for (const Material& material : form_.document().design()->materials) { names << QString::fromStdString(material.name); }
-    for (const Material& material : material_library()) {
-        if (const QString name = QString::fromStdString(material.name); !names.contains(name)) { names << name; }
-    }
-    const auto fill = [](QComboBox* box, QStringList items, const QString& current) {
-        if (!items.contains(current)) { items << current; }
-        QStringList present;
-        for (int i = 0; i < box->count(); ++i) { present << box->itemData(i).toString(); }
-        if (present != items) {
-            box->clear();
-            for (const QString& item : items) { box->addItem(coreWord(item), item); }
-        }
-        box->setCurrentIndex(static_cast<int>(items.indexOf(current)));
-    };
-    const auto& material = yarn()->material;
-    const QString none = tr("none");
-    fill(fibre_, names, material.empty() ? QString() : QString::fromStdString(material.front().name));
-    fill(blend_, QStringList{none} + names, material.size() > 1 ? QString::fromStdString(material[1].name) : none);
-    fill(core_, QStringList{none} + names, yarn()->core ? QString::fromStdString(yarn()->core->material) : none);
 }
 
 } // namespace hygroloom

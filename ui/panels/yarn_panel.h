@@ -21,6 +21,10 @@ public:
     /// Opens the section, that of the stripes at this extra yarn, from 1.
     void choose(int yarn);
 
+Q_SIGNALS:
+    /// The values of this one of the project's own fibres are to be edited.
+    void fibreRequested(int fibre);
+
 private:
     using Read = std::function<std::optional<double>(const Yarn&)>;
     using Write = std::function<void(Yarn&, std::optional<double>)>;
@@ -36,6 +40,11 @@ private:
     void editYarn(const QString& undo, const std::string& field, const std::function<void(Yarn&)>& change);
     std::string path(const char* field) const;
     void addMaterials();
+    using PartName = std::string* (*)(Yarn&); ///< the name of a fibre in a yarn; nullptr: it has none there
+    /// Beside a choice of a fibre: a button for makeOwn().
+    void addOwnButton(QComboBox* choice, const QString& name, PartName part);
+    /// Makes the project's own of a fibre, which the yarn takes, or asks for the one that it is.
+    void makeOwn(PartName part);
     void addCore();
     void addColor();
     void addSizes();
@@ -47,6 +56,7 @@ private:
     void refreshChoice();
     void refreshDerived();
     void refreshMaterials();
+    void refreshOwnButtons();
 
     DesignForm& form_;
     YarnUse use_;
@@ -57,6 +67,7 @@ private:
     QCheckBox* same_ = nullptr;
     QComboBox* fibre_ = nullptr;
     QComboBox* blend_ = nullptr;
+    std::vector<std::pair<QToolButton*, PartName>> own_buttons_;
     QComboBox* core_ = nullptr;
     QComboBox* twist_direction_ = nullptr;
     QComboBox* ply_direction_ = nullptr;

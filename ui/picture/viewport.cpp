@@ -2,6 +2,7 @@
 #include "ui/picture/viewport.h"
 
 #include "core/base/error.h"
+#include "core/base/round_up.h"
 #include "core/base/units.h"
 #include "core/scene/liquid_bodies.h"
 #include "ui/basics/preferences.h"
@@ -216,9 +217,9 @@ void Viewport::showValues()
     }
     double maximum = 1;
     if (range_ == WaterRange::run) {
-        maximum = roundedUp(run_maximum_);
+        maximum = rounded_up(run_maximum_);
     } else if (range_ == WaterRange::frame && !frame_->saturation.empty()) {
-        maximum = roundedUp(*std::max_element(frame_->saturation.begin(), frame_->saturation.end()));
+        maximum = rounded_up(*std::max_element(frame_->saturation.begin(), frame_->saturation.end()));
     }
     caption_.legend_maximum = std::min(1.0, maximum);
     canvas_->setWater(frame_->saturation, caption_.legend_maximum);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/live_panel.h"
 
+#include "core/base/round_up.h"
 #include "core/base/text.h"
 #include "ui/basics/elided_label.h"
 #include "ui/basics/preferences.h"
@@ -62,7 +63,7 @@ double keptRange(double range, double most, bool may_shrink)
 {
     constexpr double least_share = 0.4; // of the colours, below which water is hard to see
     if (!(most > 0) || (most <= range && (most >= least_share * range || !may_shrink))) { return range; }
-    return roundedUp(most); // as of the maps in Simulate
+    return rounded_up(most); // as of the maps in Simulate
 }
 
 LivePanel::LivePanel(Document& document, QWidget* parent)
@@ -199,7 +200,7 @@ void LivePanel::take(const std::shared_ptr<const Answer>& answer)
     const QString name = QString::fromStdString(answer->run->experiment);
     say(tr("%1: %2, %3; %4.")
             .arg(fidelityName(answer->run->plan.fidelity), name, extentText(*answer),
-                 answer->whole ? expectedError(answer->run->plan) : tr("looked at 20 times, of an error that is not known")));
+                 answer->whole ? expectedError(answer->run->plan) : tr("20 frames, numerical error not known")));
     if (!answer->whole) {
         pause_.start(short_pause_ms); // numbers of the whole can be told apart from those after another edit
     } else if (refine_->isChecked() && answer->run->plan.fidelity != Fidelity::standard) {

@@ -80,7 +80,7 @@ void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outco
     std::vector<Line> lines;
     for (const Outcome& outcome : outcomes) {
         if (!is_shown(outcome)) { continue; }
-        const QString name = sentence(coreWord(outcome.title));
+        const QString name = sentence(outcomeTitle(outcome));
         const int rank = outcome.rank > 0 ? outcome.rank : last;
         if (outcome.face == "bottom" && !lines.empty() && lines.back().result.name == name) {
             lines.back().result.bottom = textOf(outcome);
@@ -117,6 +117,12 @@ QString timeTaken(const RunRecord& run, bool live)
 }
 
 } // namespace
+
+QString outcomeTitle(const OutcomeInfo& info)
+{
+    const bool largest = info.key.starts_with("maximum_wetted_radius") && !info.in_rings;
+    return largest ? ResultsPanel::tr("largest wetted radius") : coreWord(info.title);
+}
 
 std::vector<Result> resultsOf(const RunRecord& run, const Metrics& m)
 {

@@ -11,6 +11,11 @@ class QLabel;
 
 namespace hygroloom {
 
+struct OutcomeInfo;
+
+/// A number's name without its face. The largest radius of a run is called so, for maps show that of their time beside it.
+QString outcomeTitle(const OutcomeInfo& info);
+
 /// One line: a name, and a value or why there is none. A number of each face fills both columns.
 struct Result {
     QString name;

@@ -47,6 +47,17 @@ WearExperiment anywhere(WearExperiment wear)
 
 template <typename T> bool areEqual(const T* one, const T* other) { return one && other ? *one == *other : one == other; }
 
+/// Of the fabric's yarns; what others are made of does not matter.
+bool haveEqualFibres(const Design& one, const Design& other, const Fabric& fabric)
+{
+    const auto equal = [&](const Yarn& yarn) {
+        const auto names = materials_in(yarn);
+        return std::all_of(names.begin(), names.end(),
+                           [&](const std::string& name) { return areEqual(find_material(one, name), find_material(other, name)); });
+    };
+    return equal(fabric.warp) && equal(fabric.weft) && std::all_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), equal);
+}
+
 } // namespace
 
 RunHistory::RunHistory(QObject* parent) : QObject(parent), design_(std::make_shared<const Design>()) {}
@@ -170,14 +181,30 @@ Design conditionsOf(const RunRecord& run)
     return part;
 }
 
-bool holdsFor(const RunRecord& run, const Design& design)
+QStringList differencesOf(const RunRecord& run, const Design& design)
 {
-    const Experiment* experiment = find_experiment(design, run.experiment);
-    if (!experiment || !areEqual(experiment, find_experiment(run.design, run.experiment))) { return false; }
-    const auto liquids = [&](const Design& of) { return find_liquid(of, experiment->liquid); };
-    return areEqual(liquids(design), liquids(run.design)) && design.materials == run.design.materials &&
-           areEqual(find_fabric(design, run.fabric), find_fabric(run.design, run.fabric));
+    QStringList words;
+    const Experiment *now = find_experiment(design, run.experiment), *then = find_experiment(run.design, run.experiment);
+    if (!now) {
+        words << RunHistory::tr("experiment is gone");
+    } else if (!areEqual(now, then)) {
+        Experiment alike = *now;
+        if (then) { alike.sample_mm = then->sample_mm; }
+        words << (areEqual<Experiment>(&alike, then) ? RunHistory::tr("sample") : RunHistory::tr("experiment"));
+    }
+    const auto liquids = [&](const Design& of) { return now ? find_liquid(of, now->liquid) : nullptr; };
+    if (!areEqual(liquids(design), liquids(run.design))) { words << RunHistory::tr("liquid"); }
+    const Fabric *fabric = find_fabric(design, run.fabric), *before = find_fabric(run.design, run.fabric);
+    if (before && !fabric) {
+        words << RunHistory::tr("fabric is gone");
+    } else if (!areEqual(fabric, before)) {
+        words << RunHistory::tr("fabric");
+    }
+    if (before && !haveEqualFibres(design, run.design, *before)) { words << RunHistory::tr("fibres"); }
+    return words;
 }
+
+bool holdsFor(const RunRecord& run, const Design& design) { return differencesOf(run, design).isEmpty(); }
 
 std::shared_ptr<const RunRecord> runOfGarment(const WearRecord& record, double wall)
 {

@@ -8,6 +8,7 @@
 #include <QDateTime>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <memory>
 #include <vector>
@@ -58,6 +59,8 @@ public:
     /// Whether runs of the project are still being found: until then nobody knows which it has.
     void setListing(bool listing);
     bool listing() const { return listing_; }
+    /// As setDesign() was given it.
+    const std::shared_ptr<const Design>& design() const { return design_; }
 
 Q_SIGNALS:
     void changed();
@@ -72,6 +75,9 @@ private:
 
 /// A run's experiment and its liquid, whatever it is called.
 Design conditionsOf(const RunRecord& run);
+
+/// What a run depends on that differs in a design, in words: "sample", "fibres", "fabric is gone". Empty: its results hold for it.
+QStringList differencesOf(const RunRecord& run, const Design& design);
 
 /// Whether the results of a run hold for a design: nothing that they depend on differs from what was run.
 bool holdsFor(const RunRecord& run, const Design& design);

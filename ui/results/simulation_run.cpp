@@ -15,7 +15,7 @@ SimulationRun::~SimulationRun()
     if (thread_.joinable()) { thread_.join(); }
 }
 
-void SimulationRun::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
+void SimulationRun::post(std::function<void()> work) { mail_.post(std::move(work)); }
 
 void SimulationRun::start(const std::shared_ptr<const Design>& design, const std::string& fabric, const std::string& experiment,
                           const RunOptions& options, const std::string& backend)

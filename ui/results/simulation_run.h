@@ -4,6 +4,7 @@
 
 #include "core/analysis/metrics.h"
 #include "core/run/runner.h"
+#include "ui/basics/mailbox.h"
 
 #include <QObject>
 
@@ -47,6 +48,7 @@ private:
     std::unique_ptr<RunControl> control_;
     bool running_ = false;
     std::atomic<bool> was_paused_ = false;
+    Mailbox mail_;
     std::jthread thread_;
 };
 

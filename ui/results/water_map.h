@@ -30,7 +30,7 @@ QString replicateRange(int runs);
 FaceMap faceMap(const RunRecord& run, const Frame& frame, const Frame& first, MapSide side, int crossings_per_cell,
                 ShownQuantity quantity = ShownQuantity::water);
 
-/// The most water of a cell of either face, kg/m2. start: start_of_maps() of the run. The colours of a run's maps reach to roundedUp() of
+/// The most water of a cell of either face, kg/m2. start: start_of_maps() of the run. The colours of a run's maps reach to rounded_up() of
 /// the most of all its frames.
 double mostOnFaces(const Textile& textile, const Frame& frame, const Frame& start, int crossings_per_cell);
 

@@ -3,6 +3,7 @@
 
 #include "core/analysis/map_picture.h"
 #include "core/base/error.h"
+#include "core/base/round_up.h"
 #include "core/base/units.h"
 #include "core/run/recording.h"
 #include "ui/basics/design_undo.h"
@@ -231,7 +232,7 @@ void WaterMapView::scan()
     });
 }
 
-double WaterMapView::range() const { return roundedUp(maximum_); }
+double WaterMapView::range() const { return rounded_up(maximum_); }
 
 void WaterMapView::widen(double maximum, const std::optional<ValueRange>& values)
 {

@@ -83,7 +83,10 @@ QString StudyTask::progressText() const
     if (progress_.rows == 0) { return tr("Preparing the runs."); }
     QString text = tr("%1 of %2 runs").arg(progress_.ended).arg(progress_.rows);
     if (progress_.failed > 0) { text += tr(", %1 failed").arg(progress_.failed); }
-    const std::optional<double> left = time_left(progress_.share, progress_.wall);
+    // How far the first runs are says little: their time passes unevenly.
+    constexpr double early = 0.25;
+    const bool told = progress_.ended > progress_.kept || progress_.share >= early;
+    const std::optional<double> left = told ? time_left(progress_.share, progress_.wall) : std::nullopt;
     return left && progress_.ended < progress_.rows ? tr("%1, %2 left").arg(text, roughDuration(*left)) : text;
 }
 

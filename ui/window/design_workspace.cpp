@@ -68,29 +68,27 @@ void DesignWorkspace::showFabricIssue(const QString& where, const QString& part)
     }
 }
 
-/// Materials have no fields in this window; the yarns that use them do.
-void DesignWorkspace::showMaterialIssue(int material)
+/// Under the fabric that uses the material, where one does.
+void DesignWorkspace::showMaterialIssue(const QString& where, int material)
 {
     const Design& design = *document_.design();
     if (material >= static_cast<int>(design.materials.size())) { return; }
     const std::string& name = design.materials[static_cast<std::size_t>(material)].name;
     const auto made_of = [&name](const Yarn& yarn) {
-        return std::any_of(yarn.material.begin(), yarn.material.end(), [&name](const MaterialShare& share) { return share.name == name; });
+        const auto names = materials_in(yarn);
+        return std::find(names.begin(), names.end(), name) != names.end();
     };
-    for (std::size_t i = 0; i < design.fabrics.size(); ++i) {
-        const Fabric& fabric = design.fabrics[i];
-        QString yarn = made_of(fabric.warp) ? "warp" : made_of(fabric.weft) ? "weft" : QString();
-        for (std::size_t k = 0; k < fabric.extra_yarns.size() && yarn.isEmpty(); ++k) {
-            yarn = made_of(fabric.extra_yarns[k]) ? QString("extra_yarns[%1]").arg(k) : QString();
-        }
-        if (!yarn.isEmpty()) {
-            document_.setFabricIndex(static_cast<int>(i));
-            const QString part = yarn + ".material";
-            showFabricIssue(QString("fabrics[%1].%2").arg(i).arg(part), part);
-            break;
-        }
+    const auto uses = [&](const Fabric& fabric) {
+        return made_of(fabric.warp) || made_of(fabric.weft) || std::any_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), made_of);
+    };
+    if (!document_.fabric() || !uses(*document_.fabric())) {
+        const auto found = std::find_if(design.fabrics.begin(), design.fabrics.end(), uses);
+        if (found != design.fabrics.end()) { document_.setFabricIndex(static_cast<int>(found - design.fabrics.begin())); }
     }
-    Q_EMIT messageShown(tr("Edit the values of “%1” in the project file, under “materials”.").arg(QString::fromStdString(name)), 8000);
+    reveal(docks_.fabric);
+    if (!fabric_->showField(where.toStdString())) {
+        Q_EMIT messageShown(tr("Edit this value of “%1” in the project file, under “materials”.").arg(QString::fromStdString(name)), 8000);
+    }
 }
 
 } // namespace hygroloom

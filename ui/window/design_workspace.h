@@ -35,8 +35,8 @@ public:
     const Docks& docks() const { return docks_; }
     /// Focuses the field of a value of the chosen fabric. where: its path in the project; part: the same within the fabric.
     void showFabricIssue(const QString& where, const QString& part);
-    /// Focuses a yarn that is made of one of the project's own materials.
-    void showMaterialIssue(int material);
+    /// Focuses the field of a value of one of the project's own materials, and selects a fabric that uses it.
+    void showMaterialIssue(const QString& where, int material);
 
 Q_SIGNALS:
     void problemFound(const QString& sentence);

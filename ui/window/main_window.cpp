@@ -366,7 +366,7 @@ void MainWindow::showIssue(const QString& where)
         document_.setFabricIndex(index);
         design_->showFabricIssue(where, match.captured(3));
     } else if (list == "materials") {
-        design_->showMaterialIssue(index);
+        design_->showMaterialIssue(where, index);
     } else if (const int before = static_cast<int>(document_.design()->experiments.size());
                list == "garments" || (list == "experiments" && index >= before)) {
         setWorkspace(Workspace::garment);

@@ -10,6 +10,7 @@
 #include "ui/garment/garment_view.h"
 #include "ui/lesson/lesson_window.h"
 #include "ui/panels/candidates_panel.h"
+#include "ui/panels/experiment_panel.h"
 #include "ui/study/study_page.h"
 #include "ui/weave/import_dialog.h"
 #include "ui/window/design_workspace.h"
@@ -115,7 +116,7 @@ bool MainWindow::takeNewProject()
 {
     if (!mayLeave()) { return false; }
     Design design;
-    design.experiments.push_back(Experiment{});
+    design.experiments.push_back(freshExperiment(ExperimentType::droplet));
     design.experiments.front().name = tr("one drop").toStdString();
     document_.take(design, {});
     simulate_->clearResults();

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Keys end in their unit, which is cut off and put behind the number.
+#include "core/analysis/report_inputs.h"
+
+#include "core/analysis/report_parts.h"
+#include "core/analysis/svg.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace hygroloom {
+namespace {
+
+struct Ending {
+    const char* key;
+    const char* unit;
+};
+
+/// The longer of two that fit goes first.
+constexpr Ending endings[] = {{"_g_m2_h", "g/(m² h)"},
+                              {"_g_m2", "g/m²"},
+                              {"_m2_s", "m²/s"},
+                              {"_kg_m3", "kg/m³"},
+                              {"_mn_m", "mN/m"},
+                              {"_mpa_s", "mPa s"},
+                              {"_w_mk", "W/(m K)"},
+                              {"_j_kgk", "J/(kg K)"},
+                              {"_j_g", "J/g"},
+                              {"_m_s", "m/s"},
+                              {"_per_cm", "/cm"},
+                              {"_per_mm", "/mm"},
+                              {"_per_m", "/m"},
+                              {"_percent", "%"},
+                              {"_tex", "tex"},
+                              {"_deg", "°"},
+                              {"_mm", "mm"},
+                              {"_um", "µm"},
+                              {"_ul", "µl"},
+                              {"_s", "s"},
+                              {"_c", "°C"}};
+
+/// Those whose key says too little or too much.
+constexpr std::pair<const char*, const char*> own_words[] = {{"irregularity_cv", "irregularity, CV"},
+                                                             {"twist_per_m", "twist"},
+                                                             {"based_on", "based on"},
+                                                             {"closure", "wicking model"},
+                                                             {"at_mm", "place"},
+                                                             {"time_s", "at"},
+                                                             {"color", "colour"},
+                                                             {"material", "fibre"},
+                                                             {"fibres_per_yarn", "fibres drawn"},
+                                                             {"initial_water_g_m2", "water at the start"}};
+
+struct KeyWords {
+    std::string name, unit;
+};
+
+KeyWords words_of(const std::string& key)
+{
+    KeyWords words{key, {}};
+    for (const Ending& ending : endings)
+        if (words.unit.empty() && key.ends_with(ending.key))
+            words = {key.substr(0, key.size() - std::string(ending.key).size()), ending.unit};
+    for (const auto& [from, to] : own_words)
+        if (key == from) words.name = to;
+    std::replace(words.name.begin(), words.name.end(), '_', ' ');
+    return words;
+}
+
+class Writer {
+public:
+    explicit Writer(const ReaderUnits& units) : units_(units) {}
+
+    std::vector<std::pair<std::string, std::string>> rows;
+
+    void add(const ProjectJson& value, const std::string& before)
+    {
+        for (const auto& [key, member] : value.items()) {
+            const KeyWords words = words_of(key);
+            const std::string name = before.empty() ? words.name : before + ", " + words.name;
+            if (member.is_object())
+                add(member, name);
+            else if (std::string said = text(member, words.unit); !said.empty()) {
+                if (key == "type") std::replace(said.begin(), said.end(), '_', ' '); // no name that somebody gave
+                rows.emplace_back(name, std::move(said));
+            }
+        }
+    }
+
+private:
+    std::string number(double value, const std::string& unit, bool with_unit = true) const
+    {
+        const ReaderUnit own = reader_unit(units_, unit);
+        const std::string digits = fmt::format("{:.10g}", own.of(value));
+        if (!with_unit || own.unit.empty()) return digits;
+        return digits + (own.unit == "°" ? "" : " ") + own.unit;
+    }
+
+    static bool is_share(const ProjectJson& value) { return value.is_object() && value.contains("name") && value.contains("share"); }
+
+    /// "65 % polyester, 35 % cotton"; "15 × 20 mm"; of others their parts, in turn.
+    std::string list(const ProjectJson& values, const std::string& unit) const
+    {
+        std::string said;
+        const bool numbers = std::all_of(values.begin(), values.end(), [](const ProjectJson& value) { return value.is_number(); });
+        for (const ProjectJson& value : values) {
+            if (!said.empty()) said += numbers ? (values.size() == 2 ? " × " : ", ") : value.is_object() && !is_share(value) ? "; " : ", ";
+            if (is_share(value))
+                said += fmt::format("{:.4g} % {}", 100 * value.at("share").get<double>(), value.at("name").get<std::string>());
+            else if (value.is_number())
+                said += number(value.get<double>(), unit, &value == &values.back());
+            else
+                said += text(value, unit);
+        }
+        return said;
+    }
+
+    std::string text(const ProjectJson& value, const std::string& unit) const
+    {
+        if (value.is_null()) return {};
+        if (value.is_string()) return value.get<std::string>();
+        if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+        if (value.is_number()) return number(value.get<double>(), unit);
+        if (value.is_array()) return list(value, unit);
+        std::string said;
+        for (const auto& [key, member] : value.items()) {
+            const KeyWords words = words_of(key);
+            if (const std::string part = text(member, words.unit); !part.empty())
+                said += (said.empty() ? "" : ", ") + words.name + " " + part;
+        }
+        return said;
+    }
+
+    const ReaderUnits& units_;
+};
+
+} // namespace
+
+std::vector<std::pair<std::string, std::string>> inputs_in_words(const ProjectJson& value, const ReaderUnits& units)
+{
+    Writer writer(units);
+    writer.add(value, {});
+    return std::move(writer.rows);
+}
+
+std::string table_of_inputs(const char* title, const ProjectJson& value, const ReaderUnits& units)
+{
+    std::string rows;
+    for (const auto& [name, text] : inputs_in_words(value, units))
+        rows += "<tr><th>" + escaped_markup(name) + "</th><td>" + escaped_markup(text) + "</td></tr>\n";
+    return fmt::format("<details open><summary>{}</summary>{}</details>\n", title, table(rows));
+}
+
+} // namespace hygroloom
