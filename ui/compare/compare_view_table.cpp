@@ -32,6 +32,7 @@ namespace hygroloom {
 std::vector<GridEntry> CompareView::gridEntries(const std::vector<StudyRow>& rows) const
 {
     std::vector<GridEntry> entries;
+    entries.reserve(rows.size());
     for (const StudyRow& row : rows) { entries.push_back({row.fabric, row.path, row.reading, row.runs, row.missing}); }
     return entries;
 }
@@ -299,6 +300,7 @@ void CompareView::start(const std::vector<StudyJob>& jobs)
         return;
     }
     std::vector<StudyRuns::Expected> expected;
+    expected.reserve(jobs.size());
     for (const StudyJob& job : jobs) { expected.push_back({job, std::max(0.1, secondsOf(job).value_or(1))}); }
     runs_.start(expected);
 }
