@@ -107,6 +107,7 @@ ConditioningResult conditioning_result(const std::vector<double>& time, const st
     result.regain_end = regain.back();
     const double change = result.regain_end - result.regain_start;
     std::vector<double> to_go;
+    to_go.reserve(regain.size());
     for (double r : regain) to_go.push_back(change == 0 ? 0 : (result.regain_end - r) / change);
     if (change != 0) result.half_time = falls_to(time, to_go, 0.5);
     for (std::size_t i = 0; i < time.size(); ++i) result.peak_rise = std::max(result.peak_rise, temperature[i] - air_temperature[i]);

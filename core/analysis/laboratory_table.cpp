@@ -28,6 +28,7 @@ LaboratoryTable read_laboratory_table(const std::string& text, const std::string
 {
     const CsvTable csv = read_csv(text, file, {"fabric", "metric", "value", "unit"}, {"spread"});
     std::vector<std::string> metrics;
+    metrics.reserve(metrics_and_units.size());
     for (const auto& [metric, unit] : metrics_and_units) metrics.push_back(metric);
     LaboratoryTable table;
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {

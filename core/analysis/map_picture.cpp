@@ -70,9 +70,11 @@ void share_scale(const std::vector<MapPicture*>& pictures)
 std::vector<ReportPicture> pictures_on_one_scale(std::vector<std::pair<std::string, MapPicture>> maps)
 {
     std::vector<MapPicture*> all;
-    for (auto& [caption, map] : maps) all.push_back(&map);
+    all.reserve(maps.size());
+    for (std::pair<std::string, MapPicture>& each : maps) all.push_back(&each.second);
     share_scale(all);
     std::vector<ReportPicture> pictures;
+    pictures.reserve(maps.size());
     for (const auto& [caption, map] : maps) pictures.push_back({caption, draw_map(map.map, map.width, map.height, map.image)});
     return pictures;
 }

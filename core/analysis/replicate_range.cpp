@@ -68,6 +68,7 @@ std::optional<CurveRange> curve_range(const Candidate& candidate, const Plot& pl
     range.runs = static_cast<int>(curves.size());
     for (std::size_t i = 0; i < range.time.size(); ++i) {
         std::vector<double> values;
+        values.reserve(curves.size());
         for (const auto& each : curves) values.push_back(each[i]);
         const Range found = range_of(std::move(values));
         range.low.push_back(found.low);
@@ -88,6 +89,7 @@ std::optional<MapRange> map_range(const Candidate& candidate, MapSide side, std:
     MapRange range{*maps.front(), *maps.front(), static_cast<int>(maps.size())};
     for (std::size_t i = 0; i < range.low.water.size(); ++i) {
         std::vector<double> values;
+        values.reserve(maps.size());
         for (const CellMap* map : maps) values.push_back(map->water[i]);
         const Range found = range_of(std::move(values));
         range.low.water[i] = found.low;

@@ -282,6 +282,7 @@ double spread_of(const std::vector<double>& numbers)
     const double middle = median_of(numbers);
     if (middle == 0) return 0;
     std::vector<double> off;
+    off.reserve(numbers.size());
     for (const double number : numbers) off.push_back(std::abs(number / middle - 1));
     return median_of(std::move(off));
 }

@@ -68,7 +68,7 @@ std::vector<FlatPlace> flattened_arc(const FlatPlace& from, const FlatPlace& to,
 {
     const double chord = distance(from, to), half = 0.5 * chord;
     const double r = std::max(radius, half);
-    const double along[2] = {(to[0] - from[0]) / chord, (to[1] - from[1]) / chord};
+    const FlatPlace along{(to[0] - from[0]) / chord, (to[1] - from[1]) / chord};
     const double turn = 2 * (large ? pi - std::asin(half / r) : std::asin(half / r));
     const double side = to_the_right ? -1 : 1;
     // Begin and end lie at turn/2 either way of the top of the arc, which is over the middle of the chord.

@@ -254,11 +254,10 @@ void PatternReader::close(PatternPanel& panel, std::vector<RawEdge>& edges, cons
             note(fmt::format("The edge {} of the panel \"{}\" has no length and was left out.", i, panel.name));
             continue;
         }
-        if (last && !same(edges[i].from, *last) && same(edges[i].to, *last)) {
-            edges[i] = turned(edges[i]);
-            note(fmt::format("The edge {} of the panel \"{}\" runs against the others and was turned.", i, panel.name));
-        } else if (!last && i + 1 < edges.size() && !same(edges[i].to, edges[i + 1].from) && !same(edges[i].to, edges[i + 1].to) &&
-                   (same(edges[i].from, edges[i + 1].from) || same(edges[i].from, edges[i + 1].to))) {
+        const bool against_next = !last && i + 1 < edges.size() && !same(edges[i].to, edges[i + 1].from) &&
+                                  !same(edges[i].to, edges[i + 1].to) &&
+                                  (same(edges[i].from, edges[i + 1].from) || same(edges[i].from, edges[i + 1].to));
+        if (against_next || (last && !same(edges[i].from, *last) && same(edges[i].to, *last))) {
             edges[i] = turned(edges[i]);
             note(fmt::format("The edge {} of the panel \"{}\" runs against the others and was turned.", i, panel.name));
         }

@@ -168,6 +168,7 @@ SweatTable sweat_table(const std::string& name_or_file, const std::filesystem::p
 SweatCourse sweat_course(const std::string& file, const std::filesystem::path& base, const std::vector<OwnZone>& own)
 {
     std::vector<std::string> names;
+    names.reserve(own.size());
     for (const OwnZone& zone : own) names.push_back(zone.name);
     const std::filesystem::path path = base / file;
     const std::string text = read_file(path, largest_course_bytes);

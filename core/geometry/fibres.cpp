@@ -163,7 +163,7 @@ FlyawayLength flyaway_length(const Textile& textile, const YarnType& type)
 }
 
 YarnFibres::YarnFibres(const Textile& textile, const FibreOptions& options, YarnKind kind, int yarn, int first_crossing, int crossings)
-    : textile_(textile), options_(options), kind_(kind), yarn_(yarn), type_(textile.type(kind, yarn)), fibres_(type_.fibres),
+    : textile_(textile), options_(options), type_(textile.type(kind, yarn)), fibres_(type_.fibres),
       cores_(running_strands(type_) - type_.fibres)
 {
     const bool is_warp = kind == YarnKind::warp;

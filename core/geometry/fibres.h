@@ -109,8 +109,6 @@ private:
 
     const Textile& textile_;
     FibreOptions options_;
-    YarnKind kind_;
-    int yarn_;
     const YarnType& type_;
     int fibres_ = 0, cores_ = 0;
     std::size_t rings_ = 0;

@@ -20,7 +20,7 @@ int threads_for(int repeat, const std::vector<YarnRun>& order)
 {
     long period = 0;
     for (const YarnRun& run : order) period += run.count;
-    const long both = std::lcm(static_cast<long>(repeat), std::max(1L, period));
+    const long both = std::lcm(std::max(1L, static_cast<long>(repeat)), std::max(1L, period));
     return static_cast<int>(std::min<long>(both * std::max(1L, (least_threads + both - 1) / both), most_threads));
 }
 

@@ -217,6 +217,7 @@ YarnMesh mesh_fibres(const Textile& textile, const TextileRegion& window, const 
         std::size_t vertices = 0, triangles = 0;
     };
     std::vector<Stretch> stretches;
+    stretches.reserve(static_cast<std::size_t>(window.ends) + static_cast<std::size_t>(window.picks));
     for (int end = 0; end < window.ends; ++end) stretches.push_back({YarnKind::warp, window.first_end + end, nullptr});
     for (int pick = 0; pick < window.picks; ++pick) stretches.push_back({YarnKind::weft, window.first_pick + pick, nullptr});
     tbb::parallel_for(std::size_t(0), stretches.size(), [&](std::size_t i) {

@@ -65,6 +65,7 @@ Design changed_preset(ObjectReader& reader)
     const auto found = std::find_if(presets.begin(), presets.end(), [&](const Preset& preset) { return preset.fabric().name == name; });
     if (found == presets.end()) {
         std::vector<std::string> known;
+        known.reserve(presets.size());
         for (const Preset& preset : presets) known.push_back(preset.fabric().name);
         reader.refuse("library", fmt::format("The library has no fabric \"{}\"{}", name, did_you_mean(name, known)));
     }

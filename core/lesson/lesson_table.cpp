@@ -161,7 +161,7 @@ void LessonTable::work()
         const bool goes_on = place->failure.empty();
         const double until = place->time < clock_ ? std::max(clock_, place->time + speed_ / looks_per_second) : place->time;
         lock.unlock();
-        if (goes_on) work_on(*place, std::move(acts), until);
+        if (goes_on) work_on(*place, acts, until);
         std::string problem = serve(*place, takes);
         lock.lock();
         if (place->failure.empty()) place->failure = std::move(problem);
@@ -185,7 +185,7 @@ std::string LessonTable::serve(const Place& place, const std::vector<Take>& take
 }
 
 /// Without the guard; nobody else touches what runs while the place is busy.
-void LessonTable::work_on(Place& place, std::vector<Act> acts, double until)
+void LessonTable::work_on(Place& place, const std::vector<Act>& acts, double until)
 {
     std::shared_ptr<const ClothView> view;
     std::string failure;

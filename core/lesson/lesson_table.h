@@ -63,7 +63,7 @@ private:
     void go_on();
     Place* next_place();
     void work();
-    void work_on(Place& place, std::vector<Act> acts, double until);
+    void work_on(Place& place, const std::vector<Act>& acts, double until);
     static std::string serve(const Place& place, const std::vector<Take>& takes);
 
     std::mutex guard_;

@@ -102,6 +102,7 @@ void write_files_with(const std::vector<std::filesystem::path>& paths,
     }
     std::vector<std::filesystem::path> temporaries;
     for (const Place& place : places) remove_leftovers(place.target);
+    temporaries.reserve(places.size());
     for (const Place& place : places) temporaries.push_back(temporary_beside(place.target));
     const std::vector<Temporary> guards(temporaries.begin(), temporaries.end());
     writer(temporaries);

@@ -92,6 +92,7 @@ CsvTable read_csv(const std::string& text, const std::string& file, const std::v
             throw Error(fmt::format("{}: line {}: A row needs {} fields as the header; this one has {}.", file, lines[i].number,
                                     header.size(), fields.size()));
         std::vector<std::string> row;
+        row.reserve(places.size());
         for (const std::size_t place : places) row.push_back(place < fields.size() ? fields[place] : std::string());
         table.rows.push_back(std::move(row));
         table.lines.push_back(lines[i].number);

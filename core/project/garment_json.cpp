@@ -134,6 +134,7 @@ Garment garment_from_json(const ProjectJson& value, const std::string& file, con
     object.read("name", garment.name);
     read_source(object, garment);
     std::vector<std::string> units;
+    units.reserve(uv_units);
     for (int unit = 0; unit < uv_units; ++unit) units.emplace_back(name_of(static_cast<UvUnit>(unit)));
     garment.uv_unit = static_cast<UvUnit>(choice_in(object, "uv_unit", units, 0));
     const ProjectJson& panels = object.require("panels");

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -111,7 +112,8 @@ private:
     static std::array<std::uint16_t, 256> linear_table()
     {
         std::array<std::uint16_t, 256> table{};
-        for (unsigned i = 0; i < 256; ++i) table[i] = static_cast<std::uint16_t>(65535 * linear_light(static_cast<std::uint8_t>(i)) + 0.5);
+        for (unsigned i = 0; i < 256; ++i)
+            table[i] = static_cast<std::uint16_t>(std::lround(65535 * linear_light(static_cast<std::uint8_t>(i))));
         return table;
     }
 

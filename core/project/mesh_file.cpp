@@ -298,6 +298,7 @@ Exported export_textile(const Textile& textile, const Fabric& fabric, const Expo
     Exported exported{files_of_export(path, size), 0};
     std::vector<std::filesystem::path> files(exported.files.begin() + 1, exported.files.end());
     std::vector<std::string> names;
+    names.reserve(files.size());
     for (const auto& file : files) names.push_back(file.filename().string());
     files.push_back(path);
     write_files_with(files, [&](const std::vector<std::filesystem::path>& temporary) {

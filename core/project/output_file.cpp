@@ -69,7 +69,8 @@ void append_decimal(std::string& text, double value, int decimals)
 {
     constexpr std::uint64_t powers[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000};
     const std::uint64_t power = powers[decimals];
-    const auto scaled = static_cast<std::uint64_t>(std::abs(value) * static_cast<double>(power) + 0.5);
+    constexpr double half = 0.5; // of the last place, which is rounded: what is scaled is not negative
+    const auto scaled = static_cast<std::uint64_t>(std::abs(value) * static_cast<double>(power) + half);
     if (value < 0 && scaled > 0) text += '-';
     append_whole(text, scaled / power);
     std::uint64_t rest = scaled % power;

@@ -62,6 +62,7 @@ void write_textile(hid_t file, const Textile& textile)
 std::vector<float> pore_shares(const Textile& textile, YarnKind kind)
 {
     std::vector<float> shares;
+    shares.reserve(static_cast<std::size_t>(textile.system(kind).count));
     for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
         shares.push_back(static_cast<float>(1.0 - textile.type(kind, yarn).packing));
     return shares;

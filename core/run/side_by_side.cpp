@@ -49,6 +49,7 @@ void run_side_by_side(const std::vector<std::unique_ptr<Backend>>& backends, std
     };
     {
         std::vector<std::jthread> threads;
+        threads.reserve(backends.size());
         for (const auto& backend : backends) threads.emplace_back([&take_turns, &backend] { take_turns(*backend); });
     }
     if (failure) std::rethrow_exception(failure);

@@ -144,6 +144,7 @@ Room room_about_sample(const Scene& scene)
 std::vector<Vec3> rounded(const std::vector<Vec3d>& values)
 {
     std::vector<Vec3> result;
+    result.reserve(values.size());
     for (const Vec3d& v : values) result.push_back(rounded(v));
     return result;
 }

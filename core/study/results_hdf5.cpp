@@ -88,8 +88,12 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
         refuse(fmt::format("This must have {} rows; it has {}.", std::min<hsize_t>(rows, most_table_rows), count));
     const Handle properties(H5Dget_create_plist(set.get()), H5Pclose, column.name);
     hsize_t chunk = 0;
-    if (H5Pget_layout(properties.get()) == H5D_CHUNKED && (H5Pget_chunk(properties.get(), 1, &chunk) != 1 || chunk > most_chunk))
+    if (H5Pget_layout(properties.get()) != H5D_CHUNKED) { // else the library would read on behind what a header holds
+        if (H5Dget_storage_size(set.get()) < count * H5Tget_size(type.get()))
+            refuse(fmt::format("The file does not hold its {} rows.", count));
+    } else if (H5Pget_chunk(properties.get(), 1, &chunk) != 1 || chunk > most_chunk) {
         refuse(fmt::format("Its chunks have {} rows; at most {} are read.", chunk, most_chunk));
+    }
     if (H5Tget_class(type.get()) == H5T_FLOAT) {
         column.numbers.resize(rows);
         if (rows > 0 && H5Dread(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, column.numbers.data()) < 0)

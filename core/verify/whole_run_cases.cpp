@@ -90,7 +90,7 @@ SmallRun run_small(const VerifyValues& v, Backend& backend)
         collector.start(record);
         run.pitch = std::max(record.textile.warp.pitch, record.textile.weft.pitch);
     };
-    callbacks.frame = [&](std::shared_ptr<const Frame> frame) {
+    callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) {
         run.drift.watch(frame->ledger);
         collector.add(*frame);
         run.last = *frame;

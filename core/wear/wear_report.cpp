@@ -187,6 +187,7 @@ std::vector<int> frames_for_report(const std::vector<double>& frames, const std:
 std::vector<ReportPicture> pictures_of_panels(const WearRecording& recording, const std::vector<int>& frames, const WearMapOptions& options)
 {
     std::vector<std::shared_ptr<const WearFrame>> read;
+    read.reserve(frames.size());
     for (const int number : frames) read.push_back(std::make_shared<const WearFrame>(recording.frame(number)));
     return pictures_of_panels(recording.record().layout, read, options);
 }

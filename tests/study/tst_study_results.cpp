@@ -197,6 +197,35 @@ private Q_SLOTS:
         QVERIFY2(refused > 50, qPrintable(QString::number(refused)));
     }
 
+    /// A column that claims to lie in its header, which has room for less: HDF5 read on behind it.
+    void aColumnWithFewerBytesThanRowsIsRefused()
+    {
+        const QTemporaryDir place;
+        const QString name = place.filePath("study.h5");
+        write_results_hdf5(table_of(20), "{}", "{}", name.toStdString());
+        QFile file(name);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray whole = file.readAll();
+        const QByteArray chunked("\x03\x02\x02", 3), in_header("\x03\x00\x08\x00", 4); // version, layout; dimensions and one more, or bytes
+        std::size_t columns = 0;
+        for (qsizetype at = whole.indexOf(chunked); at >= 0; at = whole.indexOf(chunked, at + 1)) {
+            if (at < 8 || whole[at - 8] != 8 || whole[at - 7] != 0) continue; // no message of a layout
+            QFile hurt(place.filePath("hurt.h5"));
+            QVERIFY(hurt.open(QIODevice::WriteOnly));
+            hurt.write(QByteArray(whole).replace(at, in_header.size(), in_header));
+            hurt.close();
+            QString said;
+            try {
+                read_results_hdf5(hurt.fileName().toStdString());
+            } catch (const FileError& error) {
+                said = error.what();
+            }
+            QVERIFY2(said.contains("does not hold its 20 rows"), qPrintable(said));
+            ++columns;
+        }
+        QCOMPARE(columns, table_of(1).columns.size());
+    }
+
     /// A limit on the size of files stands for a disk that is full; the program used to end when HDF5 closed the file.
     void aFullDiskIsAnError()
     {

@@ -150,6 +150,7 @@ void CompareBar::showReplicates(int count)
 std::vector<int> CompareBar::replicateChoices() const
 {
     std::vector<int> counts;
+    counts.reserve(static_cast<std::size_t>(replicates_->count()));
     for (int i = 0; i < replicates_->count(); ++i) { counts.push_back(replicates_->itemData(i).toInt()); }
     return counts;
 }

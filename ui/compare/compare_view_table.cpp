@@ -33,6 +33,7 @@ namespace hygroloom {
 std::vector<GridEntry> CompareView::gridEntries(const std::vector<StudyRow>& rows) const
 {
     std::vector<GridEntry> entries;
+    entries.reserve(rows.size());
     for (const StudyRow& row : rows) { entries.push_back({row.fabric, row.path, row.reading, row.runs, row.missing}); }
     return entries;
 }
@@ -319,6 +320,7 @@ void CompareView::start(const std::vector<StudyJob>& jobs)
         return;
     }
     std::vector<StudyRuns::Expected> expected;
+    expected.reserve(jobs.size());
     for (const StudyJob& job : jobs) { expected.push_back({job, secondsOf(job).value_or(0)}); }
     runs_.start(expected);
 }

@@ -107,6 +107,7 @@ void CurvesView::setRuns(const std::vector<KeptRun>& runs, const QStringList& ti
     choices_.clear();
     if (!runs.empty()) {
         std::vector<std::shared_ptr<const Metrics>> metrics;
+        metrics.reserve(runs.size());
         for (const KeptRun& run : runs) { metrics.push_back(run.metrics); }
         const Experiment* experiment = find_experiment(runs.front().run->design, runs.front().run->experiment);
         choices_ = curvesOf(experiment ? experiment->type : ExperimentType::droplet, metrics);

@@ -223,6 +223,7 @@ void ScatterView::draw()
     if (points.empty()) { return; }
     const OutcomeInfo &one = comparison_.criteria[static_cast<std::size_t>(x)], &other = comparison_.criteria[static_cast<std::size_t>(y)];
     std::vector<QPointF> centres;
+    centres.reserve(points.size());
     for (const ScatterPoint& point : points) { centres.push_back(point.at); }
     const std::vector<std::size_t> front = paretoFront(centres, one.better, other.better);
     auto* line = new QLineSeries;

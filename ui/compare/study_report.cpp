@@ -44,6 +44,7 @@ LaboratoryTable readMeasured(const std::vector<OutcomeInfo>& criteria, const std
 {
     constexpr std::size_t most_bytes = std::size_t{16} << 20U;
     std::vector<std::pair<std::string, std::string>> metrics;
+    metrics.reserve(criteria.size());
     for (const OutcomeInfo& criterion : criteria) { metrics.emplace_back(criterion.key, criterion.unit); }
     return read_laboratory_table(read_file(file.toStdString(), most_bytes), file.toStdString(), fabrics, metrics);
 }

@@ -184,12 +184,10 @@ int FabricScene::substitute(Cell cell, int wished, const Available& available)
 /// At once where a belt hides the change, else by fading. pixels: of a pitch.
 void FabricScene::changeLevel(State& s, int level, double pixels)
 {
-    if (level > 0 && s.level == 0 && pixels < belt_start) {
-        s.level = static_cast<std::int8_t>(level);
-    } else if (level == 0 && s.level > 0 && pixels < belt_start) {
-        s.level = 0;
-    } else if (std::max<int>(level, s.level) == fibre_level && std::min<int>(level, s.level) == fibre_level - 1 &&
-               pixels < 1.15 * fibre_belt_pixels[0]) {
+    const bool behind_belt = pixels < belt_start && ((level > 0 && s.level == 0) || (level == 0 && s.level > 0));
+    const bool behind_fibres = pixels < 1.15 * fibre_belt_pixels[0] && std::max<int>(level, s.level) == fibre_level &&
+                               std::min<int>(level, s.level) == fibre_level - 1;
+    if (behind_belt || behind_fibres) {
         s.level = static_cast<std::int8_t>(level);
     } else if (level != s.level) {
         s = s.level < 0 ? State{static_cast<std::int8_t>(level), -1, 1, s.belt}

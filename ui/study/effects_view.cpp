@@ -72,6 +72,7 @@ void EffectsChart::drawPicture(QPainter& painter)
         if (axis.is_factor && !axis.empty && factors.size() < most_factors) { factors.push_back(&axis); }
     }
     std::vector<std::vector<EffectBin>> effects;
+    effects.reserve(factors.size());
     for (const StudyAxis* factor : factors) { effects.push_back(effectBins(*factor, *metric_)); }
     const StudyAxis up = commonAxis(effects);
     if (up.empty) { return; }
