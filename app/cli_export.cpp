@@ -101,6 +101,9 @@ Piece wet_piece(const ExportVerbOptions& options)
         const Frame frame = recording.frame(frame_at(recording, options.water, options.time));
         piece.saturation = frame.saturation;
         if (!options.quiet) print_note("Water at {:.4g} s.\n", frame.time);
+        if (!options.quiet && run.plan.shown_ends > 0)
+            print_note("The recording shows cells; each is exported as one wide yarn in place of about {} ends or picks.\n",
+                       run.textile.yarns_per_cell());
         return piece;
     } catch (const FileError& error) {
         throw Stop(exit_invalid, error.what());

@@ -6,6 +6,7 @@
 #include "core/analysis/jobs.h"
 #include "core/analysis/metrics_json.h"
 #include "core/analysis/outcomes.h"
+#include "core/base/units.h"
 #include "core/run/recording.h"
 #include "core/verify/verify_json.h"
 #include "core/wear/wear_metrics.h"
@@ -68,9 +69,9 @@ Results results_of(const RunRecord& run, const Metrics& metrics)
 Results run_sample(const Design& design, const std::string& fabric_name, const std::string& experiment_name, const RunArguments& arguments,
                    Watch& watch)
 {
-    if (arguments.cell_mm > 0 || arguments.shown_mm > 0 || !arguments.detail.empty())
-        throw Error("cell_mm, shown_mm and detail work with experiments of the type wear.");
+    if (arguments.cell_mm > 0 || !arguments.detail.empty()) throw Error("cell_mm and detail work with experiments of the type wear.");
     RunOptions how = run_options(arguments);
+    how.shown_side = metre_from_mm(arguments.shown_mm);
     const auto fitted = require_valid(design);
     const Experiment& experiment = chosen_experiment(design, experiment_name);
     const Fabric& fabric = chosen_fabric(design, fabric_name);

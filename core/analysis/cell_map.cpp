@@ -54,17 +54,20 @@ CellMap empty_map(const Textile& textile, int crossings)
     return map;
 }
 
-/// Calls use(kind, end, pick, segment, cell) for each segment that lies on a side.
+int cells_across(const Textile& textile, const CellMap& map) { return map.crossings_per_cell / textile.yarns_per_cell(); }
+
+/// Calls use(kind, end, pick, segment, cell, its part that lies on the side) for each segment of which some does.
 template <typename Use> void for_each_on(const Textile& textile, MapSide side, const CellMap& map, const Use& use)
 {
-    const int n = map.crossings_per_cell / textile.yarns_per_cell();
+    const int n = cells_across(textile, map);
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
         for (int end = 0; end < textile.ends(); ++end)
             for (int pick = 0; pick < textile.picks(); ++pick) {
-                const bool on_top = textile.warp_up(end, pick) == (kind == YarnKind::warp);
-                if (side != MapSide::total && on_top != (side == MapSide::top)) continue;
+                const double top = textile.on_top(kind, end, pick);
+                const double part = side == MapSide::total ? 1.0 : side == MapSide::top ? top : 1.0 - top;
+                if (part == 0) continue;
                 use(kind, end, pick, static_cast<std::size_t>(textile.segment(kind, end, pick)),
-                    static_cast<std::size_t>(pick / n) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(end / n));
+                    static_cast<std::size_t>(pick / n) * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(end / n), part);
             }
 }
 
@@ -76,8 +79,8 @@ CellMap quantity_map(const Textile& textile, const Frame& frame, ShownQuantity q
     map.quantity = quantity;
     const std::vector<float> values = segment_values(frame, quantity);
     std::vector<double> lengths(map.water.size());
-    for_each_on(textile, side, map, [&](YarnKind kind, int end, int pick, std::size_t i, std::size_t cell) {
-        const double length = textile.segment_length(kind, end, pick);
+    for_each_on(textile, side, map, [&](YarnKind kind, int end, int pick, std::size_t i, std::size_t cell, double part) {
+        const double length = part * textile.segment_length(kind, end, pick);
         map.water[cell] += length * static_cast<double>(values[i]);
         lengths[cell] += length;
     });
@@ -86,15 +89,16 @@ CellMap quantity_map(const Textile& textile, const Frame& frame, ShownQuantity q
     return map;
 }
 
-CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start, MapSide side, int n)
+CellMap cell_map(const Textile& textile, const Frame& frame, const Frame& start, MapSide side, int crossings)
 {
-    CellMap map = empty_map(textile, n);
-    for_each_on(textile, side, map, [&](YarnKind kind, int end, int pick, std::size_t i, std::size_t cell) {
-        map.water[cell] += static_cast<double>(frame.liquid[i]) - static_cast<double>(start.liquid[i]);
+    CellMap map = empty_map(textile, crossings);
+    const int n = cells_across(textile, map);
+    for_each_on(textile, side, map, [&](YarnKind kind, int end, int pick, std::size_t i, std::size_t cell, double part) {
+        map.water[cell] += part * (static_cast<double>(frame.liquid[i]) - static_cast<double>(start.liquid[i]));
         if (frame.regain[i] == start.regain[i]) return; // as in most of a cloth
         const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
         const double fibres = type.area * type.packing * type.fibre.density_kg_m3; // kg/m
-        map.water[cell] += (static_cast<double>(frame.regain[i]) - static_cast<double>(start.regain[i])) * fibres *
+        map.water[cell] += part * (static_cast<double>(frame.regain[i]) - static_cast<double>(start.regain[i])) * fibres *
                            textile.segment_length(kind, end, pick);
     });
     for (int row = 0; row < map.rows; ++row)

@@ -54,8 +54,10 @@ std::array<WetFace, 2> wet_faces_of_ends(const Textile& textile, const Frame& fr
             face.count += count;
             face.x += count * x;
             face.xx += count * (x * x + squares_in(across, end_pitch));
-            face.y += static_cast<double>(end.places[f]) * along;
-            face.yy += static_cast<double>(end.squares[f]) * along * along + count * squares_in(along, pick_pitch);
+            const double y = y_of(end.first[f]), places = static_cast<double>(end.places[f]) * along;
+            face.y += count * y + places;
+            face.yy +=
+                y * (count * y + 2 * places) + static_cast<double>(end.squares[f]) * along * along + count * squares_in(along, pick_pitch);
         }
         x += across;
     }
@@ -136,16 +138,12 @@ double wick_height(const Textile& textile, const Frame& frame, const Experiment&
     return sum / yarns;
 }
 
-/// The same of a frame that shows cells, as fine as it is simulated.
-bool wet_at_the_end_of_ends(const std::vector<WetEnd>& wet, int picks, const Experiment& experiment)
+/// Whether water has reached an edge, of a frame that shows cells: as fine as it is simulated. No strip is shown so.
+bool wet_at_an_edge(const std::vector<WetEnd>& wet, int picks)
 {
-    const bool strip = is_strip(experiment.type), along_ends = !strip || !experiment.along_weft,
-               along_picks = !strip || experiment.along_weft;
     const auto is_wet = [](const WetEnd& end) { return end.first[0] >= 0 || end.first[1] >= 0; };
-    if (along_picks && ((!strip && is_wet(wet.front())) || is_wet(wet.back()))) return true;
-    return along_ends && std::any_of(wet.begin(), wet.end(), [&](const WetEnd& end) {
-               const bool starts = end.first[0] == 0 || end.first[1] == 0;
-               return (!strip && starts) || std::max(end.last[0], end.last[1]) >= static_cast<float>(picks - 1);
+    return is_wet(wet.front()) || is_wet(wet.back()) || std::any_of(wet.begin(), wet.end(), [picks](const WetEnd& end) {
+               return end.first[0] == 0 || end.first[1] == 0 || std::max(end.last[0], end.last[1]) >= static_cast<float>(picks - 1);
            });
 }
 
@@ -153,7 +151,7 @@ bool wet_at_the_end_of_ends(const std::vector<WetEnd>& wet, int picks, const Exp
 bool wet_at_the_end(const Textile& textile, const Frame& frame, const Experiment& experiment)
 {
     if (changes_everywhere(experiment.type)) return false;
-    if (!frame.wet.empty()) return wet_at_the_end_of_ends(frame.wet, frame.wet_picks, experiment);
+    if (!frame.wet.empty()) return wet_at_an_edge(frame.wet, frame.wet_picks);
     const int last_end = textile.ends() - 1, last_pick = textile.picks() - 1;
     const auto wet = [&](int end, int pick) {
         return std::max(frame.saturation[static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick))],
@@ -179,8 +177,10 @@ std::array<double, 2> absorbed_before(const RunRecord& run, const Experiment& ex
                 const int line = kind == YarnKind::warp ? end : run.textile.ends() + pick;
                 const YarnParameters& yarn = scene.cloth.yarns[scene.cloth.type[static_cast<std::size_t>(line)]];
                 const double length = scene.cloth.length[static_cast<std::size_t>(run.textile.segment(kind, end, pick))];
-                const std::size_t face = run.textile.warp_up(end, pick) == (kind == YarnKind::warp) ? 0 : 1;
-                water[face] += (yarn.initial_regain - yarn.resting_regain) * yarn.fibre_area * yarn.fibre_density * length;
+                const double absorbed = (yarn.initial_regain - yarn.resting_regain) * yarn.fibre_area * yarn.fibre_density * length;
+                const double top = run.textile.on_top(kind, end, pick);
+                water[0] += top * absorbed;
+                water[1] += (1.0 - top) * absorbed;
             }
     return water;
 }
@@ -190,6 +190,25 @@ double water_of_face(double water, const Frame& frame)
 {
     constexpr double rounding = 2e-7;
     return std::abs(water) > rounding * frame.ledger.water_bound ? water : 0.0;
+}
+
+/// Takes in how far each end is wet; whether it is farther, or at more crossings, than before.
+bool spreads(std::vector<WetEnd>& was_wet, const std::vector<WetEnd>& wet)
+{
+    was_wet.resize(wet.size());
+    bool any = false;
+    for (std::size_t i = 0; i < wet.size(); ++i)
+        for (int f = 0; f < 2; ++f) {
+            WetEnd& before = was_wet[i];
+            const WetEnd& now = wet[i];
+            if (now.first[f] < 0) continue;
+            any = any || before.first[f] < 0 || now.first[f] < before.first[f] || now.last[f] > before.last[f] ||
+                  now.count[f] > before.count[f];
+            before.first[f] = before.first[f] < 0 ? now.first[f] : std::min(before.first[f], now.first[f]);
+            before.last[f] = std::max(before.last[f], now.last[f]);
+            before.count[f] = std::max(before.count[f], now.count[f]);
+        }
+    return any;
 }
 
 /// Takes in the segments that are wet; whether any had not been before.
@@ -224,13 +243,14 @@ void MetricsCollector::start(const RunRecord& run)
     textile_ = run.textile;
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     experiment_ = experiment ? *experiment : Experiment{};
-    crossings_per_cell_ = run.plan.shown_ends > 0 ? 1 : run.plan.crossings_per_cell;
+    crossings_per_cell_ = run.plan.crossings_per_cell;
     metrics_ = {};
     absorbed_before_ = absorbed_before(run, experiment_);
     regain_at_start_.clear();
     pins_ = uses_field(experiment_.type, "feed_s") ? TesterPins(textile_) : TesterPins();
     edge_time_.reset();
     was_wet_.clear();
+    wet_ends_.clear();
     last_wetted_ = 0;
     had_free_water_ = false;
     wiped_.reset();
@@ -278,7 +298,7 @@ void MetricsCollector::add(const Frame& frame)
     metrics_.ledger = frame.ledger;
     unsolved_lines_ = std::max(unsolved_lines_, frame.unsolved_lines);
     metrics_.water_between_yarns = std::accumulate(frame.between.begin(), frame.between.end(), 0.0);
-    if (spreads(was_wet_, frame)) last_wetted_ = frame.time;
+    if (frame.wet.empty() ? spreads(was_wet_, frame) : spreads(wet_ends_, frame.wet)) last_wetted_ = frame.time;
     metrics_.time_of_arrest.reset();
     if (frame.time - last_wetted_ >= rest && metrics_.maximum_wetted_radius_top + metrics_.maximum_wetted_radius_bottom > 0)
         metrics_.time_of_arrest = last_wetted_;

@@ -37,7 +37,7 @@ private:
 
     Textile textile_;
     Experiment experiment_;
-    int crossings_per_cell_ = 1; ///< of frames: how many of them are alike
+    int crossings_per_cell_ = 1;
     Metrics metrics_;
     std::array<double, 2> absorbed_before_{0, 0}; ///< kg, top and bottom: of the test's water, by the fibres before the first frame
     std::vector<float> regain_at_start_;
@@ -45,6 +45,7 @@ private:
     std::optional<double> edge_time_;   ///< s, when water was first seen where the sample ends
     double unsolved_lines_ = 0;         ///< see Frame
     std::vector<std::uint8_t> was_wet_; ///< 1: each segment, in any frame so far
+    std::vector<WetEnd> wet_ends_;      ///< where frames show cells, how far each end was wet in any frame so far
     double last_wetted_ = 0;            ///< s, when the last of them got wet
     bool had_free_water_ = false;
     std::optional<double> wiped_; ///< s, see HandActs

@@ -43,7 +43,8 @@ std::vector<double> trace_times(double duration)
 int traced_crossings(const Textile& textile)
 {
     const int longest = std::max(textile.ends(), textile.picks());
-    return std::max(2, (longest + most_traced_cells - 1) / most_traced_cells);
+    const int yarns = textile.yarns_per_cell(); // where the cloth is shown in cells, of which each is so many crossings wide
+    return std::max(2, (longest + most_traced_cells - 1) / most_traced_cells * yarns);
 }
 
 std::vector<double> values_at(const std::vector<double>& wanted, const std::vector<double>& time, const std::vector<double>& values)

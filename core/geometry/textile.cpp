@@ -272,6 +272,37 @@ Textile build_textile(const Fabric& fabric, const FittedFabric& fitted, const Te
     return textile;
 }
 
+namespace {
+
+/// Share of each cell's crossings at which the warp is up.
+std::vector<float> warp_up_in_cells(const Textile& fine, int ends, int picks)
+{
+    const auto overlap = [](int yarn, int yarns, int cell, int cells) {
+        const long begin = std::max(long(yarn) * cells, long(cell) * yarns), end = std::min((yarn + 1L) * cells, (cell + 1L) * yarns);
+        return static_cast<double>(end - begin) / cells;
+    };
+    const auto each = [](int yarns, int cell, int cells, const auto& visit) {
+        for (long yarn = long(cell) * yarns / cells; yarn * cells < (cell + 1L) * yarns; ++yarn) visit(static_cast<int>(yarn));
+    };
+    std::vector<float> shares;
+    shares.reserve(std::size_t(ends) * std::size_t(picks));
+    for (int column = 0; column < ends; ++column)
+        for (int row = 0; row < picks; ++row) {
+            double up = 0, all = 0;
+            each(fine.ends(), column, ends, [&](int end) {
+                each(fine.picks(), row, picks, [&](int pick) {
+                    const double share = overlap(end, fine.ends(), column, ends) * overlap(pick, fine.picks(), row, picks);
+                    all += share;
+                    if (fine.warp_up(end, pick)) up += share;
+                });
+            });
+            shares.push_back(static_cast<float>(up / all));
+        }
+    return shares;
+}
+
+} // namespace
+
 Textile in_cells(const Textile& fine, int ends, int picks)
 {
     Textile cells = fine;
@@ -299,6 +330,7 @@ Textile in_cells(const Textile& fine, int ends, int picks)
             path.length *= crossed;
         }
     };
+    cells.warp_on_top = warp_up_in_cells(fine, ends, picks);
     widen(cells.warp, YarnKind::warp, ends, cells.picks_per_cell);
     widen(cells.weft, YarnKind::weft, picks, cells.ends_per_cell);
     return cells;

@@ -75,6 +75,7 @@ struct Textile {
     int first_pick = 0;
     double thickness = 0;                         ///< m, of the interlaced yarns, from face to face
     double ends_per_cell = 1, picks_per_cell = 1; ///< that each end and each pick stands for: see in_cells()
+    std::vector<float> warp_on_top; ///< of cells, end x picks + pick: share of their crossings with the warp up; empty: each is one
     FabricQuantities quantities;
 
     int ends() const { return warp.count; }
@@ -97,6 +98,13 @@ struct Textile {
     int yarn_number(YarnKind kind, int yarn) const;
 
     bool warp_up(int end, int pick) const { return weave.warp_up(first_end + end, first_pick + pick); }
+    /// How much of a segment lies on the upper face, 0 or 1; of cells a share.
+    double on_top(YarnKind kind, int end, int pick) const
+    {
+        const double up =
+            warp_on_top.empty() ? double(warp_up(end, pick)) : double(warp_on_top[std::size_t(segment(YarnKind::warp, end, pick))]);
+        return kind == YarnKind::warp ? up : 1.0 - up;
+    }
     double x_of_end(int end) const { return (end - 0.5 * (ends() - 1)) * warp.pitch; }
     double y_of_pick(int pick) const { return (pick - 0.5 * (picks() - 1)) * weft.pitch; }
     /// Height of the yarn's centreline at its crossing.
@@ -141,8 +149,8 @@ Textile textile_of_run(const Design& design, const Fabric& fabric, const Experim
 Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const FittedFabric* fitted = nullptr);
 
 /// The same cloth drawn with fewer, wider yarns: as many ends and picks as given, each in place of those that it covers, and of the type of
-/// the one in their middle. Each of its segments has the fibres and pores of all that it stands for; sample, thickness and weave stay.
-/// Precondition: 1 <= ends <= fine.ends(), 1 <= picks <= fine.picks().
+/// the one in their middle. Each of its segments has the fibres and pores of all that it stands for, and lies on a face with as much of it
+/// as those do; sample, thickness and the weave that is drawn stay. Precondition: 1 <= ends <= fine.ends(), 1 <= picks <= fine.picks().
 Textile in_cells(const Textile& fine, int ends, int picks);
 
 /// A yarn at one place: its centreline and half its section across and along the fabric.

@@ -43,6 +43,17 @@ const char* why_single(const ModelPlan& plan, const Textile& textile, Experiment
     return info_of(type).source == WaterSource::face ? "sweat wets yarns where they lie on one face" : nullptr;
 }
 
+/// Why frames cannot show cells of several yarns; empty: they can.
+const char* why_not_in_cells(const ModelPlan& plan, const Textile& textile, ExperimentType type)
+{
+    if (textile.warp.types.size() + textile.weft.types.size() > 2) return "its yarns are of several types";
+    if (is_strip(type)) return "how high a strip is wet is read on single yarns";
+    if (uses_field(type, "feed_s")) return "the tester's pins stand on single yarns";
+    if (std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.watched; }))
+        return "a part of the physics that is left out is watched in single yarns";
+    return "";
+}
+
 } // namespace
 
 std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentType type)
@@ -67,15 +78,18 @@ std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentTy
                        ends.yarns, picks.yarns, ends.count, picks.count);
 }
 
-void decide_shown_cells(ModelPlan& plan, const Textile& textile, double side)
+void decide_shown_cells(ModelPlan& plan, const Textile& textile, ExperimentType type, double side)
 {
     constexpr double most_unasked = 500'000; // cells
+    constexpr double most_yarns = 64;        // of each system in a cell, which one thread of a GPU sums up
     plan.shown_ends = plan.shown_picks = 0;
+    plan.not_in_cells.clear();
     const double crossings = double(textile.ends()) * textile.picks();
-    const double wanted =
-        side > 0 ? std::round(side / std::sqrt(textile.warp.pitch * textile.weft.pitch)) : std::ceil(std::sqrt(crossings / most_unasked));
-    const bool mixes = textile.warp.types.size() + textile.weft.types.size() > 2; // a cell would be of one type
-    if (wanted <= 1 || mixes) return;
+    const double wanted = std::min(most_yarns, side > 0 ? std::round(side / std::sqrt(textile.warp.pitch * textile.weft.pitch))
+                                                        : std::ceil(std::sqrt(crossings / most_unasked)));
+    if (wanted <= 1) return;
+    plan.not_in_cells = why_not_in_cells(plan, textile, type);
+    if (!plan.not_in_cells.empty()) return;
     const auto cells = [&](int yarns) {
         const int simulated = bundles_of(yarns, plan.crossings_per_cell).count;
         return std::min(simulated, std::max(1, static_cast<int>(std::lround(yarns / wanted))));

@@ -38,6 +38,8 @@ std::vector<std::string> notes_of(const ModelPlan& plan)
         notes.push_back(fmt::format("Frames, maps and the recording show the sample in {} by {} cells, of about {:.3g} by {:.3g} yarns.",
                                     plan.shown_ends, plan.shown_picks, double(plan.region.ends) / plan.shown_ends,
                                     double(plan.region.picks) / plan.shown_picks));
+    if (!plan.not_in_cells.empty())
+        notes.push_back(fmt::format("Frames, maps and the recording show each crossing of the sample, not cells: {}.", plan.not_in_cells));
     const SceneCounts& scene = plan.counts;
     if (plan.on("wicking") && scene.closure == name_of(Closure::pores) && scene.suction > 0 && scene.uptake <= 0)
         notes.push_back(

@@ -62,6 +62,7 @@ struct ModelPlan {
     int crossings_per_cell = 1; ///< ends, and picks, in a bundle that is simulated as one
     int shown_ends = 0;         ///< cells in which frames show the sample; 0: each segment
     int shown_picks = 0;
+    std::string not_in_cells;  ///< why it is not shown in cells although it is large, or they were asked for
     double frame_interval = 0; ///< s
     double rest_tolerance = 0; ///< see Scene; 0: all of the sample is visited
     std::string resolution_reason;

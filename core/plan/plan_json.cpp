@@ -155,6 +155,7 @@ Json plan_value(const ModelPlan& plan)
           {"crossings_per_cell", plan.crossings_per_cell},
           {"shown_ends", plan.shown_ends},
           {"shown_picks", plan.shown_picks},
+          {"not_in_cells", plan.not_in_cells},
           {"frame_interval_s", plan.frame_interval},
           {"network_step_limit_s", plan.knobs.network_step_limit},
           {"saturation_change", plan.knobs.saturation_change},
@@ -194,6 +195,7 @@ try {
     plan.crossings_per_cell = whole_number(resolution.value("crossings_per_cell", Json(1)));
     plan.shown_ends = whole_number(resolution.value("shown_ends", Json(0)));
     plan.shown_picks = whole_number(resolution.value("shown_picks", Json(0)));
+    plan.not_in_cells = resolution.value("not_in_cells", "");
     plan.frame_interval = resolution.at("frame_interval_s");
     plan.knobs = knobs_from_json(json, plan.fidelity);
     plan.rest_tolerance = resolution.value("rest_tolerance", 0.0);

@@ -134,7 +134,7 @@ ModelPlan plan_model(const Design& design, const Textile& textile, const Experim
     plan.particles_per_droplet = plan.on("liquid") && !plan.on("cap") ? particles_for(plan.knobs, bounds) : 0;
     plan.fibre_shells = plan.on("sorption") ? static_cast<int>(plan.knobs.fibre_shells) : 1;
     const std::string bundles = decide_bundles(plan, textile, experiment.type);
-    decide_shown_cells(plan, textile);
+    decide_shown_cells(plan, textile, experiment.type);
     find_idle_knobs(plan, textile, experiment, bounds);
     const double frames = fidelity == Fidelity::live && plan.on("cap") ? 25.0 : 100.0;
     plan.frame_interval = std::clamp(experiment.duration_s / frames, 1e-6, 60.0);

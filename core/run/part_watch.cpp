@@ -9,30 +9,13 @@
 namespace hygroloom {
 namespace {
 
-/// How many crossings stand behind one that frames show.
-double crossings_of_shown(const Cloth& cloth)
-{
-    return cloth.shown_ends > 0 ? static_cast<double>(cloth.crossings()) / cloth.shown_ends / cloth.shown_picks : 1.0;
-}
-
-/// visit(segment of a frame, type of yarn, m of yarn that it stands for)
+/// visit(segment, type of yarn)
 template <typename Visit> void each_segment(const Scene& scene, const Visit& visit)
 {
-    const Cloth& cloth = scene.cloth;
-    if (cloth.shown_ends == 0) {
-        std::size_t segment = 0;
-        for (std::size_t line = 0; line < cloth.type.size(); ++line) {
-            const int crossed = line < static_cast<std::size_t>(cloth.ends) ? cloth.picks : cloth.ends;
-            for (int i = 0; i < crossed; ++i, ++segment) visit(segment, std::size_t(cloth.type[line]), cloth.length[segment]);
-        }
-        return;
-    }
-    const std::size_t cells = static_cast<std::size_t>(cloth.shown_ends) * static_cast<std::size_t>(cloth.shown_picks);
-    const double crossings = crossings_of_shown(cloth); // all yarns of a system are of one type
-    for (std::size_t segment = 0; segment < 2 * cells; ++segment) {
-        const bool is_warp = segment < cells;
-        const double length = cloth.length[is_warp ? 0 : static_cast<std::size_t>(cloth.crossings())];
-        visit(segment, std::size_t(cloth.type[is_warp ? 0 : static_cast<std::size_t>(cloth.ends)]), crossings * length);
+    std::size_t segment = 0;
+    for (std::size_t line = 0; line < scene.cloth.type.size(); ++line) {
+        const int crossed = line < static_cast<std::size_t>(scene.cloth.ends) ? scene.cloth.picks : scene.cloth.ends;
+        for (int i = 0; i < crossed; ++i) visit(segment++, std::size_t(scene.cloth.type[line]));
     }
 }
 
@@ -100,12 +83,11 @@ std::vector<SwitchedPart> PartWatch::see(const Frame& frame)
 PartWatch::WetCloth PartWatch::wet_cloth(const Frame& frame) const
 {
     WetCloth wet;
-    const double face = crossings_of_shown(scene_.cloth) * scene_.cloth.cell_area;
-    each_segment(scene_, [&](std::size_t i, std::size_t type, double length) {
+    each_segment(scene_, [&](std::size_t i, std::size_t type) {
         if (frame.saturation[i] <= 0) return;
         const double share = wet_share(static_cast<double>(frame.saturation[i]));
-        wet.area += share * face; // each of the two segments of a crossing has a face
-        wet.thirst += share * thirst_[type] * dry_mass(scene_.cloth.yarns[type], length);
+        wet.area += share * scene_.cloth.cell_area; // each of the two segments of a crossing has a face
+        wet.thirst += share * thirst_[type] * dry_mass(scene_.cloth.yarns[type], scene_.cloth.length[i]);
     });
     return wet;
 }
@@ -134,13 +116,13 @@ double PartWatch::warming(const Frame& frame) const
     const double latent = frame.ledger.water_delivered > 0 ? 0.0 : heat_of_evaporation(temperature); // without liquid it all was vapour
     const double heat = heat_of_sorption(std::min(1.0, scene_.climate.humidity));
     double most = 0;
-    each_segment(scene_, [&](std::size_t i, std::size_t type, double length) {
+    each_segment(scene_, [&](std::size_t i, std::size_t type) {
         const YarnParameters& yarn = scene_.cloth.yarns[type];
         const double regain = static_cast<double>(frame.regain[i]), liquid = static_cast<double>(frame.liquid[i]);
         const double gained = regain - yarn.initial_regain, sorbed = yarn.sorption_heat_scale * heat;
         const double to_come = wet_share(static_cast<double>(frame.saturation[i])) * std::max(0.0, thirst_[type] - gained);
         const double released = std::abs(gained) * (sorbed + latent) + to_come * sorbed;
-        const double water = regain + liquid / dry_mass(yarn, length);
+        const double water = regain + liquid / dry_mass(yarn, scene_.cloth.length[i]);
         most = std::max(most, released / (yarn.fibre_specific_heat + water * water_specific_heat));
     });
     return most;

@@ -127,8 +127,8 @@ int simulated(int yarns, const ModelPlan& plan) { return bundles_of(yarns, plan.
 bool shows_cells(const ModelPlan& plan)
 {
     const int ends = plan.shown_ends, picks = plan.shown_picks;
-    if (plan.crossings_per_cell < 1 || ends < 0 || picks < 0 || ends > simulated(plan.region.ends, plan) ||
-        picks > simulated(plan.region.picks, plan) || (ends == 0) != (picks == 0))
+    if (plan.crossings_per_cell < 1 || plan.crossings_per_cell > std::max(plan.region.ends, plan.region.picks) || ends < 0 || picks < 0 ||
+        ends > simulated(plan.region.ends, plan) || picks > simulated(plan.region.picks, plan) || (ends == 0) != (picks == 0))
         throw FileError("the recording's cells do not lie in its sample; it is damaged.");
     return ends > 0;
 }
@@ -225,7 +225,11 @@ std::vector<WetEnd> read_wet(hid_t group, int ends, int picks)
     for (const WetEnd& end : wet)
         for (int face = 0; face < 2; ++face) {
             const float first = end.first[face], last = end.last[face];
-            const bool holds = first < 0 ? end.count[face] == 0 : first <= last && last < static_cast<float>(picks) && end.count[face] > 0;
+            const float count = end.count[face], places = end.places[face], squares = end.squares[face], length = last - first;
+            const bool holds = first < 0
+                                   ? first == -1 && last == -1 && count == 0 && places == 0 && squares == 0
+                                   : first <= last && last < static_cast<float>(picks) && count >= 1 && count <= length + 1 &&
+                                         places >= 0 && places <= count * length && squares >= 0 && squares <= count * length * length;
             if (!holds) throw FileError("its wet crossings do not lie in the sample.");
         }
     return wet;

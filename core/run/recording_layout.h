@@ -10,7 +10,8 @@
 
 namespace hygroloom {
 
-constexpr int recording_version = 1;
+constexpr int recording_version = 2;       ///< the first whose frames may show cells
+constexpr int recording_version_plain = 1; ///< of recordings without cells, which older programs read
 constexpr const char* recording_format = "hygroloom-recording";
 
 /// Of the acts of a RunRecord: name in the provenance, and time.

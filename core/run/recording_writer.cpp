@@ -176,7 +176,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
         file_->file = h5::create_file(file_->target, "the recording cannot be created");
         const hid_t file = file_->id();
         h5::write_text(file, "format", recording_format);
-        h5::write_number(file, "version", recording_version);
+        h5::write_number(file, "version", run.plan.shown_ends > 0 ? recording_version : recording_version_plain);
         h5::write_text(file, "design", format_project(run.design));
         write_provenance(file, run);
         write_textile(file, run.textile);

@@ -202,7 +202,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.experiment = experiment_name;
     const Textile textile = options.textile ? *options.textile : textile_of_run(design, *fabric, *experiment);
     run.plan = plan_run(design, textile, *experiment, options.fidelity, options.forced, options.knobs, backend.name());
-    if (options.shown_side > 0) decide_shown_cells(run.plan, textile, options.shown_side);
+    if (options.shown_side > 0) decide_shown_cells(run.plan, textile, experiment->type, options.shown_side);
     run.textile = run.plan.shown_ends > 0 ? in_cells(textile, run.plan.shown_ends, run.plan.shown_picks) : textile;
     run.plan.fidelity_reason = options.fidelity_reason;
     if (options.frame_interval > 0) run.plan.frame_interval = options.frame_interval;

@@ -71,8 +71,8 @@ struct CellSums {
 /// A segment counts as wet when liquid fills at least this share of its pores.
 constexpr double wet_saturation = 0.05;
 
-/// The wet segments on the faces of one end, top and bottom, where frames show cells: its crossings by their number, sums by their place
-/// from the cloth's middle, in picks.
+/// The wet segments on the faces of one end, top and bottom, where frames show cells: its crossings by their number, sums by how many picks
+/// they lie from the first.
 struct WetEnd {
     float first[2] = {-1, -1}; ///< less than 0: none is wet
     float last[2] = {-1, -1};

@@ -88,7 +88,9 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
         refuse(fmt::format("This must have {} rows; it has {}.", std::min<hsize_t>(rows, most_table_rows), count));
     const Handle properties(H5Dget_create_plist(set.get()), H5Pclose, column.name);
     hsize_t chunk = 0;
-    if (H5Pget_layout(properties.get()) != H5D_CHUNKED) { // else the library would read on behind what a header holds
+    const H5D_layout_t layout = H5Pget_layout(properties.get());
+    if (H5Pget_external_count(properties.get()) != 0 || layout == H5D_VIRTUAL) refuse("This lies in another file; none is opened for it.");
+    if (layout != H5D_CHUNKED) { // else the library would read on behind what a header holds
         if (H5Dget_storage_size(set.get()) < count * H5Tget_size(type.get()))
             refuse(fmt::format("The file does not hold its {} rows.", count));
     } else if (H5Pget_chunk(properties.get(), 1, &chunk) != 1 || chunk > most_chunk) {

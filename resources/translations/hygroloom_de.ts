@@ -1332,6 +1332,10 @@
         <translation>daher liegen keine zwei Zellen am selben Ort</translation>
     </message>
     <message>
+        <source>its cells have %1 crossings across and the baseline’s %2</source>
+        <translation>seine Zellen sind %1 Kreuzungen breit und die des Bezugs %2</translation>
+    </message>
+    <message>
         <source>its setts differ from the baseline’s, %1</source>
         <translation>seine Fadendichten weichen von denen des Bezugs ab, %1</translation>
     </message>

@@ -174,6 +174,21 @@ private Q_SLOTS:
         camera.pan({5000, 0}, picture);
         QVERIFY(!millimetre_per_pixel(camera, *fabric, {}, picture));
     }
+    void aRunInCellsIsDrawnWithAsManyWideYarns()
+    {
+        const auto design = std::make_shared<const Design>(read_project(shippedExample().toStdString()));
+        PreviewRequest wanted{design, 0, swatch_region(design->fabrics[0], 20), nullptr};
+        const auto yarns = prepare_fabric(wanted);
+        wanted.shown_ends = yarns->textile.ends() / 3;
+        wanted.shown_picks = yarns->textile.picks() / 4;
+        const auto cells = prepare_fabric(wanted);
+        QCOMPARE(cells->textile.ends(), wanted.shown_ends);
+        QCOMPARE(cells->textile.picks(), wanted.shown_picks);
+        QCOMPARE(static_cast<int>(cells->end_yarns.size()), wanted.shown_ends);
+        QCOMPARE(static_cast<int>(cells->pick_yarns.size()), wanted.shown_picks);
+        QVERIFY((cells->high() - yarns->high()).length() < 1e-4F * yarns->high().length());
+        QVERIFY((cells->low() - yarns->low()).length() < 1e-4F * yarns->low().length());
+    }
 
 private:
     static void sizes()

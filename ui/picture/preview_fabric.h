@@ -21,6 +21,7 @@ struct PreviewRequest {
     TextileRegion whole;
     int shown_ends = 0, shown_picks = 0;        ///< cells in place of its yarns, see in_cells(); 0: the yarns themselves
     std::shared_ptr<const FittedFabric> fitted; ///< the fabric's; nullptr: not fitted yet
+    int shown_ends = 0, shown_picks = 0;        ///< cells in place of its yarns, see in_cells(); 0: the yarns themselves
 };
 
 /// How round and how smooth the yarns of a level are, and how wide a pitch must be in the picture for it.

@@ -41,6 +41,9 @@ MapError errorOfMaps(const RunRecord& run, const RunRecord& baseline, MapSide si
 
 QString whyNoDifference(const CellMap& map, const CellMap& baseline)
 {
+    if (map.crossings_per_cell != baseline.crossings_per_cell) {
+        return tr("its cells have %1 crossings across and the baseline’s %2").arg(map.crossings_per_cell).arg(baseline.crossings_per_cell);
+    }
     const QString place = tr("so no two cells lie at the same place");
     if (!areEqualLengths(map.cell_width, baseline.cell_width) || !areEqualLengths(map.cell_height, baseline.cell_height)) {
         return tr("its setts differ from the baseline’s, %1").arg(place);

@@ -160,7 +160,8 @@ def simulate(
         knobs: single knobs of the fidelity, such as ``{"free_liquid": "cap"}``.
         recording: a path (.hygrorec); True: a temporary file that goes with the Run; False: none, so that Run.dataset and save() are not
             there.
-        cell_mm, shown_mm: of a worn garment: sides of the cells that are computed, and of those that are recorded, 0.05 to 100 mm.
+        cell_mm: of a worn garment: side of the cells that are computed, 0.05 to 100 mm.
+        shown_mm: side of the cells that frames, maps and the recording show, 0.05 to 100 mm; 0: by the size of sample or garment.
         detail: of a worn garment: panels of which each computed cell is recorded.
         progress: called several times a second from the calling thread with the share done, 0 to 1, and a text. What it raises ends the run.
 

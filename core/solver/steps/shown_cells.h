@@ -161,12 +161,12 @@ struct SeeWet {
             const int crossing = end * s.picks + pick;
             const bool warp = is_wet(crossing), weft = is_wet(s.weft_of(end, pick));
             if (!warp && !weft) continue;
-            const double place = pick - 0.5 * (s.picks - 1);
             for (int face = 0; face < 2; ++face) {
                 if (!((warp && lies_on(crossing, face)) || (weft && lies_on(crossing, 1 - face)))) continue;
                 if (seen.first[face] < 0) seen.first[face] = static_cast<float>(pick);
                 seen.last[face] = static_cast<float>(pick);
                 seen.count[face] += 1;
+                const double place = pick - static_cast<double>(seen.first[face]);
                 places[face] += place;
                 squares[face] += place * place;
             }
