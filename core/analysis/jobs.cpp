@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/jobs.h"
 
+#include <utility>
+
 namespace hygroloom {
 
 std::vector<Textile> textiles_of_runs(const Design& design, const std::vector<std::shared_ptr<const FittedFabric>>& fitted,
@@ -32,7 +34,9 @@ std::vector<Job> jobs_of(const Design& design, const std::vector<std::string>& f
 
 CandidateRun candidate_of(const Job& job, FinishedRun finished)
 {
-    finished.run.textile = {};
+    Textile described; // reports give what follows from its description
+    described.quantities = std::move(finished.run.textile.quantities);
+    finished.run.textile = std::move(described);
     CandidateRun run{candidate_of(std::make_shared<const RunRecord>(std::move(finished.run)),
                                   std::make_shared<const Metrics>(std::move(finished.metrics))),
                      !finished.device_failure.empty()};

@@ -22,7 +22,7 @@ struct Job {
 std::vector<Job> jobs_of(const Design& design, const std::vector<std::string>& fabrics, const std::string& experiment,
                          const std::vector<Textile>& textiles, const RunOptions& how, int replicates);
 
-/// What its run gave, without the run's textile. Takes the run.
+/// What its run gave, without the run's textile but for its quantities. Takes the run.
 CandidateRun candidate_of(const Job& job, FinishedRun finished);
 
 } // namespace hygroloom

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 namespace hygroloom {
 namespace {
@@ -53,8 +54,12 @@ constexpr std::pair<const char*, const char*> own_words[] = {{"irregularity_cv",
                                                              {"fibres_per_yarn", "fibres drawn"},
                                                              {"initial_water_g_m2", "water at the start"}};
 
+/// Those of two lengths that are a place, not a size.
+constexpr const char* places[] = {"at_mm", "outline_mm"};
+
 struct KeyWords {
     std::string name, unit;
+    bool is_size = false; ///< two numbers are its width and height
 };
 
 KeyWords words_of(const std::string& key)
@@ -65,6 +70,7 @@ KeyWords words_of(const std::string& key)
             words = {key.substr(0, key.size() - std::string(ending.key).size()), ending.unit};
     for (const auto& [from, to] : own_words)
         if (key == from) words.name = to;
+    words.is_size = words.unit == "mm" && std::find(std::begin(places), std::end(places), key) == std::end(places);
     std::replace(words.name.begin(), words.name.end(), '_', ' ');
     return words;
 }
@@ -82,7 +88,7 @@ public:
             const std::string name = before.empty() ? words.name : before + ", " + words.name;
             if (member.is_object())
                 add(member, name);
-            else if (std::string said = text(member, words.unit); !said.empty()) {
+            else if (std::string said = text(member, words); !said.empty()) {
                 if (key == "type") std::replace(said.begin(), said.end(), '_', ' '); // no name that somebody gave
                 rows.emplace_back(name, std::move(said));
             }
@@ -100,35 +106,35 @@ private:
 
     static bool is_share(const ProjectJson& value) { return value.is_object() && value.contains("name") && value.contains("share"); }
 
-    /// "65 % polyester, 35 % cotton"; "15 × 20 mm"; of others their parts, in turn.
-    std::string list(const ProjectJson& values, const std::string& unit) const
+    /// "65 % polyester, 35 % cotton"; "15 × 20 mm" of a size and "15, 20 mm" of a place; of others their parts, in turn.
+    std::string list(const ProjectJson& values, const KeyWords& words) const
     {
         std::string said;
         const bool numbers = std::all_of(values.begin(), values.end(), [](const ProjectJson& value) { return value.is_number(); });
+        const bool is_size = words.is_size && numbers && values.size() == 2;
         for (const ProjectJson& value : values) {
-            if (!said.empty()) said += numbers ? (values.size() == 2 ? " × " : ", ") : value.is_object() && !is_share(value) ? "; " : ", ";
+            if (!said.empty()) said += is_size ? " × " : value.is_array() || (value.is_object() && !is_share(value)) ? "; " : ", ";
             if (is_share(value))
                 said += fmt::format("{:.4g} % {}", 100 * value.at("share").get<double>(), value.at("name").get<std::string>());
             else if (value.is_number())
-                said += number(value.get<double>(), unit, &value == &values.back());
+                said += number(value.get<double>(), words.unit, &value == &values.back());
             else
-                said += text(value, unit);
+                said += text(value, words);
         }
         return said;
     }
 
-    std::string text(const ProjectJson& value, const std::string& unit) const
+    std::string text(const ProjectJson& value, const KeyWords& words) const
     {
         if (value.is_null()) return {};
         if (value.is_string()) return value.get<std::string>();
         if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-        if (value.is_number()) return number(value.get<double>(), unit);
-        if (value.is_array()) return list(value, unit);
+        if (value.is_number()) return number(value.get<double>(), words.unit);
+        if (value.is_array()) return list(value, words);
         std::string said;
         for (const auto& [key, member] : value.items()) {
-            const KeyWords words = words_of(key);
-            if (const std::string part = text(member, words.unit); !part.empty())
-                said += (said.empty() ? "" : ", ") + words.name + " " + part;
+            const KeyWords own = words_of(key);
+            if (const std::string part = text(member, own); !part.empty()) said += (said.empty() ? "" : ", ") + own.name + " " + part;
         }
         return said;
     }

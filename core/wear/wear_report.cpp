@@ -143,7 +143,7 @@ std::string assumed(const WearRecord& record)
 }
 
 /// The garment, its experiment and its fabrics, as the project has them.
-std::string input(const WearRecord& record)
+std::string input(const WearRecord& record, const ReaderUnits& units)
 {
     Design used;
     if (const Garment* garment = find_garment(record.design, record.layout.garment)) used.garments.push_back(*garment);
@@ -155,7 +155,7 @@ std::string input(const WearRecord& record)
     const ProjectJson project = json_from_design(used);
     std::string body;
     for (const auto& [key, name] : {std::pair{"garments", "Garment"}, {"experiments", "Experiment"}, {"fabrics", "Fabric"}})
-        for (const ProjectJson& value : project.value(key, ProjectJson::array())) body += table_of_inputs(name, value);
+        for (const ProjectJson& value : project.value(key, ProjectJson::array())) body += table_of_inputs(name, value, units);
     return body;
 }
 
@@ -211,7 +211,7 @@ std::vector<ReportPicture> pictures_of_panels(const WearLayout& layout, const st
 }
 
 std::string wear_report_html(const WearRecord& record, const WearMetrics& metrics, const std::vector<ReportPicture>& pictures,
-                             bool finished)
+                             bool finished, const ReaderUnits& units)
 {
     const std::string origin_of_all =
         "Simulated, not measured." +
@@ -221,7 +221,7 @@ std::string wear_report_html(const WearRecord& record, const WearMetrics& metric
                     section("Panels", parts_table("panel", metrics.panels(), metrics.ledger().water_delivered)) +
                     section("Zones of the body", parts_table("zone", metrics.zones(), metrics.ledger().water_delivered)) +
                     section("Maps", figures_of(pictures)) + section("Over time", curves(metrics)) + section("Balance", balance(metrics)) +
-                    section("Assumed", assumed(record)) + section("Inputs", input(record)) +
+                    section("Assumed", assumed(record)) + section("Inputs", input(record, units)) +
                     section("Computation", origin(record, metrics)));
 }
 

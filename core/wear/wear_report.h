@@ -19,8 +19,8 @@ std::vector<ReportPicture> pictures_of_panels(const WearLayout& layout, const st
 std::vector<ReportPicture> pictures_of_panels(const WearRecording& recording, const std::vector<int>& frames,
                                               const WearMapOptions& options);
 
-/// HTML of one file, as report_html() is. finished: the run came to its end.
+/// HTML of one file, as report_html() is. finished: the run came to its end. units: of the inputs.
 std::string wear_report_html(const WearRecord& record, const WearMetrics& metrics, const std::vector<ReportPicture>& pictures,
-                             bool finished);
+                             bool finished, const ReaderUnits& units = {});
 
 } // namespace hygroloom

@@ -3971,6 +3971,10 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Einheitskurve</translation>
     </message>
     <message>
+        <source>own numbers</source>
+        <translation>eigene Zahlen</translation>
+    </message>
+    <message>
         <source>Regain over relative humidity. The master curve goes through the standard regain.</source>
         <translation>Feuchteaufnahme über der relativen Feuchte. Die Einheitskurve geht durch die Feuchteaufnahme im Normalklima.</translation>
     </message>
@@ -10356,8 +10360,8 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Eigene Faser aus der beigemischten</translation>
     </message>
     <message>
-        <source>First fibre</source>
-        <translation>Erste Faser</translation>
+        <source>Share of first fibre</source>
+        <translation>Anteil der ersten Faser</translation>
     </message>
     <message>
         <source>own fibre</source>

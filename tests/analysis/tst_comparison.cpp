@@ -2,6 +2,8 @@
 // The ranking of candidates, and the files of a comparison.
 #include "core/analysis/comparison.h"
 #include "core/analysis/comparison_report.h"
+#include "core/analysis/jobs.h"
+#include "core/analysis/report_inputs.h"
 #include "core/base/error.h"
 #include "core/run/plan_run.h"
 #include "tests/support/drop_design.h"
@@ -11,6 +13,9 @@
 #include <QJsonObject>
 #include <QTest>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <cmath>
 
 using namespace hygroloom;
@@ -18,24 +23,30 @@ using namespace hygroloom;
 namespace {
 
 /// A run whose numbers could all be determined.
-Candidate full_candidate(ExperimentType type)
+FinishedRun full_run(ExperimentType type)
 {
-    auto record = std::make_shared<RunRecord>();
-    RunRecord& run = *record;
+    FinishedRun finished;
+    RunRecord& run = finished.run;
     run.design = drop_design();
     run.design.experiments[0] = standard_experiment(type);
     run.fabric = run.design.fabrics[0].name;
     run.experiment = run.design.experiments[0].name;
     run.plan = plan_run(run.design, run.design.fabrics[0], run.design.experiments[0], Fidelity::draft);
-    auto metrics = std::make_shared<Metrics>();
-    Metrics& m = *metrics;
+    Metrics& m = finished.metrics;
     m.ledger.water_delivered = 1e-6;
     m.absorbency_time = m.horizontal_rate = 1.0;
     m.management.emplace().top.wetting_time = 1.0;
     m.wicking = WickingResult{1.0, 1.0};
     m.drying = DryingResult{1.0, 300.0, 1.0};
     m.conditioning.emplace().half_time = 1.0;
-    return candidate_of(record, metrics);
+    return finished;
+}
+
+Candidate full_candidate(ExperimentType type)
+{
+    FinishedRun finished = full_run(type);
+    return candidate_of(std::make_shared<const RunRecord>(std::move(finished.run)),
+                        std::make_shared<const Metrics>(std::move(finished.metrics)));
 }
 
 Comparison of_drops(std::initializer_list<std::pair<const char*, std::optional<double>>> radii)
@@ -256,6 +267,35 @@ private Q_SLOTS:
                                          std::string("mass per area, g/m²"), std::string("<td class=\"number\">180.0</td>")})
             QVERIFY2(page().find(words) != std::string::npos, words.c_str());
         for (const char* key : {"ends_per_cm", "--replicates"}) QVERIFY2(page().find(key) == std::string::npos, key);
+    }
+    /// As the command line and the window make it of the runs of their jobs.
+    void theReportOfJobsSaysWhatTheFabricsWeigh()
+    {
+        FinishedRun finished = full_run(ExperimentType::droplet);
+        const Design design = finished.run.design;
+        const std::string fabric = finished.run.fabric, experiment = finished.run.experiment;
+        finished.run.textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
+        const double weight = finished.run.textile.quantities.areal_density_g_m2;
+        QVERIFY(weight > 0 && finished.run.textile.ends() > 0);
+        const std::vector<Job> jobs = jobs_of(design, {fabric}, experiment, {finished.run.textile}, {}, 1);
+        Comparison c = of_drops({});
+        c.experiment = experiment;
+        c.candidates.push_back(candidate_of(jobs.at(0), std::move(finished)).candidate);
+        QCOMPARE(c.candidates[0].run->textile.ends(), 0); // which is large
+        QCOMPARE(c.candidates[0].run->textile.quantities.areal_density_g_m2, weight);
+        const std::string page = comparison_report_html(c, {});
+        QVERIFY2(page.find("mass per area, g/m²") != std::string::npos, page.c_str());
+    }
+    /// Only two lengths of a size are a width and a height.
+    void twoNumbersAreASizeOrNot()
+    {
+        using Row = std::pair<std::string, std::string>;
+        const ProjectJson value{{"sample_mm", {15, 20}},           {"at_mm", {5, -3}},     {"time_s", {0, 60}}, {"threading", {1, 2}},
+                                {"outline_mm", {{0, 0}, {10, 5}}}, {"strip_mm", {25, 200}}};
+        const auto rows = inputs_in_words(value);
+        for (const Row& row : {Row{"sample", "15 × 20 mm"}, Row{"place", "5, -3 mm"}, Row{"at", "0, 60 s"}, Row{"threading", "1, 2"},
+                               Row{"outline", "0, 0 mm; 10, 5 mm"}, Row{"strip", "25 × 200 mm"}})
+            QVERIFY2(std::find(rows.begin(), rows.end(), row) != rows.end(), row.first.c_str());
     }
     void theReportSaysWhatTheExperimentWas()
     {

@@ -101,6 +101,31 @@ private Q_SLOTS:
         QCOMPARE(own().gab, find_library_material("cotton")->gab);
     }
 
+    /// As a project file gives them; choosing what is chosen leaves them, and the undo list, alone.
+    void anIsothermsOwnNumbersAreSaidToBeItsOwn()
+    {
+        press("Own fibre from the blended one");
+        QComboBox* isotherm = choice("Isotherm");
+        QCOMPARE(isotherm->currentText(), QString("as the fibre it is based on"));
+        QCOMPARE(isotherm->count(), 2);
+        const GabIsotherm numbers{0.05, 9, 0.8};
+        document_->edit("numbers", {}, [&](Design& d) { d.materials[0].gab = numbers; });
+        document_->endStroke();
+        QCOMPARE(isotherm->currentText(), QString("own numbers"));
+        const int edits = document_->history()->index();
+        Q_EMIT isotherm->activated(2);
+        QCOMPARE(own().gab, numbers);
+        QCOMPARE(document_->history()->index(), edits);
+        Q_EMIT isotherm->activated(0);
+        QCOMPARE(own().gab, find_library_material("cotton")->gab);
+        QCOMPARE(isotherm->currentText(), QString("as the fibre it is based on"));
+        Q_EMIT isotherm->activated(0);
+        QCOMPARE(document_->history()->index(), edits + 1);
+        document_->history()->undo();
+        QCOMPARE(own().gab, numbers);
+        QCOMPARE(isotherm->currentText(), QString("own numbers"));
+    }
+
     void namesFollow()
     {
         press("Own fibre from the yarn's");

@@ -3,6 +3,7 @@
 #include "tests/support/drop_design.h"
 #include "ui/results/run_history.h"
 
+#include <QSignalSpy>
 #include <QTest>
 
 using namespace hygroloom;
@@ -75,6 +76,32 @@ private Q_SLOTS:
         now = run.design;
         now.experiments.clear();
         QCOMPARE(differencesOf(run, now), QStringList{"experiment is gone"});
+    }
+
+    /// The list says in what an older run differs: also the second difference is a change.
+    void aFurtherDifferenceIsAChange()
+    {
+        const auto design = std::make_shared<Design>(drop_design());
+        RunHistory history;
+        history.setDesign(design);
+        KeptRun kept = run("/run-1.hygrorec", 1);
+        auto record = std::make_shared<RunRecord>(*kept.run);
+        record->design = *design;
+        record->fabric = design->fabrics[0].name;
+        record->experiment = design->experiments[0].name;
+        kept.run = record;
+        history.keep(kept);
+        QSignalSpy changes(&history, &RunHistory::changed);
+        const auto edited = [&](const auto& work) {
+            auto now = std::make_shared<Design>(*history.design());
+            work(*now);
+            history.setDesign(now);
+            return changes.count();
+        };
+        QCOMPARE(edited([](Design& d) { d.fabrics[0].ends_per_cm += 1; }), 1);
+        QCOMPARE(edited([](Design& d) { d.fabrics[0].ends_per_cm += 1; }), 1); // it says the same
+        QCOMPARE(edited([](Design& d) { d.experiments[0].duration_s += 1; }), 2);
+        QVERIFY(!history.runs().front().current);
     }
 
     /// A fibre of one's own, made for another fabric, makes no run of this one an older one.

@@ -53,6 +53,14 @@ private Q_SLOTS:
         QVERIFY(*times.left({{10, 60, 0.5}}, {}, 1) > 50);
     }
 
+    /// One of unknown length tells nothing of how plans compare with what runs take.
+    void runsWithoutAPlanDoNotCorrectThePlans()
+    {
+        const TimeOfRuns times;
+        QVERIFY(std::abs(*times.left({{10, 20, 0.5}}, {10}, 1) - 60) < 1e-9); // 20 and 40
+        QVERIFY(std::abs(*times.left({{10, 20, 0.5}, {0, 50, 0.5}}, {10}, 1) - 110) < 1e-9);
+    }
+
     void failedRunsTellNothing()
     {
         TimeOfRuns times;

@@ -22,21 +22,10 @@ private Q_SLOTS:
     void theScaleStaysWhileTheRunGoesOn()
     {
         WearPlayback playback;
-        auto record = std::make_shared<WearRecord>();
-        GarmentCell cell;
-        cell.area = 1e-4;
-        cell.capacity = 30e-6; // 300 g/m2
-        record->layout.cells.push_back(cell);
-        auto run = std::make_shared<WornRun>();
-        run->record = record;
-        run->live = true;
-        run->duration = 100;
-        playback.begin(run);
+        playback.begin(runOf100s());
         QSignalSpy changes(&playback, &WearPlayback::scaleChanged);
         for (int k = 0; k <= 100; ++k) {
-            auto frame = std::make_shared<WearFrame>();
-            frame->time = k;
-            playback.append(frame, nullptr, {2.0 * k, 0.005 * k}); // to 200 g/m2
+            append(playback, k, {2.0 * k, 0.005 * k}); // to 200 g/m2
             if (k > 0) { QCOMPARE(playback.most(), 200.0); }
         }
         QCOMPARE(changes.count(), 1); // with the first water
@@ -44,6 +33,45 @@ private Q_SLOTS:
         QCOMPARE(playback.most(), rounded_up(200));
         playback.setValue(WearValue::share);
         QCOMPARE(playback.most(), 0.5);
+    }
+
+    /// All comes in the first hundredth, which looked like the cloth's whole capacity.
+    void theScaleFallsAfterAnEarlyBurst()
+    {
+        WearPlayback playback;
+        playback.begin(runOf100s());
+        QSignalSpy changes(&playback, &WearPlayback::scaleChanged);
+        append(playback, 1, {20, 0.06});
+        QCOMPARE(playback.most(), rounded_up(300));
+        for (int k = 2; k <= 100; ++k) {
+            append(playback, k, {20, 0.06});
+            const double expected = scaleEndOfRun(20, k / 100.0, 300);
+            QVERIFY2(playback.most() >= 20 && playback.most() <= 2 * expected, qPrintable(QString::number(k)));
+        }
+        QVERIFY(playback.most() <= 40);
+        QVERIFY2(changes.count() <= 5, qPrintable(QString::number(changes.count()))); // it does not follow each frame
+    }
+
+private:
+    /// Of one cell that holds up to 300 g/m2.
+    static std::shared_ptr<WornRun> runOf100s()
+    {
+        auto record = std::make_shared<WearRecord>();
+        GarmentCell cell;
+        cell.area = 1e-4;
+        cell.capacity = 30e-6;
+        record->layout.cells.push_back(cell);
+        auto run = std::make_shared<WornRun>();
+        run->record = record;
+        run->live = true;
+        run->duration = 100;
+        return run;
+    }
+    static void append(WearPlayback& playback, double time, const MostWater& most)
+    {
+        auto frame = std::make_shared<WearFrame>();
+        frame->time = time;
+        playback.append(frame, nullptr, most);
     }
 };
 

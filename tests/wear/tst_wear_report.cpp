@@ -127,6 +127,20 @@ private Q_SLOTS:
         QVERIFY(wear_report_html(recording.record(), metrics, {}, false).find("The run was stopped at 2 s.") != std::string::npos);
     }
 
+    void inputs_are_in_the_readers_units()
+    {
+        const WearRecord record = small_wear();
+        WearMetrics metrics(record.layout);
+        for (int k = 0; k < 2; ++k) metrics.add(small_wear_frame(record.layout, k));
+        const ReaderUnits inches = [](const std::string& unit) {
+            return unit == "/cm" ? ReaderUnit{"/in", 2.54} : unit == "mm" ? ReaderUnit{"in", 1 / 25.4} : ReaderUnit{unit};
+        };
+        const QString metric = QString::fromStdString(wear_report_html(record, metrics, {}, true));
+        const QString imperial = QString::fromStdString(wear_report_html(record, metrics, {}, true, inches));
+        QVERIFY(metric.contains(" /cm</td>") && !metric.contains(" /in</td>"));
+        QVERIFY(!imperial.contains(" /cm</td>") && imperial.contains(" /in</td>"));
+    }
+
     /// What is rounding beside the water that was given is none.
     void rounding_is_no_water()
     {

@@ -103,10 +103,9 @@ void CompareView::markMissing(Grid& grid) const
             cell.tip = tr("Enter or the button runs it.");
             const KeptRun* older = outdatedRun(cell.missing.front().fabric, cell.missing.front().experiment);
             cell.outdated = older != nullptr;
-            if (older) {
-                cell.tip =
-                    tr("Since this was run, these have changed: %1.").arg(differencesOf(*older->run, *document_.design()).join(", ")) +
-                    "\n" + cell.tip;
+            const QStringList differs = older ? differencesOf(*older->run, *document_.design()) : QStringList();
+            if (!differs.isEmpty()) {
+                cell.tip = tr("Since this was run, these have changed: %1.").arg(differs.join(", ")) + "\n" + cell.tip;
             }
             if (any(StudyRuns::State::running)) {
                 cell.verdict = tr("running…");

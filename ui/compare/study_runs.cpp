@@ -17,15 +17,16 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
 namespace {
 
-/// One scene fills a CPU. A GPU computes some drafts as fast as one, where its memory holds them: see the gate.
 /// In the bar of progress.
 double weightOf(const StudyRuns::Expected& run) { return run.seconds > 0 ? std::max(0.1, run.seconds) : 1; }
 
+/// One scene fills a CPU. A GPU computes some drafts as fast as one, where its memory holds them: see the gate.
 std::size_t atOnce(Fidelity fidelity) { return expected_backend(backendOfMany()) == "cpu" || fidelity != Fidelity::draft ? 1 : 8; }
 
 } // namespace
@@ -52,6 +53,13 @@ StudyRuns::~StudyRuns()
 }
 
 void StudyRuns::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
+
+void StudyRuns::postOf(Slot* slot, std::function<void()> work)
+{
+    post([this, slot, work = std::move(work)] {
+        if (std::any_of(slots_.begin(), slots_.end(), [slot](const auto& each) { return each.get() == slot; })) { work(); }
+    });
+}
 
 bool StudyRuns::start(const std::vector<Expected>& jobs)
 {
@@ -92,7 +100,6 @@ void StudyRuns::startNext()
         }
         Slot* own = slot.get();
         slots_.push_back(std::move(slot));
-        own->clock.start();
         own->thread = std::jthread([this, own, work = own->work, recording = own->recording] {
             const auto result = std::make_shared<Result>(run(work, recording, own));
             post([this, own, result] { end(own, result); });
@@ -115,11 +122,9 @@ StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, 
         how.recording = recording.toStdString();
         RunCallbacks callbacks;
         callbacks.progress = [this, slot](const RunProgress& progress) {
-            post([this, slot, share = progress.duration > 0 ? progress.simulated / progress.duration : 0] {
-                const auto is_it = [slot](const auto& each) { return each.get() == slot; };
-                if (std::none_of(slots_.begin(), slots_.end(), is_it)) { return; } // its end came first
+            postOf(slot, [this, slot, share = progress.duration > 0 ? progress.simulated / progress.duration : 0] {
                 slot->share = share;
-                slot->course.emplace_back(share, 1e-3 * static_cast<double>(slot->clock.elapsed()));
+                slot->course.emplace_back(share, slot->seconds());
                 Q_EMIT progressed();
             });
         };
@@ -136,6 +141,9 @@ StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, 
             const std::vector<Textile> textile{textile_of_run(own, *find_fabric(own, job.fabric), experiment)};
             pass.emplace(gate_, static_cast<double>(bytes_of_largest(own, experiment, textile, how)), control_.cancel);
         }
+        QElapsedTimer clock; // waiting for memory is no part of what a run takes
+        clock.start();
+        postOf(slot, [slot, clock] { slot->clock = clock; });
         const std::unique_ptr<Backend> machine = make_backend(backendOfMany());
         result.finished = run_and_measure(result.drawn.design, job.fabric, job.experiment, how, *machine, control_, callbacks);
         if (traced) { result.maps = tracer.take(); }
@@ -157,7 +165,7 @@ void StudyRuns::end(Slot* slot, const std::shared_ptr<Result>& result)
     own->thread.join(); // it has posted its last
     const StudyJob& job = own->work.expected.job;
     done_seconds_ += weightOf(own->work.expected);
-    if (result->finished) { times_.add(own->work.expected.seconds, 1e-3 * static_cast<double>(own->clock.elapsed()), own->course); }
+    if (result->finished) { times_.add(own->work.expected.seconds, own->seconds(), own->course); }
     ++done_;
     if (job.mixture != 0) {
         handOver(job, *result);
@@ -254,9 +262,7 @@ std::optional<double> StudyRuns::timeLeft() const
     if (clock_.elapsed() < soonest) { return std::nullopt; }
     std::vector<TimedRun> running;
     std::vector<double> waiting;
-    for (const auto& slot : slots_) {
-        running.push_back({slot->work.expected.seconds, 1e-3 * static_cast<double>(slot->clock.elapsed()), slot->share});
-    }
+    for (const auto& slot : slots_) { running.push_back({slot->work.expected.seconds, slot->seconds(), slot->share}); }
     for (const Waiting& each : queue_) { waiting.push_back(each.expected.seconds); }
     const Fidelity fidelity = queue_.empty() ? Fidelity::draft : queue_.front().expected.job.fidelity;
     return times_.left(running, waiting, static_cast<int>(std::max(atOnce(fidelity), slots_.size())));

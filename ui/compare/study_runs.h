@@ -70,9 +70,10 @@ private:
         Waiting work;
         QString recording; ///< of a run that is recorded
         double share = 0;
-        QElapsedTimer clock;       ///< since it began
+        QElapsedTimer clock;       ///< since it began; not while it waits for memory
         TimeOfRuns::Course course; ///< so far
         std::jthread thread;
+        double seconds() const { return clock.isValid() ? 1e-3 * static_cast<double>(clock.elapsed()) : 0; }
     };
     struct Result {
         std::optional<FinishedRun> finished;
@@ -82,6 +83,8 @@ private:
     };
     void startNext();
     void post(std::function<void()> work);
+    /// The same, unless the slot's end comes first.
+    void postOf(Slot* slot, std::function<void()> work);
     Result run(const Waiting& work, const QString& recording, Slot* slot);
     void end(Slot* slot, const std::shared_ptr<Result>& result);
     void keepRecorded(Slot& slot, const Result& result);

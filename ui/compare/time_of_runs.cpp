@@ -70,8 +70,10 @@ std::optional<double> TimeOfRuns::left(const std::vector<TimedRun>& running, con
         sum += to_go;
         longest = std::max(longest, to_go);
         of_running += total;
-        totals += share >= least ? total : 0;
-        expected += share >= least ? run.expected : 0;
+        if (share >= least && run.expected > 0) {
+            totals += total;
+            expected += run.expected;
+        }
     }
     // Before the first has ended, those that wait are like those under way.
     if (ended_ == 0 && expected > 0) { pace = totals / expected; }

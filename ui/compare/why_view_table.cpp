@@ -15,6 +15,7 @@
 #include <QTableWidget>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
@@ -37,14 +38,15 @@ void WhyView::refresh()
         const Candidate &fabric = *candidateOf(fabric_), &against = *candidateOf(against_);
         const OutcomeInfo& info = study_.comparison.criteria[static_cast<std::size_t>(metric)];
         const int replicates = study_.choice.replicates;
-        const Why first = why_of(*plan_, info, fabric, against, replicates);
+        Why first = why_of(*plan_, info, fabric, against, replicates);
+        const QString heading = QString::fromStdString(heading_of(first, unitsOfReader())) + ".";
         const Known* own = known(keys());
         std::map<Mixture, Candidate> tried = own ? own->mixtures : std::map<Mixture, Candidate>();
         if (own) {
             for (const auto& [which, failure] : own->failed) { tried[which.first].failure = failure; }
         }
         if (!first.nothing.empty()) {
-            why_ = std::make_shared<const Why>(first);
+            why_ = std::make_shared<const Why>(std::move(first));
         } else if (missing().size() == (own ? own->failed.size() : 0)) { // all have been tried
             why_ = std::make_shared<const Why>(explain(*plan_, info, fabric, against, tried, replicates));
         }
@@ -53,7 +55,7 @@ void WhyView::refresh()
         if (why_) {
             showWhy();
         } else {
-            heading_->setText(QString::fromStdString(heading_of(first, unitsOfReader())) + ".");
+            heading_->setText(heading);
             showParts();
         }
     }

@@ -155,7 +155,10 @@ void WearPlayback::holdScale(double time)
     constexpr double least = 1e-3; // g/m2 and a share, from which on the next frames can be told
     const auto hold = [&](WearValue value, double most, double capacity) {
         double& end = held_[static_cast<std::size_t>(value)];
-        if (most > least && most > end) { end = scaleEndOfRun(most, passed, capacity); }
+        if (!(most > least)) { return; }
+        // After an early burst less is expected, of which low colours alone would tell little.
+        const double expected = scaleEndOfRun(most, passed, capacity);
+        if (most > end || expected < 0.5 * end) { end = expected; }
     };
     hold(WearValue::water, run_->most_water, mostCapacity(run_->layout()));
     hold(WearValue::share, run_->most_share, 1);

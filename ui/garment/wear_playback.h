@@ -48,7 +48,7 @@ public:
     WearValue value() const { return value_; }
     void setValue(WearValue value);
     /// Where the colours end: g/m2, or a share. Both runs have the same: what the user has set, else a round number over what they hold;
-    /// while a run goes on, over what it is expected to hold, so that the scale stays.
+    /// while a run goes on, over what it is expected to hold; this scale stays until the run holds more, or less than half is expected.
     double most() const;
     /// What the user has set; none: by the runs.
     std::optional<double> setMost() const { return most_[static_cast<std::size_t>(value_)]; }

@@ -16,7 +16,7 @@ QString reportOf(const WornState& run, WearMapOptions how)
     std::vector<std::shared_ptr<const WearFrame>> shown;
     for (const int k : frames_for_report(times, {})) { shown.push_back(run.frames[static_cast<std::size_t>(k)]); }
     return QString::fromStdString(
-        wear_report_html(*run.record, *run.metrics, pictures_of_panels(run.record->layout, shown, how), run.finished));
+        wear_report_html(*run.record, *run.metrics, pictures_of_panels(run.record->layout, shown, how), run.finished, how.units));
 }
 
 } // namespace hygroloom

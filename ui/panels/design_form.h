@@ -53,6 +53,8 @@ public:
     QLabel* addRow(const QString& label, QWidget* widget, std::function<std::string()> where = {});
     /// A button that has the room of notes, beside a choice that was just added.
     void putBeside(QWidget* choice, QWidget* button);
+    /// A button by which the value at a path is changed, as its field: issues lead to it.
+    void setPlace(QWidget* button, std::function<std::string()> where) { places_.push_back({button, nullptr, std::move(where)}); }
     void setLabel(QWidget* field, const QString& label);
     /// A widget over the whole width.
     void addWide(QWidget* widget);
@@ -85,7 +87,7 @@ private:
     QGridLayout* grid_;
     struct Place {
         QWidget* field;
-        QLabel* label;
+        QLabel* label; ///< nullptr: it is a button
         std::function<std::string()> where;
     };
     std::vector<Row> rows_;

@@ -60,6 +60,9 @@ std::string instead(const Material& fibre)
     return find_library_material(name) ? name : material_library().front().name;
 }
 
+/// Own numbers are written in the file only: their entry is there while the fibre has them.
+enum IsothermRow { as_base, master_curve, own_numbers };
+
 } // namespace
 
 std::optional<std::size_t> ownFibre(Design& design, const std::string& name)
@@ -84,6 +87,7 @@ FibrePanel::FibrePanel(DesignForm& form, QWidget* parent)
     addWetting();
     addSorption();
     addHeat();
+    form_.setPlace(rename_, [this] { return path("name"); });
     form_.onRefresh([this] { refresh(); });
 }
 
@@ -220,10 +224,32 @@ void FibrePanel::addSorption()
     isotherm_->addItems({tr("as the fibre it is based on"), tr("master curve")});
     isotherm_->setToolTip("<p>" + tr("Regain over relative humidity. The master curve goes through the standard regain.") + "</p>");
     form_.addRow(tr("Isotherm"), isotherm_, [this] { return path("isotherm"); });
-    connect(isotherm_, &QComboBox::activated, this, [this](int index) {
-        const Material* base = own() ? find_library_material(own()->based_on) : nullptr;
-        change(tr("isotherm"), path("isotherm"), [&](Material& fibre) { fibre.gab = index == 0 && base ? base->gab : GabIsotherm{}; });
-    });
+    connect(isotherm_, &QComboBox::activated, this, &FibrePanel::chooseIsotherm);
+}
+
+int FibrePanel::isothermRow() const
+{
+    if (!own()) { return -1; }
+    if (!own()->gab.given()) { return master_curve; }
+    const Material* base = find_library_material(own()->based_on);
+    return base && base->gab == own()->gab ? as_base : own_numbers;
+}
+
+void FibrePanel::chooseIsotherm(int row)
+{
+    if (row == isothermRow() || row == own_numbers) { return; }
+    const Material* base = own() ? find_library_material(own()->based_on) : nullptr;
+    change(tr("isotherm"), path("isotherm"), [&](Material& fibre) { fibre.gab = row == as_base && base ? base->gab : GabIsotherm{}; });
+}
+
+void FibrePanel::refreshIsotherm()
+{
+    const int row = isothermRow();
+    const Material* base = own() ? find_library_material(own()->based_on) : nullptr;
+    isotherm_->setEnabled(own() && (own()->gab.given() || (base && base->gab.given())));
+    if (isotherm_->count() > own_numbers) { isotherm_->removeItem(own_numbers); }
+    if (row == own_numbers) { isotherm_->addItem(tr("own numbers")); }
+    isotherm_->setCurrentIndex(row);
 }
 
 void FibrePanel::addHeat()
@@ -263,9 +289,7 @@ void FibrePanel::refresh()
     own_->setCurrentIndex(own() ? static_cast<int>(own() - fibres.data()) : -1);
     for (QWidget* widget : std::initializer_list<QWidget*>{own_, duplicate_, rename_, remove_, shape_}) { widget->setEnabled(own()); }
     for (QWidget* widget : fields_) { widget->setEnabled(own()); }
-    isotherm_->setEnabled(
-        own() && (own()->gab.given() || (find_library_material(own()->based_on) && find_library_material(own()->based_on)->gab.given())));
-    isotherm_->setCurrentIndex(!own() ? -1 : own()->gab.given() ? 0 : 1);
+    refreshIsotherm();
     refreshShape();
     receding_->setDerived(own() ? std::optional(receding_angle_under(*own(), own()->contact_angle_deg)) : std::nullopt);
     if (!own()) {

@@ -39,6 +39,9 @@ private:
     void addWetting();
     void addSorption();
     void addHeat();
+    int isothermRow() const;
+    void chooseIsotherm(int row);
+    void refreshIsotherm();
     void refresh();
     void refreshShape();
     void askName();

@@ -34,7 +34,7 @@ void YarnPanel::addMaterials()
     });
     share_ = form_.addQuantity(
         Quantity::percent(0.01, 1),
-        {tr("First fibre"), tr("%1 blend share").arg(kind_), [this] { return path("material[0].share"); },
+        {tr("Share of first fibre"), tr("%1 blend share").arg(kind_), [this] { return path("material[0].share"); },
          [this] { return yarn() && !yarn()->material.empty() ? std::optional(yarn()->material.front().share) : std::nullopt; },
          writing([](Yarn& y, std::optional<double> v) {
              if (y.material.size() == 2 && v) {

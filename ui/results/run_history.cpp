@@ -155,12 +155,14 @@ void RunHistory::forgetOwn()
 
 void RunHistory::setDesign(const std::shared_ptr<const Design>& design)
 {
-    design_ = design;
+    const auto before = std::exchange(design_, design);
+    const auto shows_otherwise = [&](const KeptRun& run) {
+        return !run.worn && !run.current && differencesOf(*run.run, *before) != differencesOf(*run.run, *design_);
+    };
     bool differs = false;
     for (KeptRun& run : runs_) {
-        const bool current = isCurrent(run, *design_);
-        differs = differs || current != run.current;
-        run.current = current;
+        const bool was = std::exchange(run.current, isCurrent(run, *design_));
+        differs = differs || was != run.current || shows_otherwise(run);
     }
     if (differs) { Q_EMIT changed(); }
 }

@@ -54,7 +54,7 @@ public:
     void forget(const QString& path);
     /// Another project is open; recordings that were opened stay.
     void forgetOwn();
-    /// Finds out which runs are of this design.
+    /// Finds out which runs are of this design; a change is also one of what others differ in.
     void setDesign(const std::shared_ptr<const Design>& design);
     /// Whether runs of the project are still being found: until then nobody knows which it has.
     void setListing(bool listing);
