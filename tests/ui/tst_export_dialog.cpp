@@ -24,7 +24,6 @@ using namespace hygroloom;
 
 class TestExportDialog : public QObject {
     Q_OBJECT
-
 private Q_SLOTS:
     void initTestCase()
     {
@@ -32,7 +31,6 @@ private Q_SLOTS:
         QCoreApplication::setApplicationName("hygroloom-test-export");
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings_.path());
     }
-
     void init()
     {
         QSettings().clear();
@@ -41,7 +39,6 @@ private Q_SLOTS:
         dialog_ = std::make_unique<ExportDialog>(document_, playback_);
         dialog_->show();
     }
-
     void cleanup()
     {
         dialog_.reset();
