@@ -33,6 +33,9 @@ Design design_of(ExperimentType type, double duration)
     return design;
 }
 
+/// So that none is watched, for which single yarns are shown.
+const ForcedParts all_parts{{"sorption", true}, {"vapour", true}, {"heat", true}};
+
 RunOptions shown(double yarns, const Design& design, const RunOptions& options)
 {
     RunOptions how = options;
@@ -112,7 +115,7 @@ void TestShownCells::cells_hold_what_segments_hold()
     QFETCH(double, duration);
     QFETCH(double, yarns);
     const Design design = design_of(type, duration);
-    const RunOptions options = draft({}, {{"particles_per_droplet", 300}, {"crossings_per_even_cell", 1}});
+    const RunOptions options = draft(all_parts, {{"particles_per_droplet", 300}, {"crossings_per_even_cell", 1}});
     const Run all = run(design, options), cells = run(design, shown(yarns, design, options));
     const Textile &fine = all.record.textile, &coarse = cells.record.textile;
     QCOMPARE(coarse.ends(), static_cast<int>(std::lround(fine.ends() / std::round(yarns))));
@@ -146,7 +149,7 @@ void TestShownCells::numbers_stay_those_of_single_yarns()
     QFETCH(double, duration);
     QFETCH(double, yarns);
     const Design design = design_of(type, duration);
-    const RunOptions options = draft({}, {{"particles_per_droplet", 300}, {"crossings_per_even_cell", 1}});
+    const RunOptions options = draft(all_parts, {{"particles_per_droplet", 300}, {"crossings_per_even_cell", 1}});
     const Run all = run(design, options), cells = run(design, shown(yarns, design, options));
     const Metrics &a = all.metrics, &b = cells.metrics;
     for (std::size_t k = 0; k < a.series.time.size(); ++k) {
@@ -169,7 +172,7 @@ void TestShownCells::a_recording_holds_cells()
     QTemporaryDir folder;
     Design design = design_of(ExperimentType::horizontal_wicking, 0.5);
     design.experiments[0].sample_mm = {32, 32};
-    RunOptions options = draft();
+    RunOptions options = draft(all_parts);
     options.recording = folder.filePath("all.hygrorec").toStdString();
     const Run all = run(design, options);
     RunOptions how = shown(4, design, options);
@@ -202,7 +205,7 @@ void TestShownCells::what_cannot_be_in_a_recording_is_refused()
 {
     QTemporaryDir folder;
     const Design design = design_of(ExperimentType::horizontal_wicking, 0.2);
-    const Run good = run(design, shown(4, design, draft()));
+    const Run good = run(design, shown(4, design, draft(all_parts)));
     const std::string path = folder.filePath("crafted.hygrorec").toStdString();
     const auto write = [&](const RunRecord& record, const std::function<void(Frame&)>& change) {
         RecordingWriter writer(path, record);
@@ -245,7 +248,7 @@ void TestShownCells::what_cannot_be_in_a_recording_is_refused()
 void TestShownCells::bundles_are_never_parted()
 {
     const Design design = design_of(ExperimentType::drying, 60);
-    const RunOptions options = draft({}, {{"crossings_per_even_cell", 4}});
+    const RunOptions options = draft(all_parts, {{"crossings_per_even_cell", 4}});
     const Run all = run(design, options), alike = run(design, shown(2, design, options)), few = run(design, shown(8, design, options));
     const Textile& fine = all.record.textile;
     QCOMPARE(all.record.plan.crossings_per_cell, 4);
@@ -257,7 +260,7 @@ void TestShownCells::bundles_are_never_parted()
         QVERIFY(std::abs(all.end().water_top - cells->end().water_top) < 1e-5 * all.end().ledger.water_initial);
     }
     const Design pool = design_of(ExperimentType::horizontal_wicking, 2);
-    const RunOptions pairs = draft({}, {{"crossings_per_cell", 2}});
+    const RunOptions pairs = draft(all_parts, {{"crossings_per_cell", 2}});
     const Run single = run(pool, pairs), cells = run(pool, shown(4, pool, pairs));
     QCOMPARE(single.record.plan.crossings_per_cell, 2);
     const double pitch = single.record.textile.warp.pitch + single.record.textile.weft.pitch;
@@ -306,6 +309,8 @@ void TestShownCells::only_large_samples_are_shown_in_cells()
     design.fabrics[0].warp_order = {{0, 2}, {1, 2}};
     QCOMPARE(plan(600).shown_ends, 0); // a cell would mix the types
     QVERIFY(plan(600).not_in_cells.find("types") != std::string::npos);
+    const Design spot = design_of(ExperimentType::horizontal_wicking, 1);
+    QVERIFY(run(spot, shown(4, spot, draft())).record.plan.not_in_cells.find("watched") != std::string::npos);
     design = design_of(ExperimentType::vertical_wicking, 1);
     QCOMPARE(plan(600).shown_ends, 0);
     design = design_of(ExperimentType::moisture_management, 1);

@@ -19,7 +19,6 @@ struct PreviewRequest {
     std::shared_ptr<const Design> design;
     int fabric = 0;
     TextileRegion whole;
-    int shown_ends = 0, shown_picks = 0;        ///< cells in place of its yarns, see in_cells(); 0: the yarns themselves
     std::shared_ptr<const FittedFabric> fitted; ///< the fabric's; nullptr: not fitted yet
     int shown_ends = 0, shown_picks = 0;        ///< cells in place of its yarns, see in_cells(); 0: the yarns themselves
 };
