@@ -2334,8 +2334,24 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Ein Vergleich braucht ein zweites Gewebe: Fügen Sie eines mit Gewebe ▸ Gewebe hinzufügen hinzu oder kreuzen Sie unter Alle Läufe einen älteren Lauf an.</translation>
     </message>
     <message>
-        <source>Maps and 3D are of each cloth as given; curves and difference maps are of the replicates. In these, yarns without an unevenness of their own are as uneven as is typical.</source>
-        <translation>Karten und 3D zeigen jedes Gewebe wie angegeben; Kurven und Differenzkarten zeigen die Wiederholungen. In diesen sind Garne ohne eigene Ungleichmäßigkeit so ungleichmäßig wie üblich.</translation>
+        <source>Maps and 3D are of each cloth as given; curves and difference maps are of the replicates, whose yarns are uneven: %1.</source>
+        <translation>Karten und 3D zeigen jedes Gewebe wie angegeben; Kurven und Differenzkarten zeigen die Wiederholungen, deren Garne ungleichmäßig sind: %1.</translation>
+    </message>
+    <message>
+        <source>%1 as given</source>
+        <translation>%1 wie angegeben</translation>
+    </message>
+    <message>
+        <source>%1 as is typical</source>
+        <translation>%1 wie üblich</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>The verdicts rest on the numerical error alone and take yarns as even as they are given. Cloths as they are woven may come in another order: choose 8 replicates to judge by them.</source>
+        <translation>Die Urteile beruhen nur auf dem numerischen Fehler und nehmen Garne so gleichmäßig an, wie sie angegeben sind. Gewebe, wie sie gewebt werden, können in anderer Reihenfolge liegen: Wählen Sie 8 Wiederholungen, um danach zu urteilen.</translation>
     </message>
     <message>
         <source>These runs have different fidelities, which is part of their difference.</source>

@@ -90,6 +90,8 @@ private:
         QTRY_COMPARE(curves->bandNames(), QStringList(2, "least to most of 4 replicates"));
         auto* maps = view.findChild<CompareMaps*>();
         QTRY_VERIFY_WITH_TIMEOUT(says(view, "Under the pointer also the range of its replicates"), 20000);
+        QVERIFY(says(view, "% as is typical"));
+        QVERIFY(!says(view, "rest on the numerical error alone"));
         maps->show(CompareMaps::Shown::differences);
         QTRY_VERIFY_WITH_TIMEOUT(says(view, "Mean of at least 4 pairs of replicates after 0.2") && says(view, "holds 0."), 20000);
         maps->setTime(0.3); // the nearest time with maps is a quarter

@@ -131,6 +131,10 @@ private Q_SLOTS:
         // They lie within a crossing of each other.
         QVERIFY2(text(thin_).endsWith("\nno difference shown"), qPrintable(text(thin_)));
         QVERIFY(text(thin_).contains(QChar(0x00b1)));
+        const auto labels = view.findChildren<QLabel*>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return !label->isHidden() && label->text().contains("rest on the numerical error alone");
+        }));
         view.setBaseline(thin_.path);
         QVERIFY(text(thin_).endsWith("\nbaseline"));
         QVERIFY(text(thick_).endsWith("\nno difference shown"));

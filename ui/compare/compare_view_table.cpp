@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The table of candidates, and running what is missing in it.
 #include "core/base/error.h"
+#include "core/design/unknowns.h"
 #include "core/project/atomic_file.h"
 #include "core/run/plan_run.h"
 #include "gpu/backends.h"
+#include "ui/basics/quantity.h"
 #include "ui/compare/candidate_table.h"
 #include "ui/compare/cloths_view.h"
 #include "ui/compare/compare_bar.h"
@@ -144,6 +146,23 @@ QString CompareView::outdatedText() const
                                    .arg(fabrics.join(", "));
 }
 
+namespace {
+
+/// How uneven replicates take the yarns of a fabric, warp and weft: "Poplin 14 % as is typical".
+QString unevennessOf(const Design& design, const Fabric& fabric)
+{
+    QStringList all;
+    for (const Yarn* yarn : {&fabric.warp, &fabric.weft}) {
+        const bool given = yarn->irregularity_cv > 0;
+        const QString share = valueText(100 * (given ? yarn->irregularity_cv : typical_irregularity(design, *yarn)), "%");
+        all << (given ? CompareView::tr("%1 as given").arg(share) : CompareView::tr("%1 as is typical").arg(share));
+    }
+    all.removeDuplicates();
+    return QString::fromStdString(fabric.name) + ' ' + all.join(CompareView::tr(" and "));
+}
+
+} // namespace
+
 /// Under the table, what keeps its numbers from being compared.
 void CompareView::refreshHint()
 {
@@ -159,7 +178,7 @@ void CompareView::refreshHint()
     std::optional<Fidelity> fidelity;
     bool differ = false;
     int kept = 0;
-    QStringList atEdge;
+    QStringList atEdge, uneven;
     for (const StudyRow& row : rows_) {
         kept = std::max(kept, row.kept);
         if (row.candidate && std::any_of(row.candidate->replicates.begin(), row.candidate->replicates.end(),
@@ -167,16 +186,23 @@ void CompareView::refreshHint()
             atEdge << QString::fromStdString(row.fabric);
         }
         if (!row.candidate || !row.candidate->run) { continue; }
-        const Fidelity own = row.candidate->run->plan.fidelity;
+        const RunRecord& run = *row.candidate->run;
+        if (const Fabric* fabric = find_fabric(run.design, run.fabric)) { uneven << unevennessOf(run.design, *fabric); }
+        const Fidelity own = run.plan.fidelity;
         differ = differ || (fidelity && *fidelity != own);
         fidelity = own;
     }
     if (entry() && choiceOf(*entry()).replicates > 1) {
-        notes << tr("Maps and 3D are of each cloth as given; curves and difference maps are of the replicates. In these, yarns without an "
-                    "unevenness of their own are as uneven as is typical.");
+        notes << tr("Maps and 3D are of each cloth as given; curves and difference maps are of the replicates, whose yarns are uneven: "
+                    "%1.")
+                     .arg(uneven.join("; "));
         if (const std::string few = few_replicates_text(choiceOf(*entry()).replicates); !few.empty()) {
             notes.prepend(QString::fromStdString(few));
         }
+    }
+    if (entry() && choiceOf(*entry()).replicates == 1 && kept <= 1 && uneven.size() > 1) {
+        notes << tr("The verdicts rest on the numerical error alone and take yarns as even as they are given. Cloths as they are woven may "
+                    "come in another order: choose 8 replicates to judge by them.");
     }
     if (!atEdge.isEmpty()) {
         notes.prepend(tr("Water reached the edge of the sample in: %1. A larger sample changes these numbers.").arg(atEdge.join(", ")));
