@@ -18,6 +18,7 @@
 #include <QElapsedTimer>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QStandardItemModel>
 #include <QTimer>
 
@@ -103,8 +104,10 @@ private Q_SLOTS:
         const QString after = results().report();
         QVERIFY(after.contains("<td>in</td>") && after.contains("<td>Ne</td>"));
         QVERIFY(!after.contains("<td>mm</td>") && !after.contains("<td>tex</td>"));
-        // The inputs stand as the project has them.
-        QVERIFY(after.contains("diameter_mm"));
+        // So do the inputs, in words.
+        const QRegularExpression millimetres("warp, diameter</th><td>[0-9.]+ mm"), inches("warp, diameter</th><td>[0-9.]+ in\\b");
+        QVERIFY(before.contains(millimetres) && !before.contains(inches));
+        QVERIFY(after.contains(inches) && !after.contains(millimetres) && !after.contains("diameter_mm"));
     }
 
     void picturesOfARunAreNumberedFiles()
