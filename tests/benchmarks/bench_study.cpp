@@ -51,7 +51,7 @@ void runs_alone(benchmark::State& state)
     const auto backends = cpu();
     RunControl control;
     RunOptions how;
-    how.fidelity = of.fidelity;
+    how.fidelity = Fidelity::live;
     how.knobs = of.knobs;
     how.threads = 1;
     for (auto _ : state)
@@ -75,7 +75,7 @@ void runs_of_a_study(benchmark::State& state)
     state.counters["s/point"] = benchmark::Counter(points, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-BENCHMARK(runs_alone)->Unit(benchmark::kMillisecond);
-BENCHMARK(runs_of_a_study)->Unit(benchmark::kMillisecond);
+BENCHMARK(runs_alone)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(runs_of_a_study)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace
