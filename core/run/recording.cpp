@@ -127,9 +127,11 @@ int simulated(int yarns, const ModelPlan& plan) { return bundles_of(yarns, plan.
 bool shows_cells(const ModelPlan& plan)
 {
     const int ends = plan.shown_ends, picks = plan.shown_picks;
+    if (plan.crossings_per_cell < 1 || plan.crossings_per_cell > largest_yarn_order)
+        throw FileError("the recording's bundles of yarns cannot be; it is damaged.");
     if (ends == 0 && picks == 0) return false;
-    if (plan.crossings_per_cell < 1 || plan.crossings_per_cell > largest_yarn_order || ends < 0 || picks < 0 ||
-        ends > simulated(plan.region.ends, plan) || picks > simulated(plan.region.picks, plan) || ends == 0 || picks == 0)
+    if (ends < 0 || picks < 0 || ends > simulated(plan.region.ends, plan) || picks > simulated(plan.region.picks, plan) || ends == 0 ||
+        picks == 0)
         throw FileError("the recording's cells do not lie in its sample; it is damaged.");
     return true;
 }

@@ -93,6 +93,7 @@ private Q_SLOTS:
     void numbers_stay_those_of_single_yarns();
     void a_recording_holds_cells();
     void what_cannot_be_in_a_recording_is_refused();
+    void larger_bundles_than_the_sample_are_read();
     void bundles_are_never_parted();
     void a_cloth_in_cells_weighs_the_same();
     void only_large_samples_are_shown_in_cells();
@@ -234,8 +235,14 @@ void TestShownCells::what_cannot_be_in_a_recording_is_refused()
     QCOMPARE(frames_left([](Frame& frame) { frame.wet[3] = {{2, -1}, {4, -1}, {3, 0}, {3, 0}, {1e20F, 0}}; }), 2);
     QCOMPARE(frames_left([](Frame& frame) { frame.wet.pop_back(); }), 2);
     QCOMPARE(frames_left([](Frame& frame) { frame.wet.clear(); }), 2);
-    for (const auto& [ends, picks, per_cell] :
-         {std::tuple{10'000, 4, 1}, {4, 10'000, 1}, {-4, 4, 1}, {4, 0, 1}, {12, 12, 30}, {4, 4, 0}, {65536, 32768, 2147479552}}) {
+    for (const auto& [ends, picks, per_cell] : {std::tuple{10'000, 4, 1},
+                                                {4, 10'000, 1},
+                                                {-4, 4, 1},
+                                                {4, 0, 1},
+                                                {12, 12, 30},
+                                                {4, 4, 0},
+                                                {0, 0, 0},
+                                                {65536, 32768, 2147479552}}) {
         RunRecord record = good.record;
         record.plan.shown_ends = ends;
         record.plan.shown_picks = picks;
@@ -243,6 +250,18 @@ void TestShownCells::what_cannot_be_in_a_recording_is_refused()
         write(record, [](Frame&) {});
         QVERIFY_EXCEPTION_THROWN(Recording{path}, FileError);
     }
+}
+
+void TestShownCells::larger_bundles_than_the_sample_are_read()
+{
+    QTemporaryDir folder;
+    RunOptions options = draft({}, {{"crossings_per_cell", 8}});
+    options.recording = folder.filePath("one.hygrorec").toStdString();
+    Design design = design_of(ExperimentType::drying, 20);
+    design.experiments[0].sample_mm = {1, 1};
+    const Run one = run(design, options);
+    QVERIFY(one.record.plan.crossings_per_cell > std::max(one.record.textile.ends(), one.record.textile.picks()));
+    QCOMPARE(Recording(options.recording).frames(), static_cast<int>(one.frames.size()));
 }
 
 void TestShownCells::bundles_are_never_parted()
