@@ -7,12 +7,14 @@
 
 #ifdef __CUDACC__
 #define HL_FN __host__ __device__ inline
+#define HL_SELDOM __host__ __device__ __noinline__ // called so seldom that its registers should cost nobody else
 #define HL_LANE_IS_THREAD 1
 #define HL_PRAGMA(text) _Pragma(#text)
 #define HL_UNROLL(times) HL_PRAGMA(unroll times) // of a loop whose loads are better under way together
 #define HL_UNROLL_WHOLE
 #else
 #define HL_FN inline
+#define HL_SELDOM [[gnu::noinline]]
 #define HL_LANE_IS_THREAD 0
 #define HL_UNROLL(times)
 #define HL_UNROLL_WHOLE _Pragma("GCC unroll 16") // of a short loop: -O2 would leave it, and keep what it goes through in memory

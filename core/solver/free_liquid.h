@@ -116,6 +116,7 @@ private:
     Buffer<float> shift_;
     Beads beads_; ///< their counts; the pointers come with liquid_flow()
     Buffer<Quad> bead_;
+    Buffer<int> first_beads_;
     Buffer<BeadType> bead_types_;
 };
 
@@ -162,9 +163,10 @@ template <typename Executor> void FreeLiquid<Executor>::load_cloth()
     paths_.upload(cloth.paths);
     shift_.upload(cloth.shift);
     const HostBeads beads =
-        make_beads(*scene_, start_.lattice_spacing, static_cast<double>(start_.support), static_cast<double>(start_.reach));
+        make_beads(*scene_, cloth, start_.lattice_spacing, static_cast<double>(start_.support), static_cast<double>(start_.reach));
     beads_ = beads.view;
     bead_.upload(beads.beads);
+    first_beads_.upload(beads.first);
     bead_types_.upload(beads.types);
 }
 
@@ -302,6 +304,8 @@ bool FreeLiquid<Executor>::flow(double& time, double sync_time, double wall_seco
     control_.write(0, flow_);
     const double seconds = exec_.go_through(liquid_flow(absorbed), start_.room);
     flow_ = control_.read(0);
+    if (flow_.count > 0 && !(flow_.longest_dt > 0))
+        throw Error("The flow of the drops became unstable. With fidelity.free_liquid=cap drops stand as caps, which do not flow.");
     if (flow_.side == 1) change_sides();
     time = flow_.time;
     if (flow_.steps > steps) wall_per_step_ = seconds / static_cast<double>(flow_.steps - steps);
@@ -341,6 +345,7 @@ template <typename Executor> LiquidFlow FreeLiquid<Executor>::liquid_flow(const 
     flow.textile = shape(absorbed.segments);
     flow.beads = beads_;
     flow.beads.bead = bead_.data();
+    flow.beads.first = first_beads_.data();
     flow.beads.types = bead_types_.data();
     flow.liquid = liquid_parameters(*scene_, start_);
     flow.liquid.step = &control_.data()->step;

@@ -3,23 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hygroloom::inline HL_PRECISION {
 namespace {
-
-/// A yarn's section, cut into rows and columns of beads.
-struct CutSection {
-    double half_height, half_width;
-    int rows, columns;
-
-    double flat() const { return std::max(0.0, half_width - half_height); }
-    double area() const { return pi * half_height * half_height + 4.0 * flat() * half_height; } // of a stadium
-    double outline() const { return 2.0 * pi * half_height + 4.0 * flat(); }
-    double up(int row) const { return half_height * (2.0 * row + 1.0 - rows) / rows; }
-    double side(int column) const { return half_width * (2.0 * column + 1.0 - columns) / columns; }
-    /// Of a bead's places about its middle, the mean along both directions; of an ellipse.
-    double variance() const { return 0.125 * (half_height * half_height / (rows * rows) + half_width * half_width / (columns * columns)); }
-};
 
 int bounded(double wanted, int most) { return std::clamp(static_cast<int>(std::ceil(wanted)), 1, most); }
 
@@ -134,14 +121,6 @@ void add_paths(const Scene& scene, const std::vector<float>& shift, const Profil
         }
 }
 
-/// How many beads a segment is cut into: rows and columns of its section, and pieces along it.
-struct BeadGrid {
-    int rows = 1, columns = 1, along = 1;
-    double length = 0; ///< m, of a piece, at most
-
-    int per_segment() const { return rows * columns * along; }
-};
-
 BeadGrid bead_grid(const Cloth& cloth, double spacing)
 {
     constexpr int most_rows = 3, most_columns = 9, most_along = 16;
@@ -154,10 +133,8 @@ BeadGrid bead_grid(const Cloth& cloth, double spacing)
     for (const ContactShape& shape : cloth.shapes)
         g.columns = std::max(g.columns, bounded(g.rows * shape.half_width / shape.half_height - 0.5, most_columns));
     const double longest = std::max(cloth.warp_pitch, cloth.weft_pitch);
-    g.along = bounded(longest / std::hypot(1.1 * spacing, thinnest / g.rows), most_along);
-    constexpr double most_beads = 1e7; // 160 MB; on a large cloth a small drop's particles meet coarser beads
-    while (g.per_segment() > 1 && static_cast<double>(cloth.segments()) * g.rows * g.columns * g.along > most_beads)
-        --(g.along >= g.columns ? g.along : g.columns >= g.rows ? g.columns : g.rows);
+    g.wanted = std::hypot(1.1 * spacing, thinnest / g.rows);
+    g.along = bounded(longest / g.wanted, most_along);
     g.length = longest / g.along;
     return g;
 }
@@ -167,8 +144,10 @@ BeadType bead_type(const Scene& scene, std::size_t type, const BeadGrid& grid, d
     constexpr double variance_of_kernel = 0.075; // along one axis, over the square of its support: cubic spline
     const ContactShape& shape = scene.cloth.shapes[type];
     const CutSection section{shape.half_height, shape.half_width, grid.rows, grid.columns};
+    // Beads that are longer than they should be leave no holes between them.
+    const double too_long = std::max(0.0, grid.length * grid.length - grid.wanted * grid.wanted) / 12.0;
     const auto widened = [&](double kernel) {
-        return static_cast<Real>(std::sqrt(kernel * kernel + section.variance() / variance_of_kernel));
+        return static_cast<Real>(std::sqrt(kernel * kernel + (section.variance() + too_long) / variance_of_kernel));
     };
     const Real wetting = static_cast<Real>(scene.cloth.yarns[type].adhesion / scene.climate.surface_tension - 1.0);
     BeadType result{widened(support), widened(reach), bead_share(wetting), 0};
@@ -179,26 +158,84 @@ BeadType bead_type(const Scene& scene, std::size_t type, const BeadGrid& grid, d
     return result;
 }
 
-/// Those of one segment, along the yarn.
-void put_beads(const Cloth& cloth, const TextileShape& t, const BeadGrid& grid, bool is_warp, int end, int pick, Quad* bead)
+/// As stages see it; the scene and the shape must outlive it.
+TextileShape shape_on_host(const Scene& scene, const ClothShape& cloth)
 {
-    const double pitch = is_warp ? cloth.weft_pitch : cloth.warp_pitch;
-    const double x = (end - 0.5 * (cloth.ends - 1)) * cloth.warp_pitch, y = (pick - 0.5 * (cloth.picks - 1)) * cloth.weft_pitch;
-    for (int k = 0; k < grid.along; ++k) {
-        const double part = (k + 0.5) / grid.along - 0.5;
-        const YarnPlace<Real> at = yarn_place(t, t.segment(is_warp, end, pick), AlongYarn<Real>(t, static_cast<Real>(part)));
-        const CutSection section{static_cast<double>(at.half_height), static_cast<double>(at.half_width), grid.rows, grid.columns};
-        const double slope = static_cast<double>(at.slope), cosine = 1.0 / std::sqrt(1.0 + slope * slope);
-        const double volume = section.area() * pitch / (cosine * grid.per_segment());
-        for (int row = 0; row < grid.rows; ++row)
-            for (int column = 0; column < grid.columns; ++column) {
-                const double up = section.up(row), side = static_cast<double>(at.side) + section.side(column);
-                const double forth = part * pitch - up * slope * cosine;
-                const double z = static_cast<double>(at.height) + up * cosine;
-                *bead++ = {static_cast<Real>(x + (is_warp ? side : forth)), static_cast<Real>(y + (is_warp ? forth : side)),
-                           static_cast<Real>(z), static_cast<Real>(volume)};
+    TextileShape t = cloth.numbers;
+    t.type = scene.cloth.type.data();
+    t.parameters = scene.cloth.yarns.data();
+    t.crossing = scene.cloth.crossing.data();
+    t.shapes = cloth.shapes.data();
+    t.profiles = cloth.profiles.data();
+    t.paths = cloth.paths.data();
+    t.warp_up = scene.cloth.warp_up.data();
+    t.shift = cloth.shift.data();
+    return t;
+}
+
+/// Height of the highest place on any yarn over the middle plane, or of the lowest under it.
+Real highest_place(const ClothShape& cloth)
+{
+    Real highest = 0;
+    for (const Quad& sample : cloth.profiles) highest = std::max(highest, std::abs(sample.x) + sample.z); // see TextileShape::profiles
+    return highest;
+}
+
+/// A part of the cloth, m.
+struct Patch {
+    double x0, x1, y0, y1;
+};
+
+/// Where drops may spread when they fall, and where liquid is from the start.
+std::vector<Patch> patches_under_liquid(const Scene& scene)
+{
+    constexpr double radii = 6, beyond = 2e-3; // most drops stay within
+    std::vector<Patch> patches;
+    for (const SceneDroplet& drop : scene.supply.droplets) {
+        const double far = radii * std::cbrt(drop.volume * 3.0 / (4.0 * pi)) + beyond;
+        patches.push_back({drop.centre.x - far, drop.centre.x + far, drop.centre.y - far, drop.centre.y + far});
+    }
+    if (scene.liquid.places.empty()) return patches;
+    Patch standing{1, -1, 1, -1};
+    for (const Vec3d& place : scene.liquid.places) {
+        standing = {std::min(standing.x0, place.x - beyond), std::max(standing.x1, place.x + beyond),
+                    std::min(standing.y0, place.y - beyond), std::max(standing.y1, place.y + beyond)};
+    }
+    patches.push_back(standing);
+    return patches;
+}
+
+/// The tiles that yarns with places between from and to belong to; behind the last of them.
+std::pair<int, int> tiles_between(double from, double to, double pitch, int yarns)
+{
+    const auto tile_at = [&](double place) {
+        return static_cast<int>(std::clamp(place / pitch + 0.5 * (yarns - 1), 0.0, double(yarns - 1))) / Beads::tile;
+    };
+    return {tile_at(from), tile_at(to) + 1};
+}
+
+/// Gives the tiles under liquid places in memory, one after the other, as many as there is room for; returns how many beads there are.
+int place_tiles(const Scene& scene, const Beads& beads, std::vector<int>& first)
+{
+    constexpr std::int64_t most_beads = 10'000'000; // 160 MB
+    const Cloth& cloth = scene.cloth;
+    const int across = Beads::tiles(cloth.picks);
+    first.assign(static_cast<std::size_t>(Beads::tiles(cloth.ends) * across), -1);
+    std::int64_t count = 0;
+    for (const Patch& patch : patches_under_liquid(scene)) {
+        const auto [left, right] = tiles_between(patch.x0, patch.x1, cloth.warp_pitch, cloth.ends);
+        const auto [low, high] = tiles_between(patch.y0, patch.y1, cloth.weft_pitch, cloth.picks);
+        for (int u = left; u < right; ++u)
+            for (int v = low; v < high; ++v) {
+                int& of_tile = first[static_cast<std::size_t>(u * across + v)];
+                const std::int64_t wanted =
+                    std::int64_t{2} * Beads::yarns_in(u, cloth.ends) * Beads::yarns_in(v, cloth.picks) * beads.grid.per_segment();
+                if (of_tile >= 0 || count + wanted > most_beads) continue;
+                of_tile = static_cast<int>(count);
+                count += wanted;
             }
     }
+    return static_cast<int>(count);
 }
 
 } // namespace
@@ -213,37 +250,33 @@ ClothShape::ClothShape(const Scene& scene) : numbers(numbers_of(scene)), shift(s
     for (int pick = 0; pick < scene.cloth.picks; ++pick) add_paths(scene, shift, table, false, pick, paths);
 }
 
-HostCloth::HostCloth(const Scene& scene) : cloth_(scene), shape_(cloth_.numbers)
-{
-    shape_.type = scene.cloth.type.data();
-    shape_.parameters = scene.cloth.yarns.data();
-    shape_.crossing = scene.cloth.crossing.data();
-    shape_.shapes = cloth_.shapes.data();
-    shape_.profiles = cloth_.profiles.data();
-    shape_.paths = cloth_.paths.data();
-    shape_.warp_up = scene.cloth.warp_up.data();
-    shape_.shift = cloth_.shift.data();
-}
+HostCloth::HostCloth(const Scene& scene) : cloth_(scene), shape_(shape_on_host(scene, cloth_)) {}
 
-HostBeads make_beads(const Scene& scene, double spacing, double support, double reach)
+HostBeads make_beads(const Scene& scene, const ClothShape& shape, double spacing, double support, double reach)
 {
-    const BeadGrid grid = bead_grid(scene.cloth, spacing);
     HostBeads result;
-    result.view.per_segment = grid.per_segment();
+    Beads& view = result.view;
+    view.grid = bead_grid(scene.cloth, spacing);
+    view.warp_pitch = scene.cloth.warp_pitch;
+    view.weft_pitch = scene.cloth.weft_pitch;
+    view.top = highest_place(shape);
     for (std::size_t k = 0; k < scene.cloth.shapes.size(); ++k) {
-        result.types.push_back(bead_type(scene, k, grid, support, reach));
-        result.view.widest = std::max(result.view.widest, result.types.back().reach);
+        result.types.push_back(bead_type(scene, k, view.grid, support, reach));
+        view.widest = std::max(view.widest, result.types.back().reach);
     }
-    const HostCloth cloth(scene);
-    const TextileShape& t = cloth.shape();
-    result.beads.resize(static_cast<std::size_t>(scene.cloth.segments()) * static_cast<std::size_t>(result.view.per_segment) + lanes);
-    for (bool is_warp : {true, false})
-        for (int end = 0; end < scene.cloth.ends; ++end)
-            for (int pick = 0; pick < scene.cloth.picks; ++pick) {
-                Quad* bead = result.beads.data() + std::int64_t{t.segment(is_warp, end, pick)} * result.view.per_segment;
-                put_beads(scene.cloth, t, grid, is_warp, end, pick, bead);
-            }
-    for (const Quad& bead : result.beads) result.view.top = std::max(result.view.top, std::abs(bead.z));
+    result.beads.resize(static_cast<std::size_t>(place_tiles(scene, view, result.first)) + lanes);
+    const TextileShape t = shape_on_host(scene, shape);
+    const int per_segment = view.grid.per_segment(), across = Beads::tiles(scene.cloth.picks);
+    for (std::size_t tile = 0; tile < result.first.size(); ++tile) {
+        if (result.first[tile] < 0) continue;
+        const int end0 = static_cast<int>(tile) / across * Beads::tile, pick0 = static_cast<int>(tile) % across * Beads::tile;
+        for (bool is_warp : {true, false})
+            for (int end = end0; end < std::min(end0 + Beads::tile, t.ends); ++end)
+                for (int pick = pick0; pick < std::min(pick0 + Beads::tile, t.picks); ++pick) {
+                    Quad* bead = result.beads.data() + result.first[tile] + view.place(t, is_warp, end, pick);
+                    for (int k = 0; k < per_segment; ++k) bead[k] = view.cut(t, is_warp, end, pick, k);
+                }
+    }
     return result;
 }
 

@@ -31,13 +31,14 @@ private:
 };
 
 struct HostBeads {
-    std::vector<Quad> beads;     ///< of each segment in turn, along the yarn; a pack more than there are
+    std::vector<Quad> beads;     ///< of the tiles in memory; a pack more than there are
+    std::vector<int> first;      ///< of each tile
     std::vector<BeadType> types; ///< as the scene's yarns
     Beads view;                  ///< pointers not set
 };
 
-/// Cuts the yarns into beads about as large as the liquid's particles, or as the height of a thinner yarn. Supports of the liquid's two
-/// kernels, m.
-HostBeads make_beads(const Scene& scene, double spacing, double support, double reach);
+/// Cuts the yarns into beads about as large as the liquid's particles, or as the height of a thinner yarn, whatever the cloth's size.
+/// Supports of the liquid's two kernels, m.
+HostBeads make_beads(const Scene& scene, const ClothShape& shape, double spacing, double support, double reach);
 
 } // namespace hygroloom::inline HL_PRECISION

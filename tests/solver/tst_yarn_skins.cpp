@@ -280,6 +280,56 @@ private Q_SLOTS:
         QVERIFY2(places > 1000 && wedges > 100 && left > 0.75 * wedges && kept < 0.005 * places, qPrintable(counts));
         qInfo("%s", qPrintable(counts));
     }
+    void beadsThatAreCutOnDemandActAsThoseInMemory_data() { add_cloths(); }
+    void beadsThatAreCutOnDemandActAsThoseInMemory()
+    {
+        QFETCH(double, most_shift);
+        QFETCH(double, squeezed);
+        const Scene scene = cloth_scene(most_shift, squeezed);
+        const ClothShape shape(scene);
+        const HostCloth cloth(scene);
+        HostBeads kept = make_beads(scene, shape, 1e-4, 2e-4, 3e-4);
+        QVERIFY(
+            std::all_of(kept.first.begin(), kept.first.end(), [](int first) { return first >= 0; })); // the drop is as wide as the cloth
+        std::vector<int> none(kept.first.size(), -1);
+        kept.view.bead = kept.beads.data();
+        kept.view.types = kept.types.data();
+        Beads cut = kept.view;
+        kept.view.first = kept.first.data();
+        cut.first = none.data();
+        Real most_share = 0;
+        for (std::uint64_t k = 0; k < 300; ++k) {
+            const auto place = [&](std::uint64_t axis, double half) {
+                return static_cast<Real>(half * (2 * random_uniform(3, axis, k) - 1));
+            };
+            const Vec3 x{place(0, 8.5 * scene.cloth.warp_pitch), place(1, 9.5 * scene.cloth.weft_pitch),
+                         place(2, 2 * scene.cloth.half_thickness)};
+            const ClothField of_kept = FeelCloth{{}, cloth.shape(), kept.view}.expansion(x).field;
+            const ClothField of_cut = FeelCloth{{}, cloth.shape(), cut}.expansion(x).field;
+            QVERIFY(std::abs(of_kept.share - of_cut.share) <= Real(1e-5) * (of_kept.share + Real(0.1)));
+            QVERIFY(length(of_kept.slope - of_cut.slope) <= Real(1e-4) * (length(of_kept.slope) + 1));
+            QVERIFY(length(of_kept.adhesion - of_cut.adhesion) <= Real(1e-4) * (length(of_kept.adhesion) + 1));
+            QVERIFY(x.z > -kept.view.top - kept.view.widest || of_kept.share == 0);
+            most_share = std::max(most_share, of_kept.share);
+        }
+        QVERIFY(most_share > Real(0.5));
+    }
+    void largeClothsHaveBeadsAsSmallOnes()
+    {
+        const auto beads = [](int side) {
+            const Design design = drop_design();
+            const Textile textile = build_textile(design, design.fabrics[0], {0, 0, side, side});
+            const Scene scene = build_scene(design, textile, design.experiments[0],
+                                            plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft), 1);
+            return make_beads(scene, ClothShape(scene), 5e-5, 1e-4, 1.5e-4);
+        };
+        const HostBeads small = beads(100), large = beads(600); // 720 000 segments
+        QVERIFY(small.view.grid.per_segment() > 12);
+        QCOMPARE(large.view.grid.per_segment(), small.view.grid.per_segment());
+        QVERIFY(large.beads.size() < 2 * small.beads.size()); // near the drop alone
+        const std::size_t missing = static_cast<std::size_t>(std::count(large.first.begin(), large.first.end(), -1));
+        QVERIFY(missing > large.first.size() / 2 && missing < large.first.size());
+    }
     void skinIsFoundOnTheSideOneIsOn()
     {
         const Scene scene = drop_over_plate(1e-9, 1e-3, 0, 10);

@@ -15,13 +15,77 @@ struct BeadType {
     Real pull = 0;    ///< N/m2: energy of the wall's attraction per area of skin, times skin per volume, over the part that acts outside
 };
 
-/// Beads of all yarns, the same number in each segment; those of a yarn stand one after the other.
+/// A yarn's section, cut into rows and columns of beads; m.
+struct CutSection {
+    double half_height, half_width;
+    int rows, columns;
+
+    HL_FN double flat() const { return half_width > half_height ? half_width - half_height : 0.0; }
+    HL_FN double area() const { return pi * half_height * half_height + 4.0 * flat() * half_height; } // of a stadium
+    HL_FN double outline() const { return 2.0 * pi * half_height + 4.0 * flat(); }
+    HL_FN double up(int row) const { return half_height * (2.0 * row + 1.0 - rows) / rows; }
+    HL_FN double side(int column) const { return half_width * (2.0 * column + 1.0 - columns) / columns; }
+    /// Of a bead's places about its middle, the mean along both directions; of an ellipse.
+    HL_FN double variance() const
+    {
+        return 0.125 * (half_height * half_height / (rows * rows) + half_width * half_width / (columns * columns));
+    }
+};
+
+/// How many beads a segment is cut into: rows and columns of its section, and pieces along it.
+struct BeadGrid {
+    int rows = 1, columns = 1, along = 1;
+    double length = 0; ///< m, of a piece, at most
+    double wanted = 0; ///< m, that it should be at most
+
+    HL_FN int per_segment() const { return rows * columns * along; }
+};
+
+/// Beads of yarns, the same number in each segment. Tiles of crossings near where drops fall have theirs in memory, the warp's before the
+/// weft's, those of a yarn one after the other; of the other tiles beads are cut when a particle asks for them.
 struct Beads {
+    static constexpr int tile = 16; ///< yarns along its sides, or what is left of them
+
     const Quad* bead = nullptr; ///< place (m) and volume (m3)
+    const int* first = nullptr; ///< of each tile's, along a warp yarn; -1: not in memory
     const BeadType* types = nullptr;
-    int per_segment = 0;
-    Real widest = 0; ///< m, the farthest that any reaches
-    Real top = 0;    ///< m, over the middle plane or under it: no bead is farther
+    BeadGrid grid;
+    double warp_pitch = 0, weft_pitch = 0; ///< m
+    Real widest = 0;                       ///< m, the farthest that any reaches
+    Real top = 0;                          ///< m, over the middle plane or under it: no bead is farther
+
+    HL_FN static int tiles(int yarns) { return (yarns + tile - 1) / tile; }
+    HL_FN static int yarns_in(int tile_of_yarns, int yarns)
+    {
+        const int left = yarns - tile_of_yarns * tile;
+        return left < tile ? left : tile;
+    }
+    /// Where a segment's stand, from its tile's first on.
+    HL_FN int place(const TextileShape& t, bool is_warp, int end, int pick) const
+    {
+        const int ends = yarns_in(end / tile, t.ends), picks = yarns_in(pick / tile, t.picks), e = end % tile, p = pick % tile;
+        return grid.per_segment() * (is_warp ? e * picks + p : ends * picks + p * ends + e);
+    }
+    /// The place in memory, or -1.
+    HL_FN int find(const TextileShape& t, bool is_warp, int end, int pick) const
+    {
+        const int of_tile = first[end / tile * tiles(t.picks) + pick / tile];
+        return of_tile < 0 ? -1 : of_tile + place(t, is_warp, end, pick);
+    }
+    /// One of a segment's, counted along the yarn.
+    HL_FN Quad cut(const TextileShape& t, bool is_warp, int end, int pick, int number) const
+    {
+        const int column = number % grid.columns, row = number / grid.columns % grid.rows, k = number / (grid.columns * grid.rows);
+        const double x = (end - 0.5 * (t.ends - 1)) * warp_pitch, y = (pick - 0.5 * (t.picks - 1)) * weft_pitch;
+        const double pitch = is_warp ? weft_pitch : warp_pitch, part = (k + 0.5) / grid.along - 0.5;
+        const YarnPlace<Real> at = yarn_place(t, t.segment(is_warp, end, pick), AlongYarn<Real>(t, static_cast<Real>(part)));
+        const CutSection section{static_cast<double>(at.half_height), static_cast<double>(at.half_width), grid.rows, grid.columns};
+        const double slope = static_cast<double>(at.slope), cosine = 1.0 / std::sqrt(1.0 + slope * slope);
+        const double up = section.up(row), side = static_cast<double>(at.side) + section.side(column);
+        const double forth = part * pitch - up * slope * cosine, volume = section.area() * pitch / (cosine * grid.per_segment());
+        return {static_cast<Real>(x + (is_warp ? side : forth)), static_cast<Real>(y + (is_warp ? forth : side)),
+                static_cast<Real>(static_cast<double>(at.height) + up * cosine), static_cast<Real>(volume)};
+    }
 };
 
 /// Sums over the beads near each particle, anew where it has moved by a tenth of its spacing; else by their slopes. A flat wall at the
@@ -60,9 +124,9 @@ struct FeelCloth {
         const int end0 = first(u - wide_u - Real(0.5), textile.ends), end1 = first(u + wide_u + Real(1.5), textile.ends);
         const int pick0 = first(v - wide_v - Real(0.5), textile.picks), pick1 = first(v + wide_v + Real(1.5), textile.picks);
         for (int end = end0 + own_element(); end < end1; end += elements_beside)
-            add(sums, x, textile.segment(true, end, pick0), pick1 - pick0, beads.types[textile.type[end]]);
+            add_yarn(sums, x, true, end, pick0, pick1, beads.types[textile.type[end]]);
         for (int pick = pick0 + own_element(); pick < pick1; pick += elements_beside)
-            add(sums, x, textile.segment(false, end0, pick), end1 - end0, beads.types[textile.type_of_pick(pick)]);
+            add_yarn(sums, x, false, pick, end0, end1, beads.types[textile.type_of_pick(pick)]);
         return sums.expansion(x);
     }
 
@@ -114,11 +178,36 @@ private:
     {
         return place <= 0 ? 0 : place >= Real(count) ? count : static_cast<int>(std::ceil(place));
     }
-    /// Beads of segments one after the other on a yarn.
-    HL_FN void add(Sums& s, const Vec3& x, int segment, int segments, const BeadType& type) const
+    /// Beads of a yarn's segments from one yarn that it crosses to another, tile by tile.
+    HL_FN void add_yarn(Sums& s, const Vec3& x, bool is_warp, int yarn, int from, int to, const BeadType& type) const
     {
-        const Quad* bead = beads.bead + static_cast<std::int64_t>(segment) * beads.per_segment;
-        const int count = segments * beads.per_segment;
+        while (from < to) {
+            const int tile_end = (from / Beads::tile + 1) * Beads::tile, until = tile_end < to ? tile_end : to;
+            const int first = beads.find(textile, is_warp, is_warp ? yarn : from, is_warp ? from : yarn);
+            if (first >= 0)
+                add(s, x, beads.bead + first, (until - from) * beads.grid.per_segment(), type);
+            else
+                cut_and_add(s, x, is_warp, yarn, from, until, type);
+            from = until;
+        }
+    }
+    HL_SELDOM void cut_and_add(Sums& s, const Vec3& x, bool is_warp, int yarn, int from, int to, const BeadType& type) const
+    {
+        constexpr int together = 2 * lanes;
+        const int per_segment = beads.grid.per_segment(), count = (to - from) * per_segment;
+        for (int done = 0; done < count; done += together) {
+            Quad cut[together]{};
+            const int n = count - done < together ? count - done : together;
+            for (int k = 0; k < n; ++k) {
+                const int crossed = from + (done + k) / per_segment;
+                cut[k] = beads.cut(textile, is_warp, is_warp ? yarn : crossed, is_warp ? crossed : yarn, (done + k) % per_segment);
+            }
+            add(s, x, cut, n, type);
+        }
+    }
+    /// Beads one after the other.
+    HL_FN void add(Sums& s, const Vec3& x, const Quad* bead, int count, const BeadType& type) const
+    {
         const SplineUnits units(type.reach), near(type.support);
         Pack surface_share{};
         Packs surface_slope{};

@@ -6,6 +6,8 @@
 #include "core/physics/sph_kernels.h"
 #include "core/solver/steps/neighbours.h"
 
+#include <limits>
+
 namespace hygroloom::inline HL_PRECISION {
 
 /// Of the last step's pressure, the loop begins with so much; with all of it pressure waves grow.
@@ -324,7 +326,9 @@ struct MoveParticles {
         if (!p.alive[i]) return;
         p.velocity[i] += step->dt * (p.force[i] + p.pressure_force[i]);
         p.position[i] += step->dt * p.velocity[i];
-        atomic_max_of_all(fastest, ordered_bits(static_cast<float>(length(p.velocity[i]))));
+        constexpr float endless = std::numeric_limits<float>::infinity();
+        const auto speed = static_cast<float>(length(p.velocity[i]));
+        atomic_max_of_all(fastest, ordered_bits(speed < endless ? speed : endless)); // also where it is no number
     }
 };
 
