@@ -112,11 +112,10 @@ private:
 
     TextileShape textile_; ///< its numbers; the pointers come with shape()
     Buffer<YarnShape> shapes_;
-    Buffer<Quad> profiles_, paths_;
+    Buffer<Quad> profiles_, paths_, bead_;
     Buffer<float> shift_;
-    Beads beads_; ///< their counts; the pointers come with liquid_flow()
-    Buffer<Quad> bead_;
-    Buffer<int> first_beads_;
+    Beads beads_;             ///< their counts; the pointers come with liquid_flow()
+    Buffer<int> first_beads_; ///< see Beads
     Buffer<BeadType> bead_types_;
 };
 
@@ -146,8 +145,7 @@ template <typename Executor> void FreeLiquid<Executor>::load(const Scene& scene)
     rules_ = liquid_rules(scene, start_);
     about_sample_ = room_about_sample(scene);
     flow_.longest_dt = rules_.longest_step();
-    absorbed_ =
-        std::any_of(scene.cloth.yarns.begin(), scene.cloth.yarns.end(), [](const YarnParameters& yarn) { return yarn.intake_flux > 0; });
+    absorbed_ = std::any_of(scene.cloth.yarns.begin(), scene.cloth.yarns.end(), [](const auto& yarn) { return yarn.intake_flux > 0; });
     offers_ = absorbed_ && particles_offer(scene);
     load_cloth();
     make_room();
@@ -162,8 +160,7 @@ template <typename Executor> void FreeLiquid<Executor>::load_cloth()
     profiles_.upload(cloth.profiles);
     paths_.upload(cloth.paths);
     shift_.upload(cloth.shift);
-    const HostBeads beads =
-        make_beads(*scene_, cloth, start_.lattice_spacing, static_cast<double>(start_.support), static_cast<double>(start_.reach));
+    const HostBeads beads = make_beads(*scene_, cloth, start_.lattice_spacing, double(start_.support), double(start_.reach));
     beads_ = beads.view;
     bead_.upload(beads.beads);
     first_beads_.upload(beads.first);
@@ -209,8 +206,7 @@ template <typename Executor>
 void FreeLiquid<Executor>::add_particles(const std::vector<Vec3>& places, const std::vector<Vec3>& velocities,
                                          const std::vector<std::int64_t>& contents)
 {
-    const auto at = static_cast<std::size_t>(flow_.count);
-    const std::size_t n = places.size();
+    const std::size_t at = static_cast<std::size_t>(flow_.count), n = places.size();
     particles_.position.write_range(at, places);
     particles_.velocity.write_range(at, velocities);
     particles_.wall_normal.write_range(at, std::vector<Vec3>(n));

@@ -133,8 +133,7 @@ BeadGrid bead_grid(const Cloth& cloth, double spacing)
     for (const ContactShape& shape : cloth.shapes)
         g.columns = std::max(g.columns, bounded(g.rows * shape.half_width / shape.half_height - 0.5, most_columns));
     const double longest = std::max(cloth.warp_pitch, cloth.weft_pitch);
-    g.wanted = std::hypot(1.1 * spacing, thinnest / g.rows);
-    g.along = bounded(longest / g.wanted, most_along);
+    g.along = bounded(longest / std::hypot(1.1 * spacing, thinnest / g.rows), most_along);
     g.length = longest / g.along;
     return g;
 }
@@ -144,10 +143,8 @@ BeadType bead_type(const Scene& scene, std::size_t type, const BeadGrid& grid, d
     constexpr double variance_of_kernel = 0.075; // along one axis, over the square of its support: cubic spline
     const ContactShape& shape = scene.cloth.shapes[type];
     const CutSection section{shape.half_height, shape.half_width, grid.rows, grid.columns};
-    // Beads that are longer than they should be leave no holes between them.
-    const double too_long = std::max(0.0, grid.length * grid.length - grid.wanted * grid.wanted) / 12.0;
     const auto widened = [&](double kernel) {
-        return static_cast<Real>(std::sqrt(kernel * kernel + (section.variance() + too_long) / variance_of_kernel));
+        return static_cast<Real>(std::sqrt(kernel * kernel + section.variance() / variance_of_kernel));
     };
     const Real wetting = static_cast<Real>(scene.cloth.yarns[type].adhesion / scene.climate.surface_tension - 1.0);
     BeadType result{widened(support), widened(reach), bead_share(wetting), 0};
@@ -189,7 +186,7 @@ struct Patch {
 /// Where drops may spread when they fall, and where liquid is from the start.
 std::vector<Patch> patches_under_liquid(const Scene& scene)
 {
-    constexpr double radii = 6, beyond = 2e-3; // most drops stay within
+    constexpr double radii = 6, beyond = 2e-3; // m; changes what is kept in memory, not what particles meet
     std::vector<Patch> patches;
     for (const SceneDroplet& drop : scene.supply.droplets) {
         const double far = radii * std::cbrt(drop.volume * 3.0 / (4.0 * pi)) + beyond;

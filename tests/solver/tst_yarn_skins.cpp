@@ -297,6 +297,7 @@ private Q_SLOTS:
         Beads cut = kept.view;
         kept.view.first = kept.first.data();
         cut.first = none.data();
+        for (const Quad& bead : kept.beads) QVERIFY(std::abs(bead.z) <= kept.view.top);
         Real most_share = 0;
         for (std::uint64_t k = 0; k < 300; ++k) {
             const auto place = [&](std::uint64_t axis, double half) {
@@ -306,10 +307,10 @@ private Q_SLOTS:
                          place(2, 2 * scene.cloth.half_thickness)};
             const ClothField of_kept = FeelCloth{{}, cloth.shape(), kept.view}.expansion(x).field;
             const ClothField of_cut = FeelCloth{{}, cloth.shape(), cut}.expansion(x).field;
-            QVERIFY(std::abs(of_kept.share - of_cut.share) <= Real(1e-5) * (of_kept.share + Real(0.1)));
+            QVERIFY2(std::abs(of_kept.share - of_cut.share) <= Real(1e-5) * (of_kept.share + Real(0.1)),
+                     qPrintable(QString("%1 in memory, %2 cut").arg(of_kept.share).arg(of_cut.share)));
             QVERIFY(length(of_kept.slope - of_cut.slope) <= Real(1e-4) * (length(of_kept.slope) + 1));
             QVERIFY(length(of_kept.adhesion - of_cut.adhesion) <= Real(1e-4) * (length(of_kept.adhesion) + 1));
-            QVERIFY(x.z > -kept.view.top - kept.view.widest || of_kept.share == 0);
             most_share = std::max(most_share, of_kept.share);
         }
         QVERIFY(most_share > Real(0.5));

@@ -36,7 +36,6 @@ struct CutSection {
 struct BeadGrid {
     int rows = 1, columns = 1, along = 1;
     double length = 0; ///< m, of a piece, at most
-    double wanted = 0; ///< m, that it should be at most
 
     HL_FN int per_segment() const { return rows * columns * along; }
 };
@@ -47,7 +46,7 @@ struct Beads {
     static constexpr int tile = 16; ///< yarns along its sides, or what is left of them
 
     const Quad* bead = nullptr; ///< place (m) and volume (m3)
-    const int* first = nullptr; ///< of each tile's, along a warp yarn; -1: not in memory
+    const int* first = nullptr; ///< of each tile, by its ends and then its picks: where its beads begin; -1: they are not in memory
     const BeadType* types = nullptr;
     BeadGrid grid;
     double warp_pitch = 0, weft_pitch = 0; ///< m
@@ -60,19 +59,19 @@ struct Beads {
         const int left = yarns - tile_of_yarns * tile;
         return left < tile ? left : tile;
     }
-    /// Where a segment's stand, from its tile's first on.
+    /// Where a segment's beads begin, counted from its tile's first.
     HL_FN int place(const TextileShape& t, bool is_warp, int end, int pick) const
     {
         const int ends = yarns_in(end / tile, t.ends), picks = yarns_in(pick / tile, t.picks), e = end % tile, p = pick % tile;
         return grid.per_segment() * (is_warp ? e * picks + p : ends * picks + p * ends + e);
     }
-    /// The place in memory, or -1.
+    /// The same in memory, or -1.
     HL_FN int find(const TextileShape& t, bool is_warp, int end, int pick) const
     {
         const int of_tile = first[end / tile * tiles(t.picks) + pick / tile];
         return of_tile < 0 ? -1 : of_tile + place(t, is_warp, end, pick);
     }
-    /// One of a segment's, counted along the yarn.
+    /// One of a segment's beads, by its number along the yarn.
     HL_FN Quad cut(const TextileShape& t, bool is_warp, int end, int pick, int number) const
     {
         const int column = number % grid.columns, row = number / grid.columns % grid.rows, k = number / (grid.columns * grid.rows);
@@ -184,29 +183,54 @@ private:
         while (from < to) {
             const int tile_end = (from / Beads::tile + 1) * Beads::tile, until = tile_end < to ? tile_end : to;
             const int first = beads.find(textile, is_warp, is_warp ? yarn : from, is_warp ? from : yarn);
+            const int count = (until - from) * beads.grid.per_segment();
             if (first >= 0)
-                add(s, x, beads.bead + first, (until - from) * beads.grid.per_segment(), type);
+                add(s, x, BeadsInMemory{beads.bead + first, count}, count, type);
             else
-                cut_and_add(s, x, is_warp, yarn, from, until, type);
+                cut_and_add(s, x, BeadsCut{textile, beads, is_warp, yarn, from, count}, type);
             from = until;
         }
     }
-    HL_SELDOM void cut_and_add(Sums& s, const Vec3& x, bool is_warp, int yarn, int from, int to, const BeadType& type) const
-    {
-        constexpr int together = 2 * lanes;
-        const int per_segment = beads.grid.per_segment(), count = (to - from) * per_segment;
-        for (int done = 0; done < count; done += together) {
-            Quad cut[together]{};
-            const int n = count - done < together ? count - done : together;
-            for (int k = 0; k < n; ++k) {
-                const int crossed = from + (done + k) / per_segment;
-                cut[k] = beads.cut(textile, is_warp, is_warp ? yarn : crossed, is_warp ? crossed : yarn, (done + k) % per_segment);
-            }
-            add(s, x, cut, n, type);
+    /// Packs of beads one after the other; those past the last have no volume.
+    struct BeadsInMemory {
+        const Quad* bead;
+        int count;
+
+        HL_FN Quads operator()(int k) const
+        {
+            Quads b = load(bead + k);
+            if (count - k < lanes) b.w *= first_lanes(count - k);
+            return b;
         }
-    }
-    /// Beads one after the other.
-    HL_FN void add(Sums& s, const Vec3& x, const Quad* bead, int count, const BeadType& type) const
+    };
+    /// The same of segments whose tile is not in memory.
+    struct BeadsCut {
+        const TextileShape& textile;
+        const Beads& beads;
+        bool is_warp;
+        int yarn, from; ///< the first yarn that it crosses
+        int count;
+
+        HL_FN Quad bead(int k) const
+        {
+            if (k >= count) return {};
+            const int per_segment = beads.grid.per_segment(), crossed = from + k / per_segment;
+            return beads.cut(textile, is_warp, is_warp ? yarn : crossed, is_warp ? crossed : yarn, k % per_segment);
+        }
+        HL_FN Quads operator()(int k) const
+        {
+#if HL_LANE_IS_THREAD
+            const Quad own = bead(k + own_lane());
+            return {own.x, own.y, own.z, own.w};
+#else
+            Quad cut[lanes];
+            for (int lane = 0; lane < lanes; ++lane) cut[lane] = bead(k + lane);
+            return load(cut);
+#endif
+        }
+    };
+    HL_SELDOM void cut_and_add(Sums& s, const Vec3& x, const BeadsCut& cut, const BeadType& type) const { add(s, x, cut, cut.count, type); }
+    template <typename PackAt> HL_FN void add(Sums& s, const Vec3& x, const PackAt& pack_at, int count, const BeadType& type) const
     {
         const SplineUnits units(type.reach), near(type.support);
         Pack surface_share{};
@@ -214,8 +238,7 @@ private:
         Bend surface_bend;
         HL_UNROLL(2)
         for (int k = 0; k < count; k += lanes) {
-            Quads b = load(bead + k);
-            if (count - k < lanes) b.w *= first_lanes(count - k);
+            const Quads b = pack_at(k);
             const Packs d{x.x - b.x, x.y - b.y, x.z - b.z};
             const Pack square = dot(d, d) + units.nothing, one_over = inverse_root(square), r = root_beside(square, one_over);
             const Spline<Pack> outer(r * units.per_metre), inner(r * near.per_metre);
