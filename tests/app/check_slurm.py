@@ -18,7 +18,7 @@ import time
 
 SKIPPED = 77
 PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "sinfo"]
-TASKS = 8
+TASKS = 4
 
 root, cli = pathlib.Path(sys.argv[1]), sys.argv[2]
 os.environ["PATH"] += ":/usr/sbin:/sbin"
