@@ -49,8 +49,6 @@ const char* why_not_in_cells(const ModelPlan& plan, const Textile& textile, Expe
     if (textile.warp.types.size() + textile.weft.types.size() > 2) return "its yarns are of several types";
     if (is_strip(type)) return "how high a strip is wet is read on single yarns";
     if (uses_field(type, "feed_s")) return "the tester's pins stand on single yarns";
-    if (std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.watched; }))
-        return "a part of the physics that is left out is watched in single yarns";
     return "";
 }
 

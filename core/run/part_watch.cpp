@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/run/part_watch.h"
 
-#include "core/physics/heat_moisture.h"
+#include "core/scene/thirst.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +39,7 @@ PartWatch::PartWatch(const Scene& scene, const ModelPlan& plan)
         const bool may_follow = part.name == "vapour" && sorption && !scene.climate.course.empty() && !part.on && !part.forced;
         if (part.watched || may_follow) watched_.push_back({{part.name, 0, 0, plan.knobs.neglected_share, part.share.value_or(0)}, false});
     }
-    for (const YarnParameters& yarn : scene.cloth.yarns)
-        thirst_.push_back(std::max(0.0, equilibrium_regain(yarn.isotherm, 1.0, scene.climate.temperature) - yarn.initial_regain));
+    for (const YarnParameters& yarn : scene.cloth.yarns) thirst_.push_back(thirst_of(yarn, scene.climate.temperature));
 }
 
 bool PartWatch::is_watching() const
@@ -82,6 +81,7 @@ std::vector<SwitchedPart> PartWatch::see(const Frame& frame)
 
 PartWatch::WetCloth PartWatch::wet_cloth(const Frame& frame) const
 {
+    if (in_cells()) return {scene_.cloth.cell_area * frame.wet_sums.faces, frame.wet_sums.thirst};
     WetCloth wet;
     each_segment(scene_, [&](std::size_t i, std::size_t type) {
         if (frame.saturation[i] <= 0) return;
@@ -108,22 +108,19 @@ double PartWatch::dries_until_end(double from) const
     return dried;
 }
 
-/// Of any segment by what its fibres have taken up or given since the start and by what they can still take from the liquid about them,
-/// if nothing of the heat had escaped, K.
+/// The most of any segment, K.
 double PartWatch::warming(const Frame& frame) const
 {
-    const double temperature = scene_.climate.temperature;
-    const double latent = frame.ledger.water_delivered > 0 ? 0.0 : heat_of_evaporation(temperature); // without liquid it all was vapour
-    const double heat = heat_of_sorption(std::min(1.0, scene_.climate.humidity));
+    const bool from_vapour = frame.ledger.water_delivered <= 0; // without liquid it all was vapour
+    if (in_cells()) return from_vapour ? frame.wet_sums.warming_from_vapour : frame.wet_sums.warming;
+    const double latent = from_vapour ? heat_of_evaporation(scene_.climate.temperature) : 0.0;
     double most = 0;
     each_segment(scene_, [&](std::size_t i, std::size_t type) {
         const YarnParameters& yarn = scene_.cloth.yarns[type];
-        const double regain = static_cast<double>(frame.regain[i]), liquid = static_cast<double>(frame.liquid[i]);
-        const double gained = regain - yarn.initial_regain, sorbed = yarn.sorption_heat_scale * heat;
-        const double to_come = wet_share(static_cast<double>(frame.saturation[i])) * std::max(0.0, thirst_[type] - gained);
-        const double released = std::abs(gained) * (sorbed + latent) + to_come * sorbed;
-        const double water = regain + liquid / dry_mass(yarn, scene_.cloth.length[i]);
-        most = std::max(most, released / (yarn.fibre_specific_heat + water * water_specific_heat));
+        const double liquid = static_cast<double>(frame.liquid[i]) / dry_mass(yarn, scene_.cloth.length[i]);
+        const WaterOnFibre water{static_cast<double>(frame.regain[i]), liquid, wet_share(static_cast<double>(frame.saturation[i])),
+                                 thirst_[type]};
+        most = std::max(most, warming_of(water, yarn, scene_.climate.humidity, latent));
     });
     return most;
 }

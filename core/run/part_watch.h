@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Parts of the physics that a plan leaves out on an estimate are watched while running: the estimate is made again at each frame from how
-// far the cloth has really got wet. It costs a pass over the segments of the frame, and nothing where nothing was left out.
+// far the cloth has really got wet. It costs a pass over the segments of the frame, or one where they are where frames show cells, and
+// nothing where nothing was left out.
 #pragma once
 
 #include "core/plan/switched_part.h"
@@ -33,6 +34,7 @@ private:
         double area = 0;   ///< m2 of its faces
         double thirst = 0; ///< kg that its fibres could take up in all
     };
+    bool in_cells() const { return scene_.cloth.shown_ends > 0; }
     WetCloth wet_cloth(const Frame& frame) const;
     double dries_until_end(double from) const;
     double warming(const Frame& frame) const;

@@ -2,6 +2,8 @@
 // What a simulation shows of itself at one moment. Frames are values: nothing in them points back into the solver.
 #pragma once
 
+#include "core/base/portable.h"
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -68,6 +70,22 @@ struct CellSums {
     double stored = 0, released = 0, lost = 0; ///< J, as in the ledger
 };
 
+/// What parts that are left out would find in a cloth that is shown in cells: see PartWatch.
+struct WetSums {
+    double faces = 0;               ///< segments, each by wet_share() of its saturation, as fibres' surfaces count
+    double thirst = 0;              ///< kg that the fibres in these can take up in all: see thirst_of()
+    double warming = 0;             ///< K, most of a segment whose fibres have taken liquid: see warming_of()
+    double warming_from_vapour = 0; ///< K, the same of vapour
+
+    HL_FN void add(const WetSums& more)
+    {
+        faces += more.faces;
+        thirst += more.thirst;
+        if (more.warming > warming) warming = more.warming;
+        if (more.warming_from_vapour > warming_from_vapour) warming_from_vapour = more.warming_from_vapour;
+    }
+};
+
 /// A segment counts as wet when liquid fills at least this share of its pores.
 constexpr double wet_saturation = 0.05;
 
@@ -106,6 +124,7 @@ struct Frame {
     std::vector<CellSums> cells; ///< of a garment: see ClothPanels::shown
     std::vector<WetEnd> wet;     ///< of each end as it is simulated, where the cloth is shown in cells (see Cloth::shown_ends); else empty
     int wet_picks = 0;           ///< that are simulated
+    WetSums wet_sums;            ///< where the scene asks and the cloth is shown in cells
     // Free liquid.
     std::vector<std::array<float, 3>> positions;  ///< m
     std::vector<std::array<float, 3>> velocities; ///< m/s

@@ -386,6 +386,7 @@ void set_parts(Scene& scene, const ModelPlan& plan)
     scene.rules.vapour = plan.on("vapour");
     scene.rules.heat = plan.on("heat");
     scene.rules.fibre_shells = plan.fibre_shells;
+    scene.rules.shows_wet_sums = std::any_of(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.watched; });
 }
 
 Scene build_scene(const Design& design, const Textile& textile, const Experiment& experiment, const ModelPlan& plan, std::uint64_t seed)

@@ -298,6 +298,7 @@ struct StepRules {
     double settle_share = 0;       ///< of the free liquid at rest that yarns absorb before it settles anew; 0: it takes all its steps
     bool shows_shells = false;     ///< whether frames show the regain of each shell
     bool shows_pressure = false;   ///< whether frames show the free liquid's pressure
+    bool shows_wet_sums = false;   ///< whether frames of a cloth that is shown in cells show what watched parts would find
     bool shows_segments = true;    ///< whether frames of a garment show its segments, too, not its cells alone
 };
 

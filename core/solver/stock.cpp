@@ -178,10 +178,11 @@ void show_cells(const Stock& stock, Frame& f)
     take(shown_vapour, f.vapour);
     take(shown_temperature, f.temperature);
     take(shown_between, f.between);
-    for (const ShownSums& line : stock.shown_lines) {
-        f.water_top += line.top;
-        f.water_bottom += line.bottom;
-    }
+    ShownSums all;
+    for (const ShownSums& line : stock.shown_lines) all.add(line);
+    f.water_top = all.top;
+    f.water_bottom = all.bottom;
+    f.wet_sums = all.wet;
     f.wet.assign(stock.wet.begin(), stock.wet.end());
 }
 

@@ -41,8 +41,9 @@ template <typename Executor> void YarnNetwork<Executor>::see_shown()
     const int rows = picks.last_of(picks.yarns - 1 - out.picks_after) + 1 - first_row;
     const double density = scene_->climate.density;
     exec_.for_each("see cells", 2 * columns * rows,
-                   SeeShown{segments(), ends, picks, density, scene_->climate.temperature, scene_->rules.vapour, first_column, columns,
-                            first_row, rows, shown_fields_.data(), shown_sums_.data()});
+                   SeeShown{segments(), ends, picks, density, scene_->climate.temperature, scene_->rules.vapour,
+                            scene_->rules.shows_wet_sums, scene_->climate.humidity, first_column, columns, first_row, rows,
+                            shown_fields_.data(), shown_sums_.data()});
     exec_.for_each("sum cells", lines, SumShown{ends, picks, shown_sums_.data(), shown_lines_.data()});
     exec_.for_each("see wet", yarns().visited_ends(), SeeWet{segments(), density, wet_.data()});
 }

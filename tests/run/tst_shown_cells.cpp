@@ -33,7 +33,7 @@ Design design_of(ExperimentType type, double duration)
     return design;
 }
 
-/// So that none is watched, for which single yarns are shown.
+/// So that none comes on while running.
 const ForcedParts all_parts{{"sorption", true}, {"vapour", true}, {"heat", true}};
 
 RunOptions shown(double yarns, const Design& design, const RunOptions& options)
@@ -95,6 +95,8 @@ private Q_SLOTS:
     void what_cannot_be_in_a_recording_is_refused();
     void larger_bundles_than_the_sample_are_read();
     void bundles_are_never_parted();
+    void what_is_left_out_comes_on_at_the_same_frame_data();
+    void what_is_left_out_comes_on_at_the_same_frame();
     void a_cloth_in_cells_weighs_the_same();
     void only_large_samples_are_shown_in_cells();
 };
@@ -287,6 +289,39 @@ void TestShownCells::bundles_are_never_parted()
         QVERIFY(std::abs(single.metrics.series.radius_top[k] - cells.metrics.series.radius_top[k]) < 0.5 * pitch);
     QVERIFY(single.metrics.maximum_wetted_radius_top > 4 * pitch);
     QVERIFY(std::abs(single.metrics.wetted_area_ellipse_warp - cells.metrics.wetted_area_ellipse_warp) < 0.25 * pitch);
+}
+
+void TestShownCells::what_is_left_out_comes_on_at_the_same_frame_data()
+{
+    QTest::addColumn<double>("humidity");
+    QTest::addColumn<ForcedParts>("forced");
+    QTest::addColumn<double>("neglected");
+    QTest::addColumn<QString>("due");
+    QTest::newRow("vapour") << 0.993 << ForcedParts{{"heat", false}} << 0.01 << "vapour";
+    QTest::newRow("sorption and heat") << 0.2 << ForcedParts{{"vapour", false}} << 0.04 << "sorption heat";
+}
+
+void TestShownCells::what_is_left_out_comes_on_at_the_same_frame()
+{
+    QFETCH(double, humidity);
+    QFETCH(ForcedParts, forced);
+    QFETCH(double, neglected);
+    QFETCH(QString, due);
+    const Design design = spot_design("polyester", humidity, 200);
+    const RunOptions options = draft(forced, {{"neglected_share", neglected}});
+    const Run all = run(design, options), cells = run(design, shown(3, design, options));
+    QVERIFY(cells.record.plan.shown_ends > 0 && cells.record.plan.not_in_cells.empty());
+    const auto &a = all.record.switched_on, &b = cells.record.switched_on;
+    QStringList names;
+    for (const SwitchedPart& part : b) names += QString::fromStdString(part.name);
+    QCOMPARE(names.join(' '), due);
+    QCOMPARE(a.size(), b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        QCOMPARE(a[k].name, b[k].name);
+        QCOMPARE(a[k].time, b[k].time);
+        QVERIFY2(near_to(a[k].share, b[k].share, 1e-5), qPrintable(QString("%1 and %2").arg(a[k].share).arg(b[k].share)));
+    }
+    QCOMPARE(which_ledger_differs(all.end().ledger, cells.end().ledger), nullptr);
 }
 
 void TestShownCells::a_cloth_in_cells_weighs_the_same()

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/scene/frame.h"
+#include "core/scene/thirst.h"
 #include "core/solver/steps/yarn_lines.h"
 
 namespace hygroloom::inline HL_PRECISION {
@@ -30,6 +31,7 @@ struct ShownSums {
     double top = 0, bottom = 0;
     double liquid = 0, bound = 0, vapour = 0, evaporated = 0, supplied = 0;
     double stored = 0, released = 0, lost = 0;
+    WetSums wet;
 
     HL_FN void add(const ShownSums& more)
     {
@@ -43,6 +45,7 @@ struct ShownSums {
         stored += more.stored;
         released += more.released;
         lost += more.lost;
+        wet.add(more.wet);
     }
 };
 
@@ -55,6 +58,8 @@ struct SeeShown {
     CellSpans ends, picks;
     double density, temperature; ///< of the liquid; K, of the climate
     bool vapour_is_modelled;
+    bool sees_wet_sums;
+    double humidity;                            ///< of the climate
     int first_column, columns, first_row, rows; ///< of the cells to see
     float* fields;
     ShownSums* sums;
@@ -81,6 +86,7 @@ private:
         double pores = 0, fibres = 0, air = 0; ///< m3, kg, m3
         double in_pores = 0, between = 0;      ///< kg
         double warmth = 0, segments = 0;
+        double thirst = -1; ///< kg/kg; less than 0: not found yet
     };
 
     HL_FN void add(int end, int pick, bool is_warp, double share, Held& held) const
@@ -114,6 +120,15 @@ private:
         held.between += share * between;
         held.warmth += share * s.warmth[i];
         held.segments += share;
+        if (sees_wet_sums) add_wet(i, yarn, fibres, share, s.liquid[i] + between, held);
+    }
+    HL_FN void add_wet(int i, const YarnParameters& yarn, double fibres, double share, double liquid, Held& held) const
+    {
+        if (held.thirst < 0) held.thirst = thirst_of(yarn, temperature); // a cell's yarns are of one type
+        const double wet = wet_share(s.liquid[i] / (density * s.pores[i]));
+        const WaterOnFibre water{s.bound[i] / fibres, liquid / fibres, wet, held.thirst};
+        held.sums.wet.add({share * wet, share * wet * held.thirst * fibres, warming_of(water, yarn, humidity, 0.0),
+                           warming_of(water, yarn, humidity, heat_of_evaporation(temperature))});
     }
     HL_FN void write(int shown, int count, const Held& held) const
     {
