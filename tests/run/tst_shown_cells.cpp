@@ -363,8 +363,6 @@ void TestShownCells::only_large_samples_are_shown_in_cells()
     design.fabrics[0].warp_order = {{0, 2}, {1, 2}};
     QCOMPARE(plan(600).shown_ends, 0); // a cell would mix the types
     QVERIFY(plan(600).not_in_cells.find("types") != std::string::npos);
-    const Design spot = design_of(ExperimentType::horizontal_wicking, 1);
-    QVERIFY(run(spot, shown(4, spot, draft())).record.plan.not_in_cells.find("watched") != std::string::npos);
     design = design_of(ExperimentType::vertical_wicking, 1);
     QCOMPARE(plan(600).shown_ends, 0);
     design = design_of(ExperimentType::moisture_management, 1);
