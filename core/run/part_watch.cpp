@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/run/part_watch.h"
 
+#include "core/physics/heat_moisture.h"
 #include "core/scene/thirst.h"
 
 #include <algorithm>
