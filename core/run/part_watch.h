@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Parts of the physics that a plan leaves out on an estimate are watched while running: the estimate is made again at each frame from how
-// far the cloth has really got wet. It costs a pass over the segments of the frame, or one where they are where frames show cells, and
-// nothing where nothing was left out.
+// far the cloth has really got wet. It costs a pass over the segments of each frame, on the device where frames show cells. Where
+// nothing was left out, it costs nothing.
 #pragma once
 
 #include "core/plan/switched_part.h"
