@@ -41,8 +41,12 @@ struct PanelCut {
     std::string fabric;
     double grain_deg = 0;    ///< of the warp, from the pattern's +y, counter-clockwise
     bool top_inside = false; ///< the fabric's top face lies on the skin
+    int layers = 1;          ///< of cloth that lie on each other
+    std::string lining;      ///< fabric of the layers under the first; empty: the same
     bool operator==(const PanelCut&) const = default;
 };
+
+constexpr int most_layers = 4;
 
 /// A part of a panel whose skin sweats at a rate of its own, in place of the body's zones there.
 struct OwnZone {

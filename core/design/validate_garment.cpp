@@ -65,6 +65,14 @@ void validate_cuts(const Design& design, const Garment& garment, const std::stri
             list.error("unknown_fabric", at + ".fabric",
                        fmt::format("The project has no fabric \"{}\"{}", cut.fabric, did_you_mean(cut.fabric, fabrics)));
         list.range(at + ".grain_deg", "angle of the grain", cut.grain_deg, -360, 360, "degrees");
+        list.range(at + ".layers", "number of layers", cut.layers, 1, most_layers);
+        if (cut.lining.empty()) continue;
+        if (!find_fabric(design, cut.lining))
+            list.error("unknown_fabric", at + ".lining",
+                       fmt::format("The project has no fabric \"{}\"{}", cut.lining, did_you_mean(cut.lining, fabrics)));
+        if (cut.layers == 1)
+            list.add(Severity::warning, "unused_lining", at + ".lining",
+                     "A panel of 1 layer has no lining; give it 2 layers or more, or leave lining out.");
     }
 }
 

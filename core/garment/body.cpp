@@ -118,7 +118,7 @@ int zone_at(const GarmentPattern& pattern, int panel, const Vec3d& place)
 
 int zone_at(const Garment& garment, const GarmentPattern& pattern, int panel, const Vec3d& place, const FlatPlace& flat)
 {
-    const std::string& name = pattern.panels[static_cast<std::size_t>(panel)].name;
+    const std::string& name = pattern.panels[static_cast<std::size_t>(panel)].cut();
     const std::vector<OwnZone>& own = garment.wearer.own_zones;
     for (std::size_t k = own.size(); k-- > 0;)
         if (own[k].panel == name && is_inside(own[k].outline_mm, mm_from_metre(flat[0]), mm_from_metre(flat[1])))

@@ -30,6 +30,11 @@ struct PatternPanel {
     std::vector<PanelEdge> edges;
     std::array<Vec3d, 3> placed{}; ///< m: where flat (0, 0) stands beside the body, and what a metre along flat x and y adds to it
     bool on_arm = false;           ///< by its name or its place
+    std::string layer_of;          ///< name of the panel that it is a further layer of; empty: it is none
+    int over = -1;                 ///< the panel that lies on its outer side, as the layer before it
+
+    /// Name by which a garment says how it is cut.
+    const std::string& cut() const { return layer_of.empty() ? name : layer_of; }
 };
 
 /// Two edges that are sewn together. Lengths may differ (ease): places meet at equal shares of both.
@@ -61,6 +66,12 @@ struct GarmentPattern {
 
 /// Reads the source of a garment, or draws the built-in one. base: folder of the project. Throws FileError with a sentence.
 GarmentPattern read_pattern(const Garment& garment, const std::filesystem::path& base);
+
+/// What names of further layers under a panel begin with; their number follows, from 2 on.
+inline std::string layer_prefix(const std::string& panel) { return panel + ", layer "; }
+/// Adds panels for the second layer and those after it of panels that have some, sewn as the first. Each lies 1 mm nearer to the body than
+/// the one before.
+void add_layers(GarmentPattern& pattern, const Garment& garment);
 
 /// m2, by the flattened outline.
 double area_of(const PatternPanel& panel);

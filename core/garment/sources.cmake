@@ -8,6 +8,7 @@ target_sources(hygroloom_core PRIVATE
   garment/drape.cpp
   garment/fill.cpp
   garment/flat_islands.cpp
+  garment/layers.cpp
   garment/mesh_file_in.cpp
   garment/obj_text.cpp
   garment/outline.cpp

@@ -63,10 +63,8 @@ PanelCut read_cut(const ProjectJson& value, const std::string& file, const std::
     object.read("fabric", cut.fabric);
     object.read("grain_deg", cut.grain_deg);
     cut.top_inside = choice_in(object, "face", {faces[0], faces[1]}, 0) == 1;
-    int layers = 1;
-    object.read("layers", layers);
-    if (layers != 1)
-        object.refuse("layers", fmt::format("A panel is computed as 1 layer; more cannot be computed yet; given is {}.", layers));
+    object.read("layers", cut.layers);
+    object.read("lining", cut.lining);
     object.finish({"fabric"});
     return cut;
 }
@@ -159,8 +157,12 @@ ProjectJson json_from_garment(const Garment& garment)
     }
     if (garment.uv_unit != UvUnit::from_lengths) json["uv_unit"] = name_of(garment.uv_unit);
     json["panels"] = ProjectJson::object();
-    for (const auto& [panel, cut] : garment.panels)
-        json["panels"][panel] = {{"fabric", cut.fabric}, {"grain_deg", cut.grain_deg}, {"face", faces[cut.top_inside ? 1 : 0]}};
+    for (const auto& [panel, cut] : garment.panels) {
+        ProjectJson& written = json["panels"][panel];
+        written = {{"fabric", cut.fabric}, {"grain_deg", cut.grain_deg}, {"face", faces[cut.top_inside ? 1 : 0]}};
+        if (cut.layers != 1) written["layers"] = cut.layers;
+        if (!cut.lining.empty()) written["lining"] = cut.lining;
+    }
     if (!garment.seams.empty()) json["seams"] = ProjectJson::object();
     for (const auto& [seam, share] : garment.seams) json["seams"][seam] = share;
     const Wearer& wearer = garment.wearer;

@@ -58,6 +58,16 @@ void check_panels(const Cloth& cloth)
     for (const SeamJoint& joint : cloth.seams.joints)
         demand(joint.a >= 0 && joint.b >= 0 && joint.a < segments && joint.b < segments && joint.yarns >= 0 && joint.rooms >= 0,
                "a seam joins what does not exist");
+    group = 0;
+    for (int end : cloth.layers.group_ends) {
+        demand(end >= group, "its layers are not in order");
+        group = end;
+    }
+    demand(of_all(cloth.layers.joints.size(), group), "two places of layers are in no group");
+    for (const LayerJoint& joint : cloth.layers.joints)
+        demand(joint.a >= 0 && joint.b >= 0 && joint.a < cloth.crossings() && joint.b < cloth.crossings() && joint.a != joint.b &&
+                   joint.yarns >= 0 && joint.heat >= 0 && joint.vapour >= 0,
+               "two layers touch where there is no cloth");
 }
 
 } // namespace

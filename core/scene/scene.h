@@ -127,6 +127,20 @@ struct ClothSeams {
     std::vector<int> group_ends; ///< past the last joint of each group
 };
 
+/// Two crossings of layers that lie on each other. Half passes from warp to warp, half from weft to weft.
+struct LayerJoint {
+    int a = 0, b = 0;
+    double yarns = 0;  ///< m3/(Pa s), where they touch
+    double heat = 0;   ///< W/K
+    double vapour = 0; ///< m3/s
+};
+
+/// Layers in groups in which no crossing comes twice: those of a group act at once.
+struct ClothLayers {
+    std::vector<LayerJoint> joints;
+    std::vector<int> group_ends; ///< past the last joint of each group
+};
+
 /// One patch of ends x picks: its yarns in segments, one from crossing to crossing, all of the warp's before all of the weft's.
 struct Cloth {
     int ends = 0;
@@ -156,6 +170,7 @@ struct Cloth {
     ClothStart start;
     ClothPanels panels;
     ClothSeams seams;
+    ClothLayers layers;
 
     int crossings() const { return ends * picks; }
     int segments() const { return 2 * crossings(); }

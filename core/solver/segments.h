@@ -240,6 +240,7 @@ enum class SegmentCount {
     touching_segments, ///< all, where liquid flows by suction and neighbours touch, else none
     sucking_segments,  ///< all, where liquid flows by suction, else none
     sucking_crossings, ///< the same of the crossings
+    layered_segments,  ///< all, where layers lie on each other, else none
     skin_crossings     ///< all crossings, where skin sweats under them, else none
 };
 
@@ -274,6 +275,7 @@ template <template <typename> typename Array> struct SegmentFields {
     Array<double> evaporated{};                 ///< to the air since the start
     Array<double> released{};                   ///< by phase change since the start
     Array<double> lost{};                       ///< to the air since the start
+    Array<double> came{};                       ///< heat from other layers that the exchange has still to take in
     Array<double> stored{};                     ///< heat over the climate's temperature, found when stock is taken: see TakeStock
     Array<double> work0{}, work1{}, work2{};    ///< scratch of what goes along lines
     Array<double> flux{};                       ///< that crossed to the next segment along the yarn in this step
@@ -319,6 +321,7 @@ template <template <typename> typename Array> struct SegmentFields {
         visit(Row{"evaporated", "kg", Count::segments, saved, shown}, of.evaporated...);
         visit(Row{"released", "J", Count::segments, saved, shown}, of.released...);
         visit(Row{"lost", "J", Count::segments, saved, shown}, of.lost...);
+        visit(Row{"came", "J", Count::layered_segments}, of.came...);
         visit(Row{"stored", "J", Count::segments, !saved, shown}, of.stored...);
         visit(Row{"work0", "1", Count::segments}, of.work0...);
         visit(Row{"work1", "1", Count::segments}, of.work1...);

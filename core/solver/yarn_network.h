@@ -6,6 +6,7 @@
 #include "core/solver/caps.h"
 #include "core/solver/state_archive.h"
 #include "core/solver/steps/cap_supply.h"
+#include "core/solver/steps/layers.h"
 #include "core/solver/steps/segment_exchange.h"
 #include "core/solver/steps/segment_sums.h"
 #include "core/solver/steps/swelling.h"
@@ -107,6 +108,10 @@ private:
     void flow_by_suction(double dt, bool of_warp);
     void flow_between_touching(double dt, bool odd_first);
     void flow_through_seams(double dt);
+    template <typename Stage> void each_layer_joint(const char* name, const Stage& stage_from);
+    void wick_between_layers(double dt);
+    void flow_between_layers(double dt);
+    void pass_between_layers(double dt);
     void move_by_suction(double dt);
     void sweat(double dt);
     void sweat_from_skin(double time, double dt);
@@ -139,6 +144,9 @@ private:
     PanelArrays<Buffer> panels_;
     Panels panels_now_; ///< of the scene, on the host
     Buffer<SeamJoint> seams_;
+    Buffer<LayerJoint> layers_;
+    Buffer<LayerFlow> layer_flows_; ///< two per joint
+    Buffer<LayerSide> layer_sides_; ///< one per segment, where there are layers
     Buffer<CapOnFace> cap_views_;
     Buffer<CapSums> cap_sums_;
     Buffer<int> reach_;          ///< see Reach: where particles gave liquid since the last step
@@ -193,6 +201,10 @@ template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene
     panels_.upload(scene.cloth.panels);
     panels_now_ = panels_of(scene.cloth.panels);
     seams_.upload(scene.cloth.seams.joints);
+    layers_.upload(scene.cloth.layers.joints);
+    layer_flows_.resize(2 * scene.cloth.layers.joints.size());
+    layer_flows_.fill({});
+    layer_sides_.resize(layer_flows_.size() > 0 ? static_cast<std::size_t>(scene.cloth.segments()) : 0);
     type_.upload(scene.cloth.type);
     yarns_.upload(scene.cloth.yarns);
     crossing_.upload(scene.cloth.crossing);
@@ -288,6 +300,7 @@ template <typename Executor> void YarnNetwork<Executor>::move_liquid_and_heat(do
     if (wicking && by_suction()) {
         each_segment("remember", TrackChange{segments(), climate_.density, before, nullptr});
         move_by_suction(dt);
+        wick_between_layers(dt);
         each_segment("change", track);
         if (heat) each_crossing("cross", ExchangeAtCrossing{segments(), climate_, dt, false, true});
         return;
@@ -330,11 +343,13 @@ template <typename Executor> void YarnNetwork<Executor>::exchange(const NetworkS
     exchange_time_ = step.time;
     if (!exchanges_in(step)) return;
     const double dt = step.exchange_dt;
+    flow_between_layers(dt);
     if (scene_->rules.vapour) {
         each_line("vapour",
                   DiffuseVapourAlongYarn{segments(), climate_, dt, scene_->cloth.cell_area, scene_->rules.heat, scene_->cloth.face_only});
         each_crossing("cross vapour", DiffuseAtCrossing{segments(), dt});
     }
+    pass_between_layers(dt);
     each_segment("exchange", ExchangeInSegment{segments(), climate_, scene_->cloth.cell_area, dt, scene_->rules.sorption,
                                                scene_->rules.vapour, scene_->rules.heat});
     if (scene_->rules.step_error <= 0) return;
@@ -380,6 +395,7 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
     if (Archive::reads) cells_were_seen_ = false;
     if (Archive::reads && !scene_->climate.course.empty()) region_.unvisited() = {}; // the air may have been constant so far
     archive.buffer(reach_, "reach");
+    if (layer_flows_.size() > 0) archive.buffer(layer_flows_, "flows between layers");
     pass_regain(archive);
     Segments::each(
         [&](const auto& field, auto& buffer) {

@@ -48,6 +48,44 @@ template <typename Executor> void YarnNetwork<Executor>::flow_through_seams(doub
     }
 }
 
+/// The same of layers.
+template <typename Executor>
+template <typename Stage>
+void YarnNetwork<Executor>::each_layer_joint(const char* name, const Stage& stage_from)
+{
+    int first = 0;
+    for (int end : scene_->cloth.layers.group_ends) {
+        exec_.for_each(name, end - first, stage_from(first));
+        first = end;
+    }
+}
+
+template <typename Executor> void YarnNetwork<Executor>::wick_between_layers(double dt)
+{
+    each_layer_joint("layers", [&](int first) { return WickBetweenLayers{{segments(), climate_, dt}, layers_.data() + first}; });
+}
+
+template <typename Executor> void YarnNetwork<Executor>::flow_between_layers(double dt)
+{
+    if (layer_flows_.size() == 0) return;
+    const StepRules& rules = scene_->rules;
+    const RateWatch& watch = steps_.exchange();
+    LayerSide* const sides = layer_sides_.data();
+    each_segment("see layers", SeeLayers{segments(), climate_, dt, watch.known ? watch.dt : dt, rules.heat, sides});
+    each_layer_joint("layers, flow", [&](int first) {
+        return FlowBetweenLayers{sides, segments(), dt, rules.vapour, rules.heat, layers_.data() + first, layer_flows_.data() + 2 * first};
+    });
+}
+
+template <typename Executor> void YarnNetwork<Executor>::pass_between_layers(double dt)
+{
+    const StepRules& rules = scene_->rules;
+    each_layer_joint("layers, pass", [&](int first) {
+        return PassBetweenLayers{
+            segments(), climate_.density, dt, rules.vapour, rules.heat, layers_.data() + first, layer_flows_.data() + 2 * first};
+    });
+}
+
 /// Along warp and weft, one after the other; the other way round in the next step. Touching yarns pass half before each, which fills up
 /// what they have given.
 template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double dt)

@@ -119,6 +119,7 @@ std::size_t count_of(SegmentCount count, const Scene& scene)
     case SegmentCount::touching_segments: return sucks ? scene.cloth.touching.size() : 0;
     case SegmentCount::sucking_segments: return sucks ? segments : 0;
     case SegmentCount::sucking_crossings: return sucks ? segments / 2 : 0;
+    case SegmentCount::layered_segments: return scene.cloth.layers.joints.empty() ? 0 : segments;
     case SegmentCount::skin_crossings: return scene.supply.skin.rate.size();
     case SegmentCount::segments: break;
     }

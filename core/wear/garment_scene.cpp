@@ -16,14 +16,22 @@ namespace {
 
 constexpr std::size_t most_kinds = 255; ///< of yarns, airs and panels
 
+/// Whether no other layer lies between a panel and the skin.
+bool is_innermost(const GarmentPattern& pattern, std::size_t panel)
+{
+    return std::none_of(pattern.panels.begin(), pattern.panels.end(),
+                        [&](const PatternPanel& other) { return other.over == static_cast<int>(panel); });
+}
+
 struct Builder {
     const GarmentParts& parts;
     const GarmentResolution& resolution;
     GarmentScene made;
     std::vector<std::size_t> first_warp, first_weft; ///< of each fabric's types in the cloth's
     std::size_t weft_types = 0;
-    std::map<std::pair<std::string, bool>, int> known;        ///< by fabric and whether it is turned, its place in made.fabrics
-    std::map<std::tuple<int, double, int>, std::uint8_t> air; ///< by fabric, gap and, where the skin's warmth changes, zone
+    std::map<std::pair<std::string, bool>, int> known; ///< by fabric and whether it is turned, its place in made.fabrics
+    /// By fabric, gap, zone where the skin's warmth changes, and whether it lies outermost and innermost.
+    std::map<std::tuple<int, double, int, bool, bool>, std::uint8_t> air;
 
     Cloth& cloth() { return made.scene.cloth; }
     std::size_t warp(int end, int pick) const
@@ -44,8 +52,8 @@ std::vector<double> passes(const GarmentParts& parts)
 {
     std::vector<double> pass;
     for (const PatternSeam& seam : parts.pattern.seams)
-        pass.push_back(parts.garment->seam_between(parts.pattern.panels[static_cast<std::size_t>(seam.panel_a)].name,
-                                                   parts.pattern.panels[static_cast<std::size_t>(seam.panel_b)].name));
+        pass.push_back(parts.garment->seam_between(parts.pattern.panels[static_cast<std::size_t>(seam.panel_a)].cut(),
+                                                   parts.pattern.panels[static_cast<std::size_t>(seam.panel_b)].cut()));
     return pass;
 }
 
@@ -66,12 +74,12 @@ void cut_panels(Builder& b, const std::vector<bool>& is_turned)
     const std::vector<PatternPanel>& panels = b.parts.pattern.panels;
     if (panels.size() > most_kinds) throw Error("A garment of more than 255 panels cannot be computed.");
     for (const PatternPanel& panel : panels) {
-        const PanelCut* cut = b.parts.garment->cut_of(panel.name);
-        if (cut == nullptr || find_fabric(*b.parts.design, cut->fabric) == nullptr)
+        const PanelCut* cut = b.parts.garment->cut_of(panel.cut());
+        if (cut == nullptr || find_fabric(*b.parts.design, fabric_of(panel, *cut)) == nullptr)
             throw Error("The panel \"" + panel.name + "\" of the garment \"" + b.parts.garment->name +
                         "\" has no fabric; name it or \"*\" in its panels.");
         const bool turn = is_turned[b.made.grids.size()];
-        b.made.fabric.push_back(cells_of(b, cut->fabric, turn));
+        b.made.fabric.push_back(cells_of(b, fabric_of(panel, *cut), turn));
         const FabricCells& cells = b.made.fabrics[static_cast<std::size_t>(b.made.fabric.back())];
         const double end_pitch = turn ? cells.pick_pitch : cells.end_pitch, pick_pitch = turn ? cells.end_pitch : cells.pick_pitch;
         PanelGrid grid = panel_grid(panel, radian_from_degree(cut->grain_deg), end_pitch, pick_pitch);
@@ -177,25 +185,33 @@ double skin_contact(double gap) { return air_conductivity / (metre_from_mm(gap) 
 /// Whether zones have a warmth of their own over time.
 bool warmth_changes(const Builder& b) { return b.resolution.has_skin && b.parts.course && b.parts.course->has_temperature; }
 
-/// Air over the outer face, and the skin beyond the gap. The skin's face lets no vapour through: it sweats liquid, and what it holds lies
-/// wet under the cloth. Each of a crossing's two segments answers for half of both faces.
+/// Air over the outer face, and the skin beyond the gap, or the layers there (layer_joints()). The skin's face lets no vapour through: it
+/// sweats liquid, and what it holds lies wet under the cloth. Each of a crossing's two segments answers for half of both faces.
 std::uint8_t air_over(Builder& b, std::size_t panel, double gap, int zone)
 {
     const int fabric = b.made.fabric[panel];
-    const auto [at, is_new] =
-        b.air.try_emplace({fabric, gap, warmth_changes(b) ? zone : 0}, static_cast<std::uint8_t>(b.cloth().panels.airs.size()));
+    const bool outermost = b.parts.pattern.panels[panel].over < 0, innermost = is_innermost(b.parts.pattern, panel);
+    const auto [at, is_new] = b.air.try_emplace({fabric, gap, warmth_changes(b) ? zone : 0, outermost, innermost},
+                                                static_cast<std::uint8_t>(b.cloth().panels.airs.size()));
     if (!is_new) return at->second;
     std::vector<FaceAir>& airs = b.cloth().panels.airs;
     if (airs.size() >= most_kinds) throw Error("A garment with more than 255 kinds of air at its cloth cannot be computed.");
     const SceneClimate& outside = b.fabric_of(panel).tile.climate;
+    const double open = outermost ? 1 : 0; // of the outer face
     if (!b.resolution.has_skin) {
-        airs.push_back({outside.air_warmth, outside.vapour, outside.heat_transfer, outside.mass_transfer});
+        const double faces = 0.5 * (open + (innermost ? 1 : 0));
+        airs.push_back({outside.air_warmth, outside.vapour, faces * outside.heat_transfer, faces * outside.mass_transfer});
+        return at->second;
+    }
+    if (!innermost) {
+        airs.push_back({outside.air_warmth, outside.vapour, 0.5 * open * outside.heat_transfer, 0.5 * open * outside.mass_transfer});
         return at->second;
     }
     const double to_skin = skin_contact(gap);
     const double skin_warmth = kelvin_from_celsius(b.parts.garment->wearer.skin_temperature_c) - outside.temperature;
-    const SkinAir mixed{static_cast<std::size_t>(zone), outside.heat_transfer, outside.air_warmth, to_skin};
-    airs.push_back({mixed.warmth(skin_warmth), outside.vapour, 0.5 * (outside.heat_transfer + to_skin), 0.5 * outside.mass_transfer});
+    const SkinAir mixed{static_cast<std::size_t>(zone), open * outside.heat_transfer, outside.air_warmth, to_skin};
+    airs.push_back(
+        {mixed.warmth(skin_warmth), outside.vapour, 0.5 * (open * outside.heat_transfer + to_skin), 0.5 * open * outside.mass_transfer});
     if (warmth_changes(b)) b.made.scene.supply.skin.airs.push_back(mixed);
     return at->second;
 }
@@ -248,7 +264,9 @@ void add_course(Builder& b)
         if (moments.empty()) moments.push_back({0, skin_rate(b, usual_rate(b, zone)), usual - from});
     }
     skin.zone.assign(static_cast<std::size_t>(b.cloth().crossings()), static_cast<std::uint8_t>(skin.zones.size()));
-    for (const GarmentCell& cell : b.made.cells) skin.zone[static_cast<std::size_t>(cell.crossing)] = static_cast<std::uint8_t>(cell.zone);
+    for (const GarmentCell& cell : b.made.cells)
+        if (is_innermost(b.parts.pattern, static_cast<std::size_t>(cell.panel)))
+            skin.zone[static_cast<std::size_t>(cell.crossing)] = static_cast<std::uint8_t>(cell.zone);
     skin.rate = skin.rates_at(0);
     if (!skin.airs.empty()) b.cloth().panels.airs = skin.airs_at(std::move(b.cloth().panels.airs), 0);
 }
@@ -279,9 +297,10 @@ void add_cells(Builder& b, const std::vector<std::vector<Vec3d>>& places)
         const auto crossing = static_cast<std::size_t>(cell.crossing), zone = static_cast<std::size_t>(cell.zone);
         scene.cloth.panels.crossings.push_back(cell.crossing);
         const double gap = gap_at(*b.parts.garment, b.parts.pattern, cell.panel, cell.place);
-        if (b.resolution.has_skin) cell.skin_contact = skin_contact(gap);
+        const bool on_skin = is_innermost(b.parts.pattern, static_cast<std::size_t>(cell.panel));
+        if (b.resolution.has_skin && on_skin) cell.skin_contact = skin_contact(gap);
         scene.cloth.panels.air[crossing] = air_over(b, static_cast<std::size_t>(cell.panel), gap, cell.zone);
-        scene.supply.skin.rate[crossing] = skin_rate(b, usual_rate(b, zone));
+        if (on_skin) scene.supply.skin.rate[crossing] = skin_rate(b, usual_rate(b, zone));
     }
     for (const Activity& activity : b.parts.wear->activity) scene.supply.skin.course.push_back({activity.time_s, activity.factor});
     scene.supply.skin.holds = skin_film;
@@ -360,6 +379,7 @@ GarmentParts garment_parts(const Design& design, const WearExperiment& wear, con
     parts.wear = &wear;
     if (parts.garment == nullptr) throw Error("There is no garment named \"" + wear.garment + "\" in the project.");
     parts.pattern = read_pattern(*parts.garment, base);
+    add_layers(parts.pattern, *parts.garment);
     parts.sweat = sweat_table(parts.garment->wearer.zones, base);
     if (!wear.activity_file.empty()) parts.course = sweat_course(wear.activity_file, base, parts.garment->wearer.own_zones);
     return parts;
@@ -393,7 +413,7 @@ GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& r
     for (std::size_t panel = 0; panel < b.made.grids.size(); ++panel) {
         fill_panel(b, panel);
         cloth.panels.cell_area.push_back(b.fabric_of(panel).cell_area());
-        cloth.panels.skin_on_top.push_back(parts.garment->cut_of(parts.pattern.panels[panel].name)->top_inside);
+        cloth.panels.skin_on_top.push_back(parts.garment->cut_of(parts.pattern.panels[panel].cut())->top_inside);
         places.push_back(places_of(b.made.grids[panel], parts.pattern.shape, static_cast<int>(panel)));
     }
     for (double& length : cloth.length)
@@ -404,6 +424,7 @@ GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& r
     add_rises(b, places);
     wet(b);
     sew(cloth, seam_joints(parts.pattern, b.made, pass));
+    lay_on_each_other(b.made, parts.pattern);
     b.made.scene.rules.shows_segments = false;
     b.made.shown = show_cells(b.made, parts.pattern, resolution.shown);
     if (!b.made.shown.cells.empty()) require_own_zones(b, b.made.shown.cells, "show smaller cells");

@@ -85,6 +85,15 @@ std::vector<bool> turned_panels(const GarmentPattern& pattern, const Garment& ga
 /// The joints of the pattern's seams between cells; pass: share of each seam.
 std::vector<SeamJoint> seam_joints(const GarmentPattern& pattern, const GarmentScene& garment, const std::vector<double>& pass);
 
+/// Of which fabric a panel is, by its cut.
+const std::string& fabric_of(const PatternPanel& panel, const PanelCut& cut);
+
+/// Share of the crowns of two cloths on each other that touch as yarns do where they cross; an assumption, for a garment's light pressure.
+constexpr double touching_crowns = 0.1;
+/// Joins the cells of layers that lie on each other, by the area that they share: liquid where yarns touch, vapour and heat through
+/// contact_gap of still air.
+void lay_on_each_other(GarmentScene& garment, const GarmentPattern& pattern);
+
 /// Joins pieces of one system end to end where seams let them, each end to one other at most, and never to a ring. What joints are left act
 /// between the pieces as they are, in groups. Fills in the cloth's chains and its seams.
 void sew(Cloth& cloth, std::vector<SeamJoint> joints);

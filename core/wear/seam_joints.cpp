@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/garment/outline.h"
 #include "core/wear/garment_scene.h"
+#include "core/wear/joint_groups.h"
 #include "core/wear/on_edge.h"
 
 #include <algorithm>
@@ -95,8 +96,6 @@ CellAtSeam cell_at_seam(const GarmentScene& garment, std::size_t panel, const st
         across / fabric.pick_pitch, !grid.has(end + (across > 0 ? 1 : -1), pick));
     return found;
 }
-
-double in_series(double a, double b) { return a > 0 && b > 0 ? a * b / (a + b) : 0.0; }
 
 using Joints = std::map<std::pair<int, int>, SeamJoint>;
 

@@ -1,37 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/wear/garment_scene.h"
+#include "core/wear/joint_groups.h"
 
 #include <algorithm>
 #include <numeric>
 
 namespace hygroloom {
 namespace {
-
-/// Sorts joints into groups, each crossing at most once in any.
-ClothSeams grouped(const Cloth& cloth, std::vector<SeamJoint> joints)
-{
-    ClothSeams seams;
-    const auto crossing_of = [&](int segment) {
-        const int weft = segment - cloth.crossings();
-        return static_cast<std::size_t>(weft < 0 ? segment : weft % cloth.ends * cloth.picks + weft / cloth.ends);
-    };
-    while (!joints.empty()) {
-        std::vector<std::uint8_t> taken(static_cast<std::size_t>(cloth.crossings()), 0);
-        std::vector<SeamJoint> left;
-        for (const SeamJoint& joint : joints) {
-            std::uint8_t &a = taken[crossing_of(joint.a)], &b = taken[crossing_of(joint.b)];
-            if (a || b) {
-                left.push_back(joint);
-                continue;
-            }
-            a = b = 1;
-            seams.joints.push_back(joint);
-        }
-        seams.group_ends.push_back(static_cast<int>(seams.joints.size()));
-        joints = std::move(left);
-    }
-    return seams;
-}
 
 constexpr int nothing = -1;
 
@@ -142,7 +117,13 @@ void sew(Cloth& cloth, std::vector<SeamJoint> joints)
     for (const SeamJoint& joint : joints)
         if (!pieces.join(joint)) left.push_back(joint);
     pieces.write(cloth.panels);
-    cloth.seams = grouped(cloth, std::move(left));
+    const auto crossing_of = [&](int segment) {
+        const int weft = segment - cloth.crossings();
+        return weft < 0 ? segment : weft % cloth.ends * cloth.picks + weft / cloth.ends;
+    };
+    cloth.seams = grouped<ClothSeams>(cloth.crossings(), std::move(left), [&](const SeamJoint& joint) {
+        return std::array<int, 2>{crossing_of(joint.a), crossing_of(joint.b)};
+    });
 }
 
 } // namespace hygroloom

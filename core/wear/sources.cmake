@@ -5,6 +5,7 @@ target_sources(hygroloom_core PRIVATE
   wear/garment_files.cpp
   wear/garment_grid.cpp
   wear/garment_scene.cpp
+  wear/layer_joints.cpp
   wear/seam_joints.cpp
   wear/sewing.cpp
   wear/shown_cells.cpp

@@ -43,7 +43,7 @@ std::vector<bool> turned_panels(const GarmentPattern& pattern, const Garment& ga
     const std::size_t count = pattern.panels.size();
     std::vector<double> gains(count * count, 0.0); // m, of two panels that lie alike
     const auto grain = [&](int panel) {
-        const PanelCut* cut = garment.cut_of(pattern.panels[static_cast<std::size_t>(panel)].name);
+        const PanelCut* cut = garment.cut_of(pattern.panels[static_cast<std::size_t>(panel)].cut());
         return cut != nullptr ? radian_from_degree(cut->grain_deg) : 0.0;
     };
     for (std::size_t s = 0; s < pattern.seams.size(); ++s) {

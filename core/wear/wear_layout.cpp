@@ -106,10 +106,10 @@ WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment)
     if (garment.scene.supply.skin.has_zones()) take_course(garment, parts.wear->duration_s, layout);
     for (std::size_t k = 0; k < garment.grids.size(); ++k) {
         const PatternPanel& panel = parts.pattern.panels[k];
-        const PanelCut* cut = parts.garment->cut_of(panel.name);
+        const PanelCut* cut = parts.garment->cut_of(panel.cut());
         const FabricCells& fabric = garment.fabrics[static_cast<std::size_t>(garment.fabric[k])];
         WearPanel made{panel.name,
-                       cut->fabric,
+                       fabric_of(panel, *cut),
                        radian_from_degree(cut->grain_deg),
                        fabric.crossings_per_cell * garment.shown.computed_per_cell[k],
                        outline_of(panel),

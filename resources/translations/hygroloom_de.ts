@@ -5633,6 +5633,45 @@ Klicken zeigt diese Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>hygroloom::LiningField</name>
+    <message>
+        <source>not alike</source>
+        <translation>nicht gleich</translation>
+    </message>
+    <message>
+        <source>Lining of all panels</source>
+        <translation>Futter aller Schnittteile</translation>
+    </message>
+    <message>
+        <source>Lining of %1</source>
+        <translation>Futter von %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>the same fabric</source>
+        <translation>derselbe Stoff</translation>
+    </message>
+    <message>
+        <source>A second layer of cloth under the first, on the skin. Choose a panel in the table to line it alone.</source>
+        <translation>Eine zweite Lage Stoff unter der ersten, auf der Haut. Wählen Sie ein Schnittteil in der Tabelle, um nur dieses zu füttern.</translation>
+    </message>
+    <message>
+        <source>%1 layers.</source>
+        <translation>%1 Lagen.</translation>
+    </message>
+    <message>
+        <source>line all panels</source>
+        <translation>alle Schnittteile füttern</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>%1 füttern</translation>
+    </message>
+</context>
+<context>
     <name>hygroloom::LiquidPanel</name>
     <message>
         <source>Liquid</source>

@@ -45,6 +45,13 @@ if [ -d "$examples" ]; then
     agree "a drop as a cap" "$examples/one-drop-on-cotton.hygro" --set "experiments[0].duration_s=0.2" --set fidelity.free_liquid=cap
     agree "a drop shown in cells" "$examples/one-drop-on-cotton.hygro" --set "experiments[0].duration_s=0.2" --shown-mm 0.8
     agree "a drying" "$examples/laboratory.hygro" --experiment drying --set "experiments[4].duration_s=600"
+    worn() { # backend, file
+        sh -c "'$cli' simulate '$examples/lined-singlet.hygro' --set 'experiments[0].duration_s=60' --fidelity draft --backend $1 \
+            | grep -v ' thread(s)\| on ' > $2"
+    }
+    try "a lined garment" worn cuda "$results/one"
+    try "a lined garment on the CPU" worn cpu "$results/beside"
+    try "they agree to the printed digits" cmp "$results/one" "$results/beside"
     # Blocks of few threads with one fabric at a time, of many side by side: the same bytes.
     compared() { # fabrics at once, file
         sh -c "'$cli' compare '$examples/paper/figure-13-structures.hygro' --experiment 'one drop' --set 'experiments.one drop.duration_s=0.2' \
@@ -76,6 +83,8 @@ if command -v compute-sanitizer > /dev/null; then
             --set closure=pores --set fidelity=draft --set duration_s=0.02 --backend cuda
         try "$tool, cells" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" simulate "$examples/laboratory.hygro" --experiment drying \
             --set "experiments[4].duration_s=1" --shown-mm 2 --fidelity draft --backend cuda
+        try "$tool, a lined garment" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" simulate "$examples/lined-singlet.hygro" \
+            --set "experiments[0].duration_s=1" --cell-mm 40 --fidelity draft --backend cuda
         try "$tool, yarns that touch" compute-sanitizer --error-exitcode 9 --tool $tool "$cli" verify conservation \
             --set experiment=moisture_management --set "fabric=Textile C" --set duration_s=0.02 --backend cuda
     done

@@ -5,6 +5,7 @@
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
 #include "ui/garment/garment_view.h"
+#include "ui/garment/lining_field.h"
 #include "ui/garment/panel_table.h"
 #include "ui/garment/shape_view.h"
 #include "window_test.h"
@@ -120,6 +121,35 @@ private Q_SLOTS:
         };
         zoom(shape());
         zoom(flat);
+    }
+
+    void aLiningIsChosenForOnePanelOrForAll()
+    {
+        auto* field = window_->garment().panel().findChild<LiningField*>();
+        QVERIFY(field);
+        auto* lining = field->findChild<QComboBox*>();
+        const auto choose = [&](int index) {
+            lining->setCurrentIndex(index);
+            Q_EMIT lining->activated(index);
+        };
+        const auto cut = [&](std::size_t panel) { return *window_->garment().choice().garment()->cut_of(panels()[panel].name); };
+        const Design before = *window_->document().design();
+        QCOMPARE(lining->currentIndex(), 0);
+        choose(1); // the same fabric
+        for (std::size_t k = 0; k < panels().size(); ++k) {
+            QCOMPARE(cut(k).layers, 2);
+            QVERIFY(cut(k).lining.empty());
+        }
+        window_->garment().panel().panels().choosePanel(1); // as a click on the cloth does
+        QCOMPARE(lining->currentIndex(), 1);
+        choose(3); // the second fabric
+        QCOMPARE(cut(1).lining, before.fabrics[1].name);
+        QVERIFY(cut(0).lining.empty());
+        choose(0);
+        QCOMPARE(cut(1).layers, 1);
+        QCOMPARE(cut(0).layers, 2);
+        for (int step = 0; step < 3; ++step) { window_->document().history()->undo(); }
+        QCOMPARE(*window_->document().design(), before);
     }
 
     /// The fault that was seen: "Cottor".

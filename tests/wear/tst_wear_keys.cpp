@@ -32,6 +32,7 @@ const Change changes[] = {
     {"garment.panels.fabric", "/garments/0/panels/*/fabric", "\"Poplin shirting\""},
     {"garment.panels.grain_deg", "/garments/0/panels/*/grain_deg", "30"},
     {"garment.panels.face", "/garments/0/panels/*/face", "\"top_inside\""},
+    {"garment.panels.layers", "/garments/0/panels/*/layers", "2"},
     {"garment.seams", "/garments/0/seams", R"({"front|back": 0})"},
     {"garment.seams.default", "/garments/0/seams/default", "0"},
     {"garment.wearer.skin_temperature_c", "/garments/0/wearer/skin_temperature_c", "30"},
@@ -55,7 +56,7 @@ const std::map<std::string, const char*> without_effect{
     {"garment.source", "holds others"},
     {"garment.uv_unit", "of meshes alone; tst_garment_mesh"},
     {"garment.panels", "holds others"},
-    {"garment.panels.layers", "one alone can be computed"},
+    {"garment.panels.lining", "of layers alone; tst_layers"},
     {"garment.wearer", "holds others"},
     {"garment.wearer.own_zones", "holds others"},
     {"garment.wearer.own_zones.name", "a name"},
@@ -110,6 +111,7 @@ std::string outcome(const ProjectJson& json)
     parts.wear = &design.wears.front();
     parts.garment = find_garment(design, parts.wear->garment);
     parts.pattern = read_pattern(*parts.garment, {});
+    add_layers(parts.pattern, *parts.garment);
     parts.sweat = sweat_table(parts.garment->wearer.zones, {});
     const GarmentScene garment = garment_scene(parts, {knobs_of(Fidelity::draft), 40e-3});
     const WearLayout layout = wear_layout(parts, garment);

@@ -96,6 +96,15 @@ QColor fabricColor(int index)
     return colors[static_cast<std::size_t>(std::max(0, index)) % std::size(colors)];
 }
 
+QString clothsOf(const PanelCut& cut)
+{
+    const QString fabric = QString::fromStdString(cut.fabric);
+    if (cut.layers < 2) { return fabric; }
+    if (cut.lining.empty()) { return QStringLiteral("%1 × %2").arg(cut.layers).arg(fabric); }
+    const QString lining = QString::fromStdString(cut.lining);
+    return cut.layers == 2 ? fabric + " + " + lining : QStringLiteral("%1 + %2 × %3").arg(fabric).arg(cut.layers - 1).arg(lining);
+}
+
 GarmentPaint fabricPaint(const Design& design, const Garment& garment, const GarmentDrawing& drawing)
 {
     GarmentPaint paint;
@@ -103,7 +112,7 @@ GarmentPaint fabricPaint(const Design& design, const Garment& garment, const Gar
         PanelFill fill;
         PanelLabel label{QString::fromStdString(panel.name), {}, 0};
         if (const PanelCut* cut = garment.cut_of(panel.name)) {
-            label.fabric = QString::fromStdString(cut->fabric);
+            label.fabric = clothsOf(*cut);
             label.grain = radian_from_degree(cut->grain_deg);
             const auto found = std::find_if(design.fabrics.begin(), design.fabrics.end(),
                                             [&](const Fabric& fabric) { return fabric.name == cut->fabric; });

@@ -57,6 +57,9 @@ struct GarmentPaint {
 /// Pale colours that are told apart with every kind of colour vision; names stand beside them, and after eight they come again.
 QColor fabricColor(int index);
 
+/// The fabrics of a panel's layers in words.
+QString clothsOf(const PanelCut& cut);
+
 /// Panels in the colours of their fabrics; bare where a panel has none.
 GarmentPaint fabricPaint(const Design& design, const Garment& garment, const GarmentDrawing& drawing);
 

@@ -10,6 +10,7 @@
 #include "ui/document/sources.h"
 #include "ui/garment/fields.h"
 #include "ui/garment/garment_edits.h"
+#include "ui/garment/lining_field.h"
 #include "ui/garment/panel_table.h"
 
 #include <QFileDialog>
@@ -80,6 +81,12 @@ GarmentPanel::GarmentPanel(GarmentChoice& choice, QWidget* parent)
     layout->addWidget(heading(tr("Panels")));
     panels_->setMinimumHeight(150);
     layout->addWidget(panels_, 3);
+    auto* lining = new LiningField(choice);
+    layout->addWidget(lining);
+    connect(panels_->selectionModel(), &QItemSelectionModel::selectionChanged, lining, [this, lining] {
+        const QModelIndexList chosen = panels_->selectionModel()->selectedRows();
+        lining->setPanel(chosen.isEmpty() ? -1 : chosen.front().row());
+    });
     layout->addWidget(heading(tr("Fabrics")));
     fabrics_->setMinimumHeight(60);
     layout->addWidget(fabrics_, 1);

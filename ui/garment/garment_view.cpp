@@ -166,6 +166,16 @@ void GarmentView::showPin()
     kept_->setPin(both ? sameSpot(playback_.run()->layout(), playback_.kept()->layout(), playback_.pin()) : GarmentSpot{});
 }
 
+/// The panel of the garment that a further layer in a run lies under; empty: it is no such layer.
+std::string GarmentView::panelOver(const std::string& layer) const
+{
+    if (!choice_.drawing()) { return {}; }
+    for (const DrawnPanel& panel : choice_.drawing()->panels) {
+        if (layer.rfind(layer_prefix(panel.name), 0) == 0) { return panel.name; }
+    }
+    return {};
+}
+
 void GarmentView::connectPane(GarmentPane* pane)
 {
     connect(pane, &GarmentPane::hovered, this, [this, pane](const GarmentSpot& spot) { showProbe(spotOfNewest(pane, spot)); });
@@ -176,8 +186,9 @@ void GarmentView::connectPane(GarmentPane* pane)
     });
     connect(pane, &GarmentPane::fabricDropped, this, [this](const QString& panel, const QString& fabric) {
         if (!choice_.garment() || (showsRun() && playback_.run()->layout().garment != choice_.garment()->name)) { return; }
-        editCut(choice_.document(), tr("cut %1 from %2").arg(panel, fabric), choice_.garmentIndex(), panel.toStdString(), {},
-                [&](PanelCut& cut) { cut.fabric = fabric.toStdString(); });
+        const std::string name = panel.toStdString(), under = panelOver(name);
+        editCut(choice_.document(), tr("cut %1 from %2").arg(panel, fabric), choice_.garmentIndex(), under.empty() ? name : under, {},
+                [&](PanelCut& cut) { (under.empty() ? cut.fabric : cut.lining) = fabric.toStdString(); });
     });
     if (ShapeView* shape = pane->shape()) { // one camera for all
         connect(shape, &ShapeView::cameraMoved, this, [this, shape](const Camera& camera) {
@@ -319,8 +330,7 @@ QString GarmentView::spotText(const GarmentSpot& spot) const
     const QString name = QString::fromStdString(panel);
     if (!showsRun()) {
         const PanelCut* cut = choice_.garment() ? choice_.garment()->cut_of(panel) : nullptr;
-        return cut ? tr("%1: %2, grain %3°").arg(name, QString::fromStdString(cut->fabric), shownNumber(cut->grain_deg, 1))
-                   : tr("%1 has no fabric").arg(name);
+        return cut ? tr("%1: %2, grain %3°").arg(name, clothsOf(*cut), shownNumber(cut->grain_deg, 1)) : tr("%1 has no fabric").arg(name);
     }
     const WornRun& run = *playback_.run();
     const int cell = run.lookup->at(spot);

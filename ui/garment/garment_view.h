@@ -73,6 +73,7 @@ private:
     QString whenOfA() const;
     GarmentSpot spotOfNewest(const GarmentPane* pane, const GarmentSpot& spot) const;
     void showPin();
+    std::string panelOver(const std::string& layer) const;
     void connectPane(GarmentPane* pane);
     std::vector<GarmentPane*> panes() const { return {kept_, newest_, difference_}; }
     void showChosen();

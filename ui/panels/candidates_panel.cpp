@@ -223,7 +223,9 @@ void CandidatesPanel::finishRename(QListWidgetItem* item)
     document_.edit(tr("rename fabric"), {}, [&](Design& design) {
         for (Garment& garment : design.garments) {
             for (auto& [panel, cut] : garment.panels) {
-                if (cut.fabric == design.fabrics[row].name) { cut.fabric = name; }
+                for (std::string* fabric : {&cut.fabric, &cut.lining}) {
+                    if (*fabric == design.fabrics[row].name) { *fabric = name; }
+                }
             }
         }
         design.fabrics[row].name = name;

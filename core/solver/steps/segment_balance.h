@@ -37,6 +37,7 @@ struct SegmentBalance {
         double evaporating;            ///< m3, the same of the surface's wet share
         double to_air;                 ///< m3, through the face
         double to_air_heat;            ///< J/K
+        double came;                   ///< J, from other layers
     };
     /// What a trial's temperature brings.
     struct Warm {
@@ -69,8 +70,10 @@ struct SegmentBalance {
                 condensing,
                 condensing * wet_share(wet),
                 dt * climate.mass_transfer * face_area,
-                dt * climate.heat_transfer * face_area};
+                dt * climate.heat_transfer * face_area,
+                came_to(i)};
     }
+    HL_FN double came_to(int i) const { return s.came != nullptr ? s.came[i] : 0.0; }
     HL_FN Warm at_warmth(double warmth) const
     {
         const double temperature = climate.temperature + warmth;
@@ -196,7 +199,7 @@ struct SegmentBalance {
     }
     HL_FN double surplus(const Start& start, const Outcome& o, const Warm& now) const
     {
-        return start.capacity * (now.warmth - start.warmth) + start.to_air_heat * (now.warmth - climate.air_warmth) -
+        return start.capacity * (now.warmth - start.warmth) + start.to_air_heat * (now.warmth - climate.air_warmth) - start.came -
                phase_heat(start, o, now.temperature);
     }
     /// Heat that is left over where the pores are balanced at a warmth, J.

@@ -30,7 +30,7 @@ struct ExchangeInSegment : SegmentBalance {
         const YarnParameters& yarn = s.yarn_of(i);
         const double air = pore_air(s.pores[i], s.liquid[i], climate.density);
         if (at_rest(i, yarn, air)) return;
-        if (!vapour && s.liquid[i] <= 0) return; // a fibre without liquid or vapour keeps what it has
+        if (!vapour && s.liquid[i] <= 0 && came_to(i) == 0) return; // a fibre without liquid or vapour keeps what it has
 
         ShellRows rows;
         const Start start = start_of(i, yarn, air, rows);
@@ -58,7 +58,7 @@ struct ExchangeInSegment : SegmentBalance {
 
     HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const
     {
-        if (climate.humidity > 1) return false; // what its air cannot hold condenses
+        if (climate.humidity > 1 || came_to(i) != 0) return false; // what its air cannot hold condenses
         const double off = s.vapour[i] - climate.vapour * air, little = 1e-8 * (climate.vapour + 1e-6) * air;
         const double warmer = s.warmth[i] - climate.air_warmth;
         const double skin = s.regain[i * s.shells + s.shells - 1] - yarn.resting_regain;
@@ -350,7 +350,7 @@ struct ExchangeInSegment : SegmentBalance {
         b.released = heat ? phase_heat(start, final, now.temperature) : 0.0;
         const double lost = heat ? start.to_air_heat * (now.warmth - climate.air_warmth) : 0.0;
         const double per_capacity = plain_inverse(start.capacity);
-        b.warmth = start.warmth + (b.released - lost) * per_capacity;
+        b.warmth = start.warmth + (b.released - lost + start.came) * per_capacity;
         condense_rest(i, start, now, per_capacity, b);
         s.liquid[i] = fmax_(0.0, start.liquid - b.from_liquid - b.evaporated);
         s.vapour[i] = b.pore;
@@ -360,6 +360,7 @@ struct ExchangeInSegment : SegmentBalance {
         s.released[i] += b.released;
         s.lost[i] += lost - water_specific_heat * water_change * b.warmth;
         s.warmth[i] = b.warmth;
+        if (s.came != nullptr) s.came[i] = 0;
     }
 };
 

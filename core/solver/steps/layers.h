@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What passes between layers of cloth that lie on each other: pairs of crossings, each pair for itself.
+#pragma once
+
+#include "core/solver/steps/crossing_exchange.h"
+#include "core/solver/steps/pair_flow.h"
+
+namespace hygroloom::inline HL_PRECISION {
+
+/// The segments of two crossings that face each other: warp and warp, weft and weft.
+struct FacingSegments {
+    int a, b;
+
+    HL_FN FacingSegments(const Segments& s, const LayerJoint& joint, bool is_warp)
+        : a(is_warp ? joint.a : s.weft_of(joint.a / s.picks, joint.a % s.picks)),
+          b(is_warp ? joint.b : s.weft_of(joint.b / s.picks, joint.b % s.picks))
+    {
+    }
+};
+
+/// Liquid where yarns touch.
+struct WickBetweenLayers : PairFlow {
+    const LayerJoint* joints;
+
+    HL_FN void operator()(int index) const
+    {
+        for (bool is_warp : {true, false}) {
+            const FacingSegments facing(s, joints[index], is_warp);
+            if (s.liquid[facing.a] > 0 || s.liquid[facing.b] > 0) flow(side(facing.a), side(facing.b), {0.5 * joints[index].yarns, 7, 0});
+        }
+    }
+};
+
+/// What passes between two segments that face each other: now, and as the next step first takes it to go on. W, kg/s.
+struct LayerFlow {
+    double heat = 0, heat_now = 0;
+    double vapour = 0, vapour_now = 0;
+};
+
+/// A segment under or over another layer: what it has, and by how much vapour (kg) and heat (J) that come in a step change it.
+struct LayerSide {
+    double vapour = 0, warmth = 0;                   ///< kg/m3, K
+    double vapour_by_vapour = 0, vapour_by_heat = 0; ///< 1/m3, kg/(m3 J)
+    double warmth_by_vapour = 0, warmth_by_heat = 0; ///< K/kg, K/J
+
+    HL_FN void take(double mass, double heat)
+    {
+        vapour += vapour_by_vapour * mass + vapour_by_heat * heat;
+        warmth += warmth_by_vapour * mass + warmth_by_heat * heat;
+    }
+};
+
+/// Finds it from the balances of ExchangeInSegment about where the last one ended: fibres and liquid take vapour and warm, and give some
+/// as they warm.
+struct SeeLayers {
+    Segments s;
+    ClimateParameters climate;
+    double dt, dt_before; ///< of this exchange and the last, in which fibres' uptake was found
+    bool heat;
+    LayerSide* sides;
+
+    /// On the responses: found too small, corrections overshoot and flows swing; too large, they only take more steps.
+    static constexpr double cautious = 2;
+
+    HL_FN void operator()(int index) const
+    {
+        const int i = s.visited_segment(index);
+        const YarnParameters& yarn = s.yarn_of(i);
+        const ForeseeVapour foresee(s, climate, yarn, dt, 0.0, false);
+        const Saturation saturated = saturation_at(climate.temperature + s.warmth[i]);
+        const double air = foresee.air(i), vapour = s.vapour[i] * plain_inverse(air), fed = foresee.supply(i, saturated.concentration);
+        const double still = air + foresee.to_air_at(i);
+        LayerSide side{vapour, s.warmth[i]};
+        if (!heat) {
+            side.vapour_by_vapour = plain_inverse(still + s.uptake[i] + fed);
+        } else {
+            const double latent = heat_of_evaporation(climate.temperature + s.warmth[i]);
+            const double humidity = vapour < saturated.concentration ? vapour * plain_inverse(saturated.concentration) : 1.0;
+            const double capacity = heat_capacity(yarn, s.length[i], s.warm_water(i)) + dt * s.air_over(i).heat_transfer * s.cell_area(i);
+            const double taken = uptake(i, humidity * saturated.slope * latent * plain_inverse(capacity));
+            const double given = saturated.slope * (humidity * taken + fed); // kg/K
+            const double mass_by_vapour = still + taken + fed, heat_by_warmth = capacity + latent * given;
+            const double scale = plain_inverse(mass_by_vapour * heat_by_warmth - given * latent * (taken + fed));
+            side.vapour_by_vapour = heat_by_warmth * scale;
+            side.vapour_by_heat = given * scale;
+            side.warmth_by_vapour = latent * (taken + fed) * scale;
+            side.warmth_by_heat = mass_by_vapour * scale;
+        }
+        for (double* response : {&side.vapour_by_vapour, &side.vapour_by_heat, &side.warmth_by_vapour, &side.warmth_by_heat})
+            *response *= cautious;
+        sides[i] = side;
+    }
+    /// m3 at a steady temperature, from what it was with its own warming; of the shorter step, where that is.
+    HL_FN double uptake(int i, double warming) const
+    {
+        constexpr double most = 0.95;
+        const double slowed = s.uptake[i] * warming;
+        const double steady = s.uptake[i] * plain_inverse(1.0 - (slowed < most ? slowed : most));
+        return dt < dt_before ? steady * dt * plain_inverse(dt_before) : steady;
+    }
+};
+
+/// How much heat and vapour flow through the air between. What the exchange with fibres and air leaves must not depend on the step's length
+/// where nothing changes any more: a flow goes on as in the step before, corrected by what the layers' end state of that step asks for
+/// (rebalanced splitting: Speth et al. 2013, doi 10.1137/120878641). Half of a correction stays for the next step, so that none comes
+/// twice.
+struct FlowBetweenLayers {
+    LayerSide* sides;
+    Segments s;
+    double dt;
+    bool vapour, heat;
+    const LayerJoint* joints;
+    LayerFlow* flows; ///< two per joint
+
+    HL_FN void operator()(int index) const
+    {
+        for (bool is_warp : {true, false}) {
+            const auto [of_a, of_b] = FacingSegments(s, joints[index], is_warp);
+            LayerSide &a = sides[of_a], &b = sides[of_b];
+            LayerFlow& flow = flows[2 * index + (is_warp ? 1 : 0)];
+            const double mass = vapour ? 0.5 * dt * joints[index].vapour : 0.0, joules = heat ? 0.5 * dt * joints[index].heat : 0.0;
+            const double missing_mass = mass * (a.vapour - b.vapour) - dt * flow.vapour;
+            const double missing_heat = joules * (a.warmth - b.warmth) - dt * flow.heat;
+            const double mm = 1.0 + mass * (a.vapour_by_vapour + b.vapour_by_vapour), mh = mass * (a.vapour_by_heat + b.vapour_by_heat),
+                         hm = joules * (a.warmth_by_vapour + b.warmth_by_vapour), hh = 1.0 + joules * (a.warmth_by_heat + b.warmth_by_heat);
+            const double scale = plain_inverse(mm * hh - mh * hm);
+            const double more_mass = (hh * missing_mass - mh * missing_heat) * scale,
+                         more_heat = (mm * missing_heat - hm * missing_mass) * scale;
+            a.take(-more_mass, -more_heat);
+            b.take(more_mass, more_heat);
+            correct(more_mass, flow.vapour, flow.vapour_now);
+            correct(more_heat, flow.heat, flow.heat_now);
+        }
+    }
+    HL_FN void correct(double more, double& flow, double& now) const
+    {
+        const double rate = more * plain_inverse(dt);
+        now = flow + rate;
+        flow += 0.5 * rate;
+    }
+};
+
+/// Hands the flows to the exchange, of vapour never more than the giving side has at hand.
+struct PassBetweenLayers {
+    Segments s;
+    double density; ///< of the liquid
+    double dt;
+    bool vapour, heat;
+    const LayerJoint* joints;
+    LayerFlow* flows;
+
+    HL_FN void operator()(int index) const
+    {
+        for (bool is_warp : {true, false}) {
+            const auto [a, b] = FacingSegments(s, joints[index], is_warp);
+            LayerFlow& flow = flows[2 * index + (is_warp ? 1 : 0)];
+            if (vapour) {
+                const double wanted = dt * flow.vapour_now, most = at_hand(wanted > 0 ? a : b);
+                const double passed = wanted > most ? most : wanted < -most ? -most : wanted;
+                if (passed != wanted) flow.vapour = passed * plain_inverse(dt);
+                s.vapour[a] -= passed; // less than nothing is what liquid and fibres will give
+                s.vapour[b] += passed;
+            }
+            if (!heat) continue;
+            s.came[a] -= dt * flow.heat_now;
+            s.came[b] += dt * flow.heat_now;
+        }
+    }
+    HL_FN double at_hand(int i) const // kg
+    {
+        constexpr double share = 0.9;
+        const double held = s.vapour[i] * (1.0 + s.uptake[i] * plain_inverse(pore_air(s.pores[i], s.liquid[i], density))) + s.liquid[i];
+        return held > 0 ? share * held : 0.0;
+    }
+};
+
+} // namespace hygroloom::inline HL_PRECISION
