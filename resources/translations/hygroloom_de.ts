@@ -5670,6 +5670,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>line %1</source>
         <translation>%1 füttern</translation>
     </message>
+    <message>
+        <source>Lining</source>
+        <translation>Futter</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::LiquidPanel</name>

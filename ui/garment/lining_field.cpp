@@ -35,6 +35,7 @@ LiningField::LiningField(GarmentChoice& choice, QWidget* parent)
     layout->addWidget(label_);
     layout->addWidget(lining_, 1);
     label_->setBuddy(lining_);
+    lining_->setAccessibleName(tr("Lining"));
     lining_->setMinimumContentsLength(6);
     lining_->setPlaceholderText(tr("not alike"));
     lining_->setIconSize({12, 12});
