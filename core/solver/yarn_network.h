@@ -300,7 +300,6 @@ template <typename Executor> void YarnNetwork<Executor>::move_liquid_and_heat(do
     if (wicking && by_suction()) {
         each_segment("remember", TrackChange{segments(), climate_.density, before, nullptr});
         move_by_suction(dt);
-        wick_between_layers(dt);
         each_segment("change", track);
         if (heat) each_crossing("cross", ExchangeAtCrossing{segments(), climate_, dt, false, true});
         return;

@@ -103,6 +103,7 @@ template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double 
         if (fields_.touching.size() > 0) flow_between_touching(0.5 * dt, of_warp);
         if (hands_over && !of_warp) each_crossing("to weft", HandRoomOver{segments(), true});
         flow_through_seams(0.5 * dt);
+        wick_between_layers(0.5 * dt);
         flow_by_suction(dt, of_warp);
         if (hands_over && !of_warp) each_crossing("to warp", HandRoomOver{segments(), false});
     }

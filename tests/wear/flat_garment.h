@@ -43,6 +43,7 @@ struct Worn {
     Garment garment;
     WearExperiment wear;
     GarmentParts parts;
+    Fidelity fidelity = Fidelity::standard;
 
     explicit Worn(const std::string& fabric = "Textile F") : design(library_design(fabric))
     {
@@ -60,7 +61,7 @@ struct Worn {
         parts.design = &design;
         parts.garment = &garment;
         parts.wear = &wear;
-        return garment_scene(parts, {knobs_of(Fidelity::standard), side, hangs, has_skin, shown});
+        return garment_scene(parts, {knobs_of(fidelity), side, hangs, has_skin, shown});
     }
 };
 
