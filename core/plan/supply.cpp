@@ -57,12 +57,12 @@ std::string sweat_in_words(const Experiment&, std::size_t, double delivered)
 std::string nothing_in_words(const Experiment&, std::size_t, double) { return "The cloth meets no liquid in this experiment."; }
 
 /// In the order of WaterSource.
-struct SupplyOf {
+struct SuppliedBy {
     WaterSource source;
     double (*delivered)(const Experiment&, const DryCloth&);
     std::string (*in_words)(const Experiment&, std::size_t drops, double delivered);
 };
-constexpr SupplyOf supplies[] = {
+constexpr SuppliedBy supplies[] = {
     {WaterSource::drops, drops_deliver, drops_in_words},    {WaterSource::pool, volume_delivers, pump_in_words},
     {WaterSource::bath, bath_delivers, bath_in_words},      {WaterSource::cloth, wet_cloth_holds, wet_cloth_in_words},
     {WaterSource::air, nothing_delivers, nothing_in_words}, {WaterSource::face, sweat_delivers, sweat_in_words},
@@ -76,7 +76,7 @@ constexpr bool in_order()
 }
 static_assert(in_order());
 
-const SupplyOf& supply_of(const Experiment& experiment) { return supplies[static_cast<std::size_t>(info_of(experiment.type).source)]; }
+const SuppliedBy& supply_of(const Experiment& experiment) { return supplies[static_cast<std::size_t>(info_of(experiment.type).source)]; }
 
 } // namespace
 

@@ -86,8 +86,8 @@ template <typename Executor> void YarnNetwork<Executor>::pass_between_layers(dou
     });
 }
 
-/// Along warp and weft, one after the other; the other way round in the next step. Touching yarns pass half before each, which fills up
-/// what they have given.
+/// Along warp and weft, one after the other; the other way round in the next step. Touching yarns, seams and layers pass half before each,
+/// which fills up what they have given.
 template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double dt)
 {
     const bool pools = pools_.feeds();
