@@ -28,7 +28,7 @@ Filters filters_of(hid_t properties, const std::string& place)
     }
     const Filters known[] = {{H5Z_FILTER_SHUFFLE, H5Z_FILTER_DEFLATE}, {H5Z_FILTER_DEFLATE}, {H5Z_FILTER_SHUFFLE}};
     if (std::find(std::begin(known), std::end(known), filters) == std::end(known))
-        refuse(place, "is compressed in a way that recordings do not use.");
+        refuse(place, "is compressed in a way that is not read.");
     return filters;
 }
 
@@ -36,56 +36,67 @@ void unpack(const std::vector<unsigned char>& packed, std::vector<unsigned char>
 {
     uLongf size = plain.size();
     if (uncompress(plain.data(), &size, packed.data(), packed.size()) != Z_OK || size != plain.size())
-        refuse(place, "cannot be unpacked; the recording is damaged.");
+        refuse(place, "cannot be unpacked; the file is damaged.");
 }
 
-void unshuffle(std::vector<unsigned char>& bytes)
+/// size: of a value, bytes.
+void unshuffle(std::vector<unsigned char>& bytes, std::size_t size)
 {
     const std::vector<unsigned char> shuffled = bytes;
-    const std::size_t count = bytes.size() / sizeof(float);
-    for (std::size_t k = 0; k < sizeof(float); ++k)
-        for (std::size_t i = 0; i < count; ++i) bytes[i * sizeof(float) + k] = shuffled[k * count + i];
+    const std::size_t count = bytes.size() / size;
+    for (std::size_t k = 0; k < size; ++k)
+        for (std::size_t i = 0; i < count; ++i) bytes[i * size + k] = shuffled[k * count + i];
 }
 
 /// Bytes of the chunk's values.
-void read_chunk(hid_t set, const hsize_t* offset, const Filters& filters, std::vector<unsigned char>& plain, const std::string& place)
+void read_chunk(hid_t set, const hsize_t* offset, const Filters& filters, std::size_t value_bytes, std::vector<unsigned char>& plain,
+                const std::string& place)
 {
     hsize_t stored = 0;
-    if (H5Dget_chunk_storage_size(set, offset, &stored) < 0 || stored == 0) refuse(place, "lacks a part; the recording is damaged.");
-    if (stored > 2 * plain.size() + 1024) refuse(place, "cannot be unpacked; the recording is damaged."); // deflate adds some bytes at most
+    if (H5Dget_chunk_storage_size(set, offset, &stored) < 0 || stored == 0) refuse(place, "lacks a part; the file is damaged.");
+    if (stored > 2 * plain.size() + 1024) refuse(place, "cannot be unpacked; the file is damaged."); // deflate adds some bytes at most
     std::vector<unsigned char> bytes(stored);
     std::uint32_t left_out = 0; // filters, by bits
-    if (H5Dread_chunk(set, H5P_DEFAULT, offset, &left_out, bytes.data()) < 0) refuse(place, "cannot be read; the recording is damaged.");
+    if (H5Dread_chunk(set, H5P_DEFAULT, offset, &left_out, bytes.data()) < 0) refuse(place, "cannot be read; the file is damaged.");
     for (std::size_t i = filters.size(); i-- > 0;) {
         if (left_out >> i & 1) continue;
         if (filters[i] == H5Z_FILTER_DEFLATE) {
             unpack(bytes, plain, place);
             bytes = plain;
         } else {
-            unshuffle(bytes);
+            unshuffle(bytes, value_bytes);
         }
     }
-    if (bytes.size() != plain.size()) refuse(place, "has a part of the wrong size; the recording is damaged.");
+    if (bytes.size() != plain.size()) refuse(place, "has a part of the wrong size; the file is damaged.");
     plain = std::move(bytes);
 }
 
 } // namespace
 
+void read_packed_rows(hid_t set, hid_t properties, const PackedRows& of, const TakeRows& take, const std::string& place)
+{
+    const Filters filters = filters_of(properties, place);
+    std::vector<unsigned char> plain;
+    std::vector<hsize_t> offset(of.dimensions, 0);
+    for (hsize_t& row = offset[0]; row < of.rows; row += of.rows_of_chunk) {
+        plain.resize(of.rows_of_chunk * of.row_bytes);
+        read_chunk(set, offset.data(), filters, of.value_bytes, plain, place);
+        take(row, std::min(of.rows_of_chunk, of.rows - row), plain.data());
+    }
+}
+
 void read_packed(hid_t set, hid_t type, hid_t properties, const std::vector<hsize_t>& sizes, const std::vector<hsize_t>& chunk,
                  float* values, const std::string& place)
 {
-    const Filters filters = filters_of(properties, place);
     const bool whole_rows = chunk.size() == sizes.size() && std::equal(chunk.begin() + 1, chunk.end(), sizes.begin() + 1, sizes.end());
-    if (H5Tequal(type, H5T_NATIVE_FLOAT) <= 0 || !whole_rows) refuse(place, "is compressed in a way that recordings do not use.");
+    if (H5Tequal(type, H5T_NATIVE_FLOAT) <= 0 || !whole_rows) refuse(place, "is compressed in a way that is not read.");
     hsize_t columns = 1;
     for (std::size_t i = 1; i < sizes.size(); ++i) columns *= sizes[i];
-    std::vector<unsigned char> plain;
-    std::vector<hsize_t> offset(sizes.size(), 0);
-    for (hsize_t& row = offset[0]; row < sizes[0]; row += chunk[0]) {
-        plain.resize(chunk[0] * columns * sizeof(float));
-        read_chunk(set, offset.data(), filters, plain, place);
-        std::memcpy(values + row * columns, plain.data(), std::min(chunk[0], sizes[0] - row) * columns * sizeof(float));
-    }
+    const PackedRows rows{sizes[0], chunk[0], sizes.size(), columns * sizeof(float), sizeof(float)};
+    const auto take = [&](hsize_t first, hsize_t count, const unsigned char* bytes) {
+        std::memcpy(values + first * columns, bytes, count * rows.row_bytes);
+    };
+    read_packed_rows(set, properties, rows, take, place);
 }
 
 } // namespace hygroloom::hdf5

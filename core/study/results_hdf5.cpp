@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/project/atomic_file.h"
 #include "core/project/json_reader.h"
+#include "core/run/hdf5_packed.h"
 #include "core/run/hdf5_reader.h"
 #include "core/run/recording_source.h"
 #include "core/study/csv_rows.h"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 
 namespace hygroloom {
@@ -20,7 +22,7 @@ namespace {
 using hdf5::Handle;
 using Role = StudyColumnRole;
 
-constexpr hsize_t rows_of_chunk = 4096, most_chunk = 65536;
+constexpr hsize_t rows_of_chunk = 4096, most_chunk_bytes = hsize_t{1} << 25U;
 constexpr std::size_t longest_cell = 4096;
 
 /// Compressed, and without the time of day, so that the same table has the same bytes.
@@ -74,11 +76,12 @@ void write_column(hid_t group, const StudyColumn& column)
         throw FileError(column.name + ": The column cannot be written.");
 }
 
-/// A set of one dimension and one of the two types.
+/// A set of one dimension and one of the two types, packed as write_column() does it, or without rows.
 void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::string& file)
 {
     const auto refuse = [&](const std::string& what) { throw FileError(fmt::format("{}: rows/{}: {}", file, column.name, what)); };
-    const Handle set(H5Dopen2(group, set_name(column.name).c_str(), H5P_DEFAULT), H5Dclose, file + ": rows/" + column.name);
+    const Handle set(H5Dopen2(group, set_name(column.name).c_str(), H5P_DEFAULT), H5Dclose,
+                     fmt::format("{}: rows/{}: This is missing or damaged.", file, column.name));
     const Handle space(H5Dget_space(set.get()), H5Sclose, column.name), type(H5Dget_type(set.get()), H5Tclose, column.name);
     hsize_t count = 0;
     if (H5Sget_simple_extent_ndims(space.get()) != 1) refuse("This must have one dimension.");
@@ -86,41 +89,34 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
     if (rows == HSIZE_UNDEF) rows = count;
     if (count != rows || count > most_table_rows)
         refuse(fmt::format("This must have {} rows; it has {}.", std::min<hsize_t>(rows, most_table_rows), count));
-    const Handle properties(H5Dget_create_plist(set.get()), H5Pclose, column.name);
-    hsize_t chunk = 0;
-    const H5D_layout_t layout = H5Pget_layout(properties.get());
-    if (H5Pget_external_count(properties.get()) != 0 || layout == H5D_VIRTUAL) refuse("This lies in another file; none is opened for it.");
-    if (layout != H5D_CHUNKED) { // else the library would read on behind what a header holds
-        if (H5Dget_storage_size(set.get()) < count * H5Tget_size(type.get()))
-            refuse(fmt::format("The file does not hold its {} rows.", count));
-    } else if (H5Pget_chunk(properties.get(), 1, &chunk) != 1 || chunk > most_chunk) {
-        refuse(fmt::format("Its chunks have {} rows; at most {} are read.", chunk, most_chunk));
-    }
-    if (H5Tget_class(type.get()) == H5T_FLOAT) {
-        column.numbers.resize(rows);
-        if (rows > 0 && H5Dread(set.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, column.numbers.data()) < 0)
-            refuse("This cannot be read.");
-        return;
-    }
-    column.is_number = false;
     const std::size_t length = H5Tget_size(type.get());
-    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 || length > longest_cell)
-        refuse(fmt::format("This must be numbers, or texts of a fixed length of {} bytes at most.", longest_cell));
+    column.is_number = H5Tequal(type.get(), H5T_IEEE_F64LE) > 0;
+    if (!column.is_number &&
+        (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 || length == 0 || length > longest_cell))
+        refuse(fmt::format("This must be numbers of 8 bytes, or texts of a fixed length of {} bytes at most.", longest_cell));
+    const Handle properties(H5Dget_create_plist(set.get()), H5Pclose, column.name);
+    hsize_t chunk = 1;
+    if (rows > 0) {
+        if (H5Pget_layout(properties.get()) != H5D_CHUNKED) // what lies in other files never does
+            refuse("This does not lie in chunks of the file; nothing else is read.");
+        if (H5Pget_chunk(properties.get(), 1, &chunk) != 1 || chunk == 0 || chunk * length > most_chunk_bytes)
+            refuse(fmt::format("Its chunks have {} rows; 1 to {} are read.", chunk, most_chunk_bytes / length));
+    }
     WordList words;
-    std::string block;
-    for (hsize_t first = 0; first < rows; first += rows_of_chunk) {
-        const hsize_t part = std::min(rows_of_chunk, rows - first);
-        block.assign(part * length, '\0');
-        const Handle memory(H5Screate_simple(1, &part, nullptr), H5Sclose, column.name);
-        H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, &first, nullptr, &part, nullptr);
-        if (H5Dread(set.get(), word_type(length).get(), memory.get(), space.get(), H5P_DEFAULT, block.data()) < 0)
-            refuse("This cannot be read.");
-        for (hsize_t row = 0; row < part; ++row) {
-            const std::string_view word(&block[row * length], length);
+    const auto take = [&](hsize_t first, hsize_t taken, const unsigned char* bytes) {
+        if (column.is_number) {
+            std::memcpy(&column.numbers[first], bytes, taken * length);
+            return;
+        }
+        for (hsize_t row = 0; row < taken; ++row) {
+            const std::string_view word(reinterpret_cast<const char*>(bytes) + row * length, length);
             column.word_of.push_back(words.place_of(word.substr(0, word.find('\0'))));
         }
-    }
-    column.words = words.words();
+    };
+    if (column.is_number) column.numbers.resize(rows);
+    if (rows > 0)
+        hdf5::read_packed_rows(set.get(), properties.get(), {rows, chunk, 1, length, length}, take, file + ": rows/" + column.name);
+    if (!column.is_number) column.words = words.words();
 }
 
 /// As the table of results.csv has it.

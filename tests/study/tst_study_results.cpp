@@ -11,7 +11,9 @@
 #include <QTest>
 
 #include <csignal>
+#include <hdf5.h>
 #include <sys/resource.h>
+#include <zlib.h>
 
 using namespace hygroloom;
 using Role = StudyColumnRole;
@@ -220,10 +222,76 @@ private Q_SLOTS:
             } catch (const FileError& error) {
                 said = error.what();
             }
-            QVERIFY2(said.contains("does not hold its 20 rows"), qPrintable(said));
+            QVERIFY2(said.contains("does not lie in chunks"), qPrintable(said));
             ++columns;
         }
         QCOMPARE(columns, table_of(1).columns.size());
+    }
+
+    /// HDF5 read on behind it.
+    void aPartThatUnpacksToFewerBytesIsRefused_data()
+    {
+        QTest::addColumn<QByteArray>("set");
+        QTest::newRow("numbers") << QByteArray("/rows/point");
+        QTest::newRow("words") << QByteArray("/rows/status");
+    }
+    void aPartThatUnpacksToFewerBytesIsRefused()
+    {
+        QFETCH(QByteArray, set);
+        const QTemporaryDir place;
+        const std::string file = place.filePath("study.h5").toStdString();
+        write_results_hdf5(table_of(20), "{}", "{}", file);
+        const Bytef few[8] = {};
+        Bytef packed[64];
+        uLongf size = sizeof packed;
+        QCOMPARE(compress(packed, &size, few, sizeof few), Z_OK);
+        const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), column = H5Dopen2(opened, set.constData(), H5P_DEFAULT);
+        const hsize_t first = 0;
+        QVERIFY(H5Dwrite_chunk(column, H5P_DEFAULT, 0, &first, size, packed) >= 0);
+        H5Dclose(column);
+        H5Fclose(opened);
+        QString said;
+        try {
+            read_results_hdf5(file);
+        } catch (const FileError& error) {
+            said = error.what();
+        }
+        QVERIFY2(said.contains("cannot be unpacked"), qPrintable(said));
+    }
+
+    void columnsOfOtherFilesAreRefused_data()
+    {
+        QTest::addColumn<bool>("made_of_sets");
+        QTest::newRow("external storage") << false;
+        QTest::newRow("a virtual set") << true;
+    }
+    void columnsOfOtherFilesAreRefused()
+    {
+        QFETCH(bool, made_of_sets);
+        const QTemporaryDir place;
+        const std::string file = place.filePath("study.h5").toStdString(), other = place.filePath("other").toStdString();
+        write_results_hdf5(table_of(20), "{}", "{}", file);
+        const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), properties = H5Pcreate(H5P_DATASET_CREATE);
+        const hsize_t rows = 20;
+        const hid_t space = H5Screate_simple(1, &rows, nullptr);
+        if (made_of_sets)
+            QVERIFY(H5Pset_virtual(properties, space, other.c_str(), "/set", space) >= 0);
+        else
+            QVERIFY(H5Pset_external(properties, other.c_str(), 0, rows * sizeof(double)) >= 0);
+        QVERIFY(H5Ldelete(opened, "/rows/point", H5P_DEFAULT) >= 0);
+        const hid_t column = H5Dcreate2(opened, "/rows/point", H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+        QVERIFY(column >= 0);
+        H5Dclose(column);
+        H5Sclose(space);
+        H5Pclose(properties);
+        H5Fclose(opened);
+        QString said;
+        try {
+            read_results_hdf5(file);
+        } catch (const FileError& error) {
+            said = error.what();
+        }
+        QVERIFY2(said.endsWith("rows/point: This is missing or damaged."), qPrintable(said)); // by what looks at each block
     }
 
     /// A limit on the size of files stands for a disk that is full; the program used to end when HDF5 closed the file.
