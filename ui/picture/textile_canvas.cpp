@@ -25,6 +25,7 @@ constexpr int fewest_samples = 4; // before these are there, the first picture s
 constexpr double sampling_seconds = 4;
 constexpr int rest_before_samples_ms = 150;   // so that a run's frames, one after the other, are not sampled
 constexpr double too_slow_for_samples = 0.25; // s, without multisampling
+constexpr double quick_seconds = 0.015;       // a film's picture that takes longer has no multisampling
 
 } // namespace
 
@@ -313,7 +314,8 @@ void TextileCanvas::drawScene()
     const bool settled = !moving_ && !was_fading_;
     const QSize whole = size() * devicePixelRatioF();
     const QSize pixels = coarse ? (QSizeF(whole) * moving_shares[moving_step_]).toSize().expandedTo({1, 1}) : whole;
-    const bool samples = settled && still_seconds_ < too_slow_for_samples;
+    const bool of_film = rested_.isValid() && rested_.elapsed() < rest_before_samples_ms;
+    const bool samples = settled && still_seconds_ < (of_film ? quick_seconds : too_slow_for_samples);
     if (!scene_picture_ || scene_picture_->size() != whole) {
         scene_picture_ = std::make_unique<QOpenGLFramebufferObject>(whole);
         sampled_.reset();
@@ -351,6 +353,7 @@ void TextileCanvas::drawScene()
     if (settled) {
         samples_.begin(pixels);
         more_.start(rest_before_samples_ms);
+        rested_.start();
     } else {
         more_.stop();
     }

@@ -237,6 +237,7 @@ private:
     int moving_step_ = 0;      ///< how much less is drawn while it moves
     int least_step_ = 0;       ///< that is quick enough in this motion
     QElapsedTimer since_drawn_;
+    QElapsedTimer rested_; ///< since the last still picture
     QTimer still_;
     QTimer fade_;
     QTimer more_;       ///< until the next sample is drawn
