@@ -42,7 +42,7 @@ struct PanelCut {
     double grain_deg = 0;    ///< of the warp, from the pattern's +y, counter-clockwise
     bool top_inside = false; ///< the fabric's top face lies on the skin
     int layers = 1;          ///< of cloth that lie on each other
-    std::string lining;      ///< fabric of the layers under the first; empty: the same
+    std::string lining = {}; ///< fabric of the layers under the first; empty: the same
     bool operator==(const PanelCut&) const = default;
 };
 

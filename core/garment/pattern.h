@@ -30,7 +30,7 @@ struct PatternPanel {
     std::vector<PanelEdge> edges;
     std::array<Vec3d, 3> placed{}; ///< m: where flat (0, 0) stands beside the body, and what a metre along flat x and y adds to it
     bool on_arm = false;           ///< by its name or its place
-    std::string layer_of;          ///< name of the panel that it is a further layer of; empty: it is none
+    std::string layer_of = {};     ///< name of the panel that it is a further layer of; empty: it is none
     int over = -1;                 ///< the panel that lies on its outer side, as the layer before it
 
     /// Name by which a garment says how it is cut.
