@@ -82,18 +82,16 @@ bool BlockCheck::is_header(std::uint64_t at)
         if (block.size() != part.size || !are_messages(block, found)) return false;
         if (i > 0 && (block.empty() || block[0] == version)) return false; // it could be taken for a header
     }
-    if (!std::all_of(found.trees.begin(), found.trees.end(),
-                     [this](const ChunkTree& tree) { return note_chunk_tree(tree.at, tree.places); }))
+    if (!sizes_agree(found)) return false;
+    if (const auto& chunks = found.chunks;
+        chunks && chunks->tree != UINT64_MAX && !note_chunk_tree(chunks->tree, {chunks->places, found.is_packed ? 0 : chunks->bytes}))
         return false;
     headers_.merge(places);
     return true;
 }
 
-/// One tree has keys of one length.
-bool BlockCheck::note_chunk_tree(std::uint64_t at, std::uint64_t places)
-{
-    return chunk_trees_.emplace(at, places).first->second == places;
-}
+/// One tree has keys of one length, for chunks of one size.
+bool BlockCheck::note_chunk_tree(std::uint64_t at, const ChunkTree& tree) { return chunk_trees_.emplace(at, tree).first->second == tree; }
 
 bool BlockCheck::is_tree_or_node(std::uint64_t at)
 {
@@ -113,16 +111,17 @@ bool BlockCheck::is_tree_or_node(std::uint64_t at)
     return cursor.held();
 }
 
-/// The chunks of a tree's lowest level: the library makes room for as many bytes as a key says.
-bool BlockCheck::are_in_file(std::uint64_t at, std::uint64_t key, std::uint64_t entries) const
+/// The chunks of a tree's lowest level: the library makes room for as many bytes as a key says, and takes as many as the layout says.
+bool BlockCheck::are_whole(std::uint64_t at, const ChunkTree& tree, std::uint64_t entries) const
 {
+    const std::uint64_t key = 8 + 8 * tree.places;
     const Bytes table = bytes_at(at, (key + 8) * entries);
     Cursor cursor(table);
     for (std::uint64_t i = 0; i < entries; ++i) {
         const std::uint64_t size = cursor.number(4);
         cursor.take(key - 4);
         const std::uint64_t place = cursor.number(8);
-        if (place > file_size_ || size > file_size_ - place) return false;
+        if (place > file_size_ || size > file_size_ - place || (tree.bytes != 0 && size != tree.bytes)) return false;
     }
     return cursor.held();
 }
@@ -136,8 +135,8 @@ bool BlockCheck::is_tree(std::uint64_t at, const Bytes& head)
     if (kind > of_chunks || entries > 2 * (kind == of_group ? group_tree_half : chunk_tree_half)) return false;
     const auto tree = chunk_trees_.find(at);
     if (kind == of_chunks && tree == chunk_trees_.end()) return false;
-    const std::uint64_t key = kind == of_group ? 8 : 8 + 8 * tree->second;
-    if (kind == of_chunks && level == 0) return are_in_file(at + 24, key, entries);
+    if (kind == of_chunks && level == 0) return are_whole(at + 24, tree->second, entries);
+    const std::uint64_t key = kind == of_group ? 8 : 8 + 8 * tree->second.places;
     for (std::uint64_t i = 0; i < entries; ++i) {
         const Bytes place = bytes_at(at + 24 + key + (key + 8) * i, 8);
         Cursor cursor(place);

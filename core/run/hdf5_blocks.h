@@ -25,19 +25,24 @@ public:
 
 private:
     using Bytes = std::vector<unsigned char>;
+    struct ChunkTree {
+        std::uint64_t places; ///< in its keys
+        std::uint64_t bytes;  ///< that each chunk has; 0 where they are packed
+        bool operator==(const ChunkTree&) const = default;
+    };
     Bytes bytes_at(std::uint64_t at, std::uint64_t count) const; ///< empty where the file does not have them
     bool is_superblock() const;
     bool is_header(std::uint64_t at);
     bool is_tree_or_node(std::uint64_t at);
     bool is_tree(std::uint64_t at, const Bytes& head);
-    bool are_in_file(std::uint64_t at, std::uint64_t key, std::uint64_t entries) const;
+    bool are_whole(std::uint64_t at, const ChunkTree& tree, std::uint64_t entries) const;
     bool is_heap(std::uint64_t at);
-    bool note_chunk_tree(std::uint64_t at, std::uint64_t places);
+    bool note_chunk_tree(std::uint64_t at, const ChunkTree& tree);
 
     Read read_;
     std::uint64_t file_size_ = 0;
-    std::set<std::uint64_t> headers_, heaps_;            ///< that were checked, with where they go on
-    std::map<std::uint64_t, std::uint64_t> chunk_trees_; ///< by their place; places in their keys
+    std::set<std::uint64_t> headers_, heaps_;        ///< that were checked, with where they go on
+    std::map<std::uint64_t, ChunkTree> chunk_trees_; ///< by their place
 };
 
 } // namespace hygroloom::hdf5

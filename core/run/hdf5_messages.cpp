@@ -2,6 +2,8 @@
 // After the HDF5 File Format Specification Version 3.0, section IV.A.2.
 #include "core/run/hdf5_messages.h"
 
+#include <algorithm>
+
 namespace hygroloom::hdf5 {
 namespace {
 
@@ -43,7 +45,15 @@ std::optional<std::uint64_t> bytes_of_type(Block block)
     return cursor.held() ? std::optional(size) : std::nullopt;
 }
 
-bool is_fill_value(Block block)
+/// size: -1 where none is defined.
+void note_fill_value(std::uint64_t size, Cursor& cursor, Messages& found)
+{
+    if (size > INT32_MAX) return;
+    cursor.take(size);
+    if (size > 0) found.fill_bytes.push_back(size);
+}
+
+bool is_fill_value(Block block, Messages& found)
 {
     Cursor cursor(block);
     const std::uint64_t version = cursor.number(1);
@@ -52,15 +62,14 @@ bool is_fill_value(Block block)
     if (version < 3) cursor.take(2);
     const bool has_size = version == 1 || (version == 2 ? cursor.number(1) != 0 : (flags & 0x20) != 0);
     if (version == 1) cursor.take(1);
-    if (has_size)
-        if (const std::uint64_t size = cursor.number(4); size <= INT32_MAX) cursor.take(size); // more: undefined
+    if (has_size) note_fill_value(cursor.number(4), cursor, found);
     return cursor.held();
 }
 
-bool is_old_fill_value(Block block)
+bool is_old_fill_value(Block block, Messages& found)
 {
     Cursor cursor(block);
-    cursor.take(cursor.number(4));
+    note_fill_value(cursor.number(4), cursor, found);
     return cursor.held();
 }
 
@@ -75,18 +84,23 @@ bool is_layout(Block block, Messages& found)
     if (kind == chunked) {
         const std::uint64_t rank = cursor.number(1); // one more than the set's
         if (rank < 2 || rank > most_rank + 1) return false;
-        if (const std::uint64_t tree = cursor.number(8); tree != UINT64_MAX) found.trees.push_back({tree, rank});
-        for (std::uint64_t i = 0; i < rank; ++i)
-            if (cursor.number(4) == 0) return false;
+        Chunks chunks{cursor.number(8), rank, 0, 1};
+        for (std::uint64_t i = 0; i < rank; ++i) {
+            chunks.value_bytes = cursor.number(4); // the last
+            if (chunks.value_bytes == 0 || chunks.bytes > UINT32_MAX / chunks.value_bytes) return false;
+            chunks.bytes *= chunks.value_bytes;
+        }
+        found.chunks = chunks;
     }
     return cursor.held();
 }
 
 /// Shuffle and deflate.
-bool are_filters(Block block)
+bool are_filters(Block block, Messages& found)
 {
     Cursor cursor(block);
     const std::uint64_t version = cursor.number(1), count = cursor.number(1);
+    found.is_packed = count > 0;
     if (version < 1 || version > 2 || count > 2) return false;
     if (version == 1) cursor.take(6);
     for (std::uint64_t i = 0; i < count; ++i) {
@@ -117,14 +131,16 @@ bool is_attribute(Block block)
 
 bool is_message(std::uint64_t kind, Block block, Messages& found)
 {
+    const bool is_single = kind == 0x01 || kind == 0x03 || kind == 0x04 || kind == 0x05 || kind == 0x08 || kind == 0x0B;
+    if (is_single && !found.kinds.insert(kind).second) return false;
     switch (kind) {
     case 0x00: return true; // nothing
     case 0x01: return values_in_space(block).has_value();
-    case 0x03: return bytes_of_type(block).has_value();
-    case 0x04: return is_old_fill_value(block);
-    case 0x05: return is_fill_value(block);
+    case 0x03: return (found.type_bytes = bytes_of_type(block)).has_value();
+    case 0x04: return is_old_fill_value(block, found);
+    case 0x05: return is_fill_value(block, found);
     case 0x08: return is_layout(block, found);
-    case 0x0B: return are_filters(block);
+    case 0x0B: return are_filters(block, found);
     case 0x0C: return is_attribute(block);
     case 0x10: // goes on elsewhere
     case 0x11: // a group's tree and heap
@@ -175,6 +191,13 @@ bool are_messages(std::span<const unsigned char> block, Messages& found)
         found.go_on.push_back({at, place.number(8)});
     }
     return true;
+}
+
+bool sizes_agree(const Messages& found)
+{
+    const auto is_of_type = [&](std::uint64_t size) { return size == found.type_bytes; };
+    return std::all_of(found.fill_bytes.begin(), found.fill_bytes.end(), is_of_type) &&
+           (!found.chunks || is_of_type(found.chunks->value_bytes));
 }
 
 } // namespace hygroloom::hdf5

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -29,18 +30,28 @@ struct Continuation {
     std::uint64_t at, size;
 };
 
-/// The tree of the chunks of a set of data, by the number of places that its keys have.
-struct ChunkTree {
-    std::uint64_t at, places;
+/// How a set lies in chunks.
+struct Chunks {
+    std::uint64_t tree;        ///< where it lies; UINT64_MAX: there is none yet
+    std::uint64_t places;      ///< of a chunk, as the tree's keys have them
+    std::uint64_t value_bytes; ///< as the layout has it
+    std::uint64_t bytes;       ///< of a chunk that is not packed
 };
 
-/// What messages refer to.
+/// What the messages of one header say.
 struct Messages {
     std::vector<Continuation> go_on;
-    std::vector<ChunkTree> trees;
+    std::set<std::uint64_t> kinds; ///< of those that a header has once
+    std::optional<std::uint64_t> type_bytes;
+    std::vector<std::uint64_t> fill_bytes; ///< sizes of the values that stand for what is not there
+    std::optional<Chunks> chunks;
+    bool is_packed = false;
 };
 
 /// Whether all messages in a block are such as recordings have, each within its bounds.
 bool are_messages(std::span<const unsigned char> block, Messages& found);
+
+/// Whether the sizes that a set's messages say agree: the library copies a fill value, and a chunk's values, without comparing them.
+bool sizes_agree(const Messages& found);
 
 } // namespace hygroloom::hdf5

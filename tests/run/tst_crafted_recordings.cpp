@@ -2,7 +2,10 @@
 // Recordings of strangers: whatever their objects are, they are refused with a sentence that names file and field, or read.
 #include "core/base/error.h"
 #include "core/plan/plan_json.h"
+#include "core/run/hdf5_driver.h"
+#include "core/run/hdf5_reader.h"
 #include "core/run/recording.h"
+#include "core/run/recording_source.h"
 #include "tests/support/crafted_recording.h"
 
 #include <QFile>
@@ -336,6 +339,59 @@ private Q_SLOTS:
         QCOMPARE(refusal_of(crafted_, &frames), std::string());
         QCOMPARE(frames, 2);
         QVERIFY(peak_memory() - before < least_memory);
+    }
+    /// The library takes what it copies from one place and what it has room for from another.
+    void sizesThatDoNotAgreeAreRefused_data()
+    {
+        QTest::addColumn<QByteArray>("before");
+        QTest::addColumn<int>("where");
+        QTest::addColumn<int>("size");
+        const QByteArray of_part("TREE\1", 5), of_fill("\x08\0\0\0\0\0\0\0\0\0\xf0\x3f", 12), of_layout("\x03\x02\x03", 3);
+        QTest::newRow("none") << of_part << 24 << 24;
+        QTest::newRow("a short part") << of_part << 24 << 8;
+        QTest::newRow("a long part") << of_part << 24 << 48;
+        QTest::newRow("a short value for what is not there") << of_fill << 0 << 4;
+        QTest::newRow("values of another size") << of_layout << 19 << 4;
+    }
+    void sizesThatDoNotAgreeAreRefused()
+    {
+        QFETCH(QByteArray, before);
+        QFETCH(int, where);
+        QFETCH(int, size);
+        {
+            const hid_t file = H5Fcreate(crafted_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+            const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+            const hsize_t chunk[2] = {1, 3}, rows[2] = {2, 3};
+            const double value = 1, values[6] = {};
+            H5Pset_chunk(properties, 2, chunk);
+            H5Pset_fill_value(properties, H5T_IEEE_F64LE, &value);
+            const hid_t space = H5Screate_simple(2, rows, nullptr);
+            const hid_t set = H5Dcreate2(file, "table", H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+            QVERIFY(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+            H5Dclose(set);
+            H5Sclose(space);
+            H5Pclose(properties);
+            H5Fclose(file);
+        }
+        QFile file(QString::fromStdString(crafted_));
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QByteArray bytes = file.readAll();
+        int changed = 0;
+        for (qsizetype at = bytes.indexOf(before); at >= 0; at = bytes.indexOf(before, at + 1), ++changed)
+            bytes[at + where] = static_cast<char>(size);
+        QVERIFY(changed > 0);
+        file.seek(0);
+        file.write(bytes);
+        file.close();
+        bool refused = false;
+        try {
+            RecordingSource source(crafted_);
+            const hdf5::Handle opened = hdf5::open_file(source, "It cannot be opened.");
+            QCOMPARE(hdf5::Table(opened.get(), "table", 3, 3).read(0, 2), std::vector<double>(6));
+        } catch (const FileError&) {
+            refused = true;
+        }
+        QCOMPARE(refused, QTest::currentDataTag() != QByteArray("none"));
     }
     void numbersOfAPlanThatDoNotFitAreRefused()
     {
