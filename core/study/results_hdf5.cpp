@@ -22,7 +22,8 @@ namespace {
 using hdf5::Handle;
 using Role = StudyColumnRole;
 
-constexpr hsize_t rows_of_chunk = 4096, most_chunk_bytes = hsize_t{1} << 25U;
+constexpr hsize_t rows_of_chunk = 4096;
+constexpr std::uint64_t least_room = std::uint64_t{1} << 30U; // bytes; besides three times the file's size
 constexpr std::size_t longest_cell = 4096;
 
 /// Compressed, and without the time of day, so that the same table has the same bytes.
@@ -76,8 +77,9 @@ void write_column(hid_t group, const StudyColumn& column)
         throw FileError(column.name + ": The column cannot be written.");
 }
 
-/// A set of one dimension and one of the two types, packed as write_column() does it, or without rows.
-void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::string& file)
+/// A set of one dimension and one of the two types, packed as write_column() does it, or without rows. room: bytes that columns may still
+/// take.
+void read_column(hid_t group, StudyColumn& column, hsize_t& rows, std::uint64_t& room, const std::string& file)
 {
     const auto refuse = [&](const std::string& what) { throw FileError(fmt::format("{}: rows/{}: {}", file, column.name, what)); };
     const Handle set(H5Dopen2(group, set_name(column.name).c_str(), H5P_DEFAULT), H5Dclose,
@@ -99,9 +101,14 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
     if (rows > 0) {
         if (H5Pget_layout(properties.get()) != H5D_CHUNKED) // what lies in other files never does
             refuse("This does not lie in chunks of the file; nothing else is read.");
-        if (H5Pget_chunk(properties.get(), 1, &chunk) != 1 || chunk == 0 || chunk * length > most_chunk_bytes)
-            refuse(fmt::format("Its chunks have {} rows; 1 to {} are read.", chunk, most_chunk_bytes / length));
+        if (H5Pget_chunk(properties.get(), 1, &chunk) != 1 || chunk == 0 || chunk > rows_of_chunk)
+            refuse(fmt::format("Its chunks have {} rows; 1 to {} are read.", chunk, rows_of_chunk));
     }
+    const auto take_room = [&](std::uint64_t bytes) {
+        if (bytes > room) refuse("This and the columns before it take more memory than a file of this size may.");
+        room -= bytes;
+    };
+    take_room(rows * (column.is_number ? sizeof(double) : sizeof(column.word_of[0])));
     WordList words;
     const auto take = [&](hsize_t first, hsize_t taken, const unsigned char* bytes) {
         if (column.is_number) {
@@ -109,8 +116,11 @@ void read_column(hid_t group, StudyColumn& column, hsize_t& rows, const std::str
             return;
         }
         for (hsize_t row = 0; row < taken; ++row) {
-            const std::string_view word(reinterpret_cast<const char*>(bytes) + row * length, length);
-            column.word_of.push_back(words.place_of(word.substr(0, word.find('\0'))));
+            const std::string_view whole(reinterpret_cast<const char*>(bytes) + row * length, length),
+                word = whole.substr(0, whole.find('\0'));
+            const std::size_t known = words.words().size();
+            column.word_of.push_back(words.place_of(word));
+            if (words.words().size() > known) take_room(2 * (sizeof(std::string) + word.size())); // in a list and a map
         }
     };
     if (column.is_number) column.numbers.resize(rows);
@@ -178,12 +188,13 @@ StudyTable read_results_hdf5(const std::filesystem::path& path)
     const Handle rows = hdf5::open_group(file.get(), "rows");
     StudyTable table;
     hsize_t count = HSIZE_UNDEF;
+    std::uint64_t room = least_room + 3 * source->size();
     for (const ProjectJson& name : array_in(names, path.string(), "columns")) {
         if (table.columns.size() == most_table_columns || !name.is_array() || name.size() != 2 || !name[0].is_string() ||
             !name[1].is_number_unsigned() || name[1].get<unsigned>() > static_cast<unsigned>(Role::reason))
             throw FileError(path.string() + ": columns: This is no table of a study.");
         table.columns.push_back({name[0].get<std::string>(), static_cast<Role>(name[1].get<int>()), true, {}, {}, {}});
-        read_column(rows.get(), table.columns.back(), count, path.string());
+        read_column(rows.get(), table.columns.back(), count, room, path.string());
         if (!has_type_of_role(table.columns.back()))
             throw FileError(
                 fmt::format("{}: rows/{}: This has words for numbers, or numbers for words.", path.string(), table.columns.back().name));
