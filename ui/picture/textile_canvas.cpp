@@ -315,7 +315,8 @@ void TextileCanvas::drawScene()
     const QSize whole = size() * devicePixelRatioF();
     const QSize pixels = coarse ? (QSizeF(whole) * moving_shares[moving_step_]).toSize().expandedTo({1, 1}) : whole;
     const bool of_film = rested_.isValid() && rested_.elapsed() < rest_before_samples_ms;
-    const bool samples = settled && still_seconds_ < (of_film ? quick_seconds : too_slow_for_samples);
+    if (!of_film) film_is_quick_ = still_seconds_ < quick_seconds; // for the whole film
+    const bool samples = settled && still_seconds_ < too_slow_for_samples && (film_is_quick_ || !of_film);
     if (!scene_picture_ || scene_picture_->size() != whole) {
         scene_picture_ = std::make_unique<QOpenGLFramebufferObject>(whole);
         sampled_.reset();

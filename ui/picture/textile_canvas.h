@@ -238,6 +238,7 @@ private:
     int least_step_ = 0;       ///< that is quick enough in this motion
     QElapsedTimer since_drawn_;
     QElapsedTimer rested_; ///< since the last still picture
+    bool film_is_quick_ = true;
     QTimer still_;
     QTimer fade_;
     QTimer more_;       ///< until the next sample is drawn
