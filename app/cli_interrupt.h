@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Ctrl-C and a polite kill cancel what a verb is doing; a second one ends the program at once, as does the time of a verb that may not take
-// long.
+// Ctrl-C, a polite kill and a terminal that goes (unless nohup says otherwise) cancel what a verb is doing; a second one ends the program
+// at once, as does the time of a verb that may not take long.
 #pragma once
 
 #include "core/run/unfinished.h"
@@ -55,15 +55,23 @@ struct InterruptCancels {
         action.sa_flags = static_cast<int>(SA_RESETHAND);
         sigaction(SIGINT, &action, nullptr);
         sigaction(SIGTERM, &action, nullptr);
+        struct sigaction before {};
+        sigaction(SIGHUP, nullptr, &before);
+        minds_hangup_ = before.sa_handler != SIG_IGN;
+        if (minds_hangup_) sigaction(SIGHUP, &action, nullptr);
     }
     ~InterruptCancels()
     {
         std::signal(SIGINT, SIG_DFL);
         std::signal(SIGTERM, SIG_DFL);
+        if (minds_hangup_) std::signal(SIGHUP, SIG_DFL);
         constexpr itimerval never{};
         setitimer(ITIMER_REAL, &never, nullptr);
         last_words = nullptr;
     }
+
+private:
+    bool minds_hangup_ = false;
 };
 
 } // namespace hygroloom

@@ -23,6 +23,7 @@ void write_to(std::FILE* stream, const std::string& text) { std::fwrite(text.dat
 void prepare_streams()
 {
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
         if (::fcntl(stream, F_GETFD) >= 0) continue;
         // The lowest free number is the stream's. Results are not to vanish: one that can only be read takes none.

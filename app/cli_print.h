@@ -10,7 +10,8 @@
 
 namespace hygroloom {
 
-/// Closed streams are opened on nothing, so that no file that is opened later becomes one of them; a broken pipe ends no run by itself.
+/// Closed streams are opened on nothing, so that no file that is opened later becomes one of them; a broken pipe ends no run by itself,
+/// nor does a file that reaches the limit of the shell: that is an error as on a full disk.
 void prepare_streams();
 
 /// On stderr. What cannot be written there is dropped; it is no reason to stop.
