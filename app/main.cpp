@@ -12,6 +12,7 @@
 #include <QCommandLineParser>
 #include <QTimer>
 
+#include <algorithm>
 #include <cstdio>
 #include <string_view>
 
@@ -35,11 +36,25 @@ int printPage(int argc, char* argv[])
     }
 }
 
+/// What only prints needs no screen. Without one Qt would abort.
+bool preparesScreen(int argc, char* argv[])
+{
+    const auto is_given = [&](std::string_view word) { return std::find(argv + 1, argv + argc, word) != argv + argc; };
+    for (const char* word : {"-h", "--help", "--help-all", "-v", "--version"})
+        if (is_given(word)) qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (qEnvironmentVariableIsSet("QT_QPA_PLATFORM") || is_given("-platform") || !qEnvironmentVariableIsEmpty("DISPLAY") ||
+        !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
+        return true;
+    std::fputs("There is no screen to show a window on: neither DISPLAY nor WAYLAND_DISPLAY is set. hygroloom-cli needs none.\n", stderr);
+    return false;
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
 {
     if (argc == 4 && std::string_view(argv[1]) == "--pdf") return printPage(argc, argv);
+    if (!preparesScreen(argc, argv)) return 1;
     hygroloom::requestOpenGL();
 
     QApplication application(argc, argv);
