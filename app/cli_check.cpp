@@ -280,6 +280,8 @@ int check(const ProjectOptions& options)
         const bool in_table = issue.code == "sections" && !options.json; // printed below the numbers
         if (issue.severity != Severity::note || (!options.quiet && !in_table)) print_issue(options.project, issue);
     }
+    if (design.fabrics.empty() && !options.json && !options.quiet)
+        print_note("{}: The project has no fabric. hygroloom-cli presets lists fabrics to begin with.\n", options.project);
     json["fabrics"] = Json::array();
     for (std::size_t i = 0; i < design.fabrics.size() && is_sound; ++i) { // calculated from wrong values they would be wrong
         const Fabric& fabric = design.fabrics[i];

@@ -47,7 +47,9 @@ double parse_time_target(const std::string& text)
 FidelityChoice choose_fidelity(const std::vector<ModelPlan>& plans, const FidelityTarget& target)
 {
     if (target.error) {
-        const auto keeps = [&](const ModelPlan& p) { return p.expected_error && *p.expected_error <= *target.error; };
+        const auto keeps = [&](const ModelPlan& p) { // the reference's own error is not known
+            return p.fidelity != Fidelity::reference && p.expected_error && *p.expected_error <= *target.error;
+        };
         const auto found = std::find_if(plans.begin(), plans.end(), keeps);
         if (found != plans.end())
             return {found->fidelity, fmt::format("The cheapest that is expected to keep the numerical error below {:g} %: {}. {}",

@@ -209,15 +209,15 @@ try {
     plan.expected_bytes = expected.at("memory_bytes");
     plan.expectation_source = expected.at("source");
     return plan;
-} catch (const Json::exception& e) {
-    throw Error(std::string("The model plan cannot be read: ") + e.what());
+} catch (const Json::exception&) {
+    throw Error("The model plan cannot be read: its text is damaged, or of another version.");
 }
 
 ModelPlan plan_from_json(const std::string& text)
 try {
     return plan_from_value(Json::parse(text));
-} catch (const Json::exception& e) {
-    throw Error(std::string("The model plan cannot be read: ") + e.what());
+} catch (const Json::exception&) {
+    throw Error("The model plan cannot be read: its text is damaged, or of another version.");
 }
 
 Json switched_value(const std::vector<SwitchedPart>& parts)
@@ -248,15 +248,15 @@ try {
         if (!json.at("kept_off").is_null()) part.kept_off = json.at("kept_off");
     }
     return parts;
-} catch (const Json::exception& e) {
-    throw Error(std::string("The parts that were switched on cannot be read: ") + e.what());
+} catch (const Json::exception&) {
+    throw Error("The parts that were switched on cannot be read: their text is damaged, or of another version.");
 }
 
 std::vector<SwitchedPart> switched_from_json(const std::string& text)
 try {
     return switched_from_value(Json::parse(text));
-} catch (const Json::exception& e) {
-    throw Error(std::string("The parts that were switched on cannot be read: ") + e.what());
+} catch (const Json::exception&) {
+    throw Error("The parts that were switched on cannot be read: their text is damaged, or of another version.");
 }
 
 } // namespace hygroloom
