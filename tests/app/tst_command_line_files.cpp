@@ -281,8 +281,7 @@ private Q_SLOTS:
     {
         const QString recording = recorded("map.hygrorec"), csv = at("map.csv");
         write(csv, "older");
-        const Answer answer =
-            run_in_shell(QString("measure \"%1\" --map top --cells 1 -o \"%2\"").arg(recording, csv), "ulimit -f 8; ");
+        const Answer answer = run_in_shell(QString("measure \"%1\" --map top --cells 1 -o \"%2\"").arg(recording, csv), "ulimit -f 8; ");
         QCOMPARE(answer.code, 1);
         QCOMPARE(contents(csv), QByteArray("older"));
         QCOMPARE(run_cli({"measure", recording, "--map", "top", "--cells", "1", "-o", csv}).code, 0);
