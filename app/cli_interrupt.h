@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Ctrl-C, a polite kill and a terminal that goes (unless nohup says otherwise) cancel what a verb is doing; a second one ends the program
+// Ctrl-C, a polite kill and a closed terminal (but under nohup) cancel what a verb is doing; a second one ends the program
 // at once, as does the time of a verb that may not take long.
 #pragma once
 

@@ -342,7 +342,7 @@ private Q_SLOTS:
         QTest::addColumn<QStringList>("how");
         QTest::newRow("Ctrl-C") << SIGINT << QStringList{};
         QTest::newRow("a polite kill") << SIGTERM << QStringList{};
-        QTest::newRow("a terminal that goes") << SIGHUP << QStringList{};
+        QTest::newRow("a closed terminal") << SIGHUP << QStringList{};
         QTest::newRow("a polite kill of a quiet run") << SIGTERM << QStringList{"--quiet"};
     }
     void interruptedRunsLeaveAReadableRecording()

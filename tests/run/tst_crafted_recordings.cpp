@@ -346,18 +346,20 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("before");
         QTest::addColumn<int>("where");
         QTest::addColumn<int>("size");
+        QTest::addColumn<int>("next"); // of the part after it; 0: as it is
         const QByteArray of_part("TREE\1", 5), of_fill("\x08\0\0\0\0\0\0\0\0\0\xf0\x3f", 12), of_layout("\x03\x02\x03", 3);
-        QTest::newRow("none") << of_part << 24 << 24;
-        QTest::newRow("a short part") << of_part << 24 << 8;
-        QTest::newRow("a long part") << of_part << 24 << 48;
-        QTest::newRow("a short value for what is not there") << of_fill << 0 << 4;
-        QTest::newRow("values of another size") << of_layout << 19 << 4;
+        QTest::newRow("none") << of_part << 24 << 24 << 0;
+        QTest::newRow("a short part behind a long one") << of_part << 24 << 40 << 8; // together they have as many bytes as they should
+        QTest::newRow("a long part") << of_part << 24 << 48 << 0;
+        QTest::newRow("a short value for what is not there") << of_fill << 0 << 4 << 0;
+        QTest::newRow("values of another size") << of_layout << 19 << 4 << 0;
     }
     void sizesThatDoNotAgreeAreRefused()
     {
         QFETCH(QByteArray, before);
         QFETCH(int, where);
         QFETCH(int, size);
+        QFETCH(int, next);
         {
             const hid_t file = H5Fcreate(crafted_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
             const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
@@ -377,8 +379,11 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::ReadWrite));
         QByteArray bytes = file.readAll();
         int changed = 0;
-        for (qsizetype at = bytes.indexOf(before); at >= 0; at = bytes.indexOf(before, at + 1), ++changed)
+        constexpr int key_bytes = 8 + 3 * 8 + 8; // with the place of its part
+        for (qsizetype at = bytes.indexOf(before); at >= 0; at = bytes.indexOf(before, at + 1), ++changed) {
             bytes[at + where] = static_cast<char>(size);
+            if (next != 0) bytes[at + where + key_bytes] = static_cast<char>(next);
+        }
         QVERIFY(changed > 0);
         file.seek(0);
         file.write(bytes);

@@ -32,6 +32,17 @@ StudyColumn words(const char* name, Role role, const std::vector<std::string>& v
     return column;
 }
 
+/// The sentence; empty: it is read.
+QString refusal_of(const std::string& study)
+{
+    try {
+        read_results_hdf5(study);
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return {};
+}
+
 StudyTable table_of(std::size_t rows)
 {
     const auto each = [rows](auto value) {
@@ -216,12 +227,7 @@ private Q_SLOTS:
             QVERIFY(hurt.open(QIODevice::WriteOnly));
             hurt.write(QByteArray(whole).replace(at, in_header.size(), in_header));
             hurt.close();
-            QString said;
-            try {
-                read_results_hdf5(hurt.fileName().toStdString());
-            } catch (const FileError& error) {
-                said = error.what();
-            }
+            const QString said = refusal_of(hurt.fileName().toStdString());
             QVERIFY2(said.contains("does not lie in chunks"), qPrintable(said));
             ++columns;
         }
@@ -250,12 +256,7 @@ private Q_SLOTS:
         QVERIFY(H5Dwrite_chunk(column, H5P_DEFAULT, 0, &first, size, packed) >= 0);
         H5Dclose(column);
         H5Fclose(opened);
-        QString said;
-        try {
-            read_results_hdf5(file);
-        } catch (const FileError& error) {
-            said = error.what();
-        }
+        const QString said = refusal_of(file);
         QVERIFY2(said.contains("cannot be unpacked"), qPrintable(said));
     }
 
@@ -285,12 +286,7 @@ private Q_SLOTS:
         H5Sclose(space);
         H5Pclose(properties);
         H5Fclose(opened);
-        QString said;
-        try {
-            read_results_hdf5(file);
-        } catch (const FileError& error) {
-            said = error.what();
-        }
+        const QString said = refusal_of(file);
         QVERIFY2(said.endsWith("rows/point: This is missing or damaged."), qPrintable(said)); // by what looks at each block
     }
 
