@@ -359,7 +359,6 @@ private Q_SLOTS:
         QFETCH(QByteArray, before);
         QFETCH(int, where);
         QFETCH(int, size);
-        QFETCH(int, next);
         {
             const hid_t file = H5Fcreate(crafted_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
             const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
@@ -379,14 +378,13 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::ReadWrite));
         QByteArray bytes = file.readAll();
         int changed = 0;
+        QFETCH(int, next);
         constexpr int key_bytes = 8 + 3 * 8 + 8; // with the place of its part
         for (qsizetype at = bytes.indexOf(before); at >= 0; at = bytes.indexOf(before, at + 1), ++changed) {
             bytes[at + where] = static_cast<char>(size);
             if (next != 0) bytes[at + where + key_bytes] = static_cast<char>(next);
         }
-        QVERIFY(changed > 0);
-        file.seek(0);
-        file.write(bytes);
+        QVERIFY(changed > 0 && file.seek(0) && file.write(bytes) == bytes.size());
         file.close();
         bool refused = false;
         try {
