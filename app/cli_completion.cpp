@@ -49,9 +49,14 @@ std::string bash_case(const std::string& verb, const DescribedOption& option)
 
 std::string bash_verb(const DescribedVerb& verb)
 {
-    std::string text;
-    bool files = false;
+    std::string text, first;
+    bool files = false, others = false; // among what stands without a name
     for (const DescribedOption& option : verb.options) {
+        if (option.positional && !option.choices.empty() && !others)
+            first =
+                fmt::format("    \"{0} {0}\") if [[ $word == -* ]]; then words=\"{1}\"; else words=\"{2}\"; compopt +o default; fi ;;\n",
+                            verb.name, fmt::join(all_names(verb.options), " "), fmt::join(option.choices, " "));
+        others = others || option.positional;
         files = files || (option.positional && option.takes_path);
         if (option.positional || option.value.empty()) continue;
         const std::string pattern = bash_case(verb.name, option);
@@ -62,8 +67,9 @@ std::string bash_verb(const DescribedVerb& verb)
         else
             text += fmt::format("    {}) words=\"{}\" ;;\n", pattern, fmt::join(option.choices, " "));
     }
-    return text + fmt::format("    \"{} \"*) [[ $word == -* ]] && words=\"{}\"{} ;;\n", verb.name, fmt::join(all_names(verb.options), " "),
-                              files ? "" : " || compopt +o default");
+    return text + first +
+           fmt::format("    \"{} \"*) [[ $word == -* ]] && words=\"{}\"{} ;;\n", verb.name, fmt::join(all_names(verb.options), " "),
+                       files ? "" : " || compopt +o default");
 }
 
 /// "(-o --output)"{-o,--output}"[meaning]:value:_files"
@@ -87,6 +93,10 @@ std::string fish_option(const DescribedVerb& verb, const DescribedOption& option
 {
     const auto in_quotes = [](const std::string& text) { return "'" + escaped(text, "'\\") + "'"; };
     std::string text = fmt::format("complete -c hygroloom-cli -n '__fish_seen_subcommand_from {}'", verb.name);
+    if (option.positional && !option.choices.empty())
+        return fmt::format(
+            "complete -c hygroloom-cli -n '__fish_seen_subcommand_from {0}; and not __fish_seen_subcommand_from {1}' -a '{1}'\n", verb.name,
+            fmt::join(option.choices, " "));
     if (option.positional) return option.takes_path ? text + " -F\n" : "";
     for (const std::string& name : option.names) text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
     if (option.takes_path)

@@ -198,7 +198,7 @@ void add_garment(CLI::App& app, Verb& verb)
     garment_verb.add_option("--uv-unit", options->uv_unit, "Unit of a mesh's flat coordinates")
         ->check(CLI::IsMember({"from_lengths", "mm", "cm", "m"}));
     garment_verb.add_option("--experiment", options->plan.experiment, "With plan: experiment of the type wear; the only one when left out");
-    garment_verb.add_option("--fidelity", options->plan.fidelity, "With plan: live, draft, standard or reference");
+    garment_verb.add_option("--fidelity", options->plan.fidelity, "With plan: resolution")->type_name("{live,draft,standard,reference}");
     garment_verb.add_option("--cell-mm", options->plan.cell_mm, "With plan: sides of cells, mm; by fidelity when left out")
         ->check(CLI::Range(0.05, 100.0));
     garment_verb.add_option("--time", options->map.time, "With map: time, s; the end when left out")

@@ -72,6 +72,10 @@ for verb in sorted(verbs):
 for name, of in shells:
     if name != "zsh":
         compare(f"{name}: --backend", {"auto", "cpu", "cuda"}, of("simulate", "--backend", ""))
+        compare(f"{name}: garment --fidelity", {"live", "draft", "standard", "reference"}, of("garment", "--fidelity", ""))
+        lacking = {"import", "plan", "map"} - of("garment", "")
+        if lacking:
+            faults.append(f"{name}: garment lacks {sorted(lacking)}")
 if shutil.which("man"):
     warned = subprocess.run(["man", "--warnings", "-l", folder / "hygroloom-cli.1"], capture_output=True, text=True, env=os.environ | {"MANWIDTH": "100"})
     if warned.stderr:
