@@ -7228,6 +7228,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>Tables saved as files and the command line keep mm, tex and °C; so do the lesson and scale bars in pictures of reports.</source>
         <translation>Gespeicherte Tabellen und die Kommandozeile behalten mm, tex und °C, ebenso die Lektion und Maßstäbe in Bildern von Berichten.</translation>
     </message>
+    <message>
+        <source>Refine pictures of cloth while nothing moves</source>
+        <translation>Bilder des Gewebes verfeinern, solange sich nichts bewegt</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::PresetGallery</name>

@@ -19,6 +19,8 @@
 #include <QSpinBox>
 #include <QWheelEvent>
 
+#include <utility>
+
 using namespace hygroloom;
 
 class TestPreferences : public ProjectRunsTest {
@@ -33,7 +35,7 @@ private Q_SLOTS:
 
     void init()
     {
-        setPreferences({});
+        setPreferences(quickPreferences());
         openProject();
         trigger("Preferences…");
         dialog_ = window_->findChild<PreferencesDialog*>();
@@ -167,6 +169,24 @@ private Q_SLOTS:
         QVERIFY(canvas->camera().millimetrePerPixel(size) > before);
         tick("Zoom to the pointer, not to the middle");
         QCOMPARE(zoomedAt({10, 10}, size), QPointF(0.5 * size.width(), 0.5 * size.height()));
+    }
+
+    void picturesAreRefinedAtRestOnlyIfPreferred()
+    {
+        TextileCanvas* canvas = window_->viewport().canvas();
+        if (!canvas) { QSKIP("This display has no OpenGL."); }
+        const auto at_rest = [canvas] {
+            QTest::qWait(400); // longer than a motion
+            return QTest::qWaitFor([canvas] { return canvas->rests(); }, 20000) ? canvas->grabFramebuffer() : QImage();
+        };
+        QImage plain = at_rest();
+        QTRY_VERIFY(std::exchange(plain, at_rest()) == plain); // meshes come one after the other
+        tick("Refine pictures of cloth while nothing moves");
+        const QImage fine = at_rest();
+        QVERIFY(!fine.isNull() && !plain.isNull() && plain != fine);
+        tick("Refine pictures of cloth while nothing moves");
+        QCOMPARE(at_rest(), plain);
+        QVERIFY(canvas->picture() != plain); // what is saved is fine
     }
 
     void copiesOfUnsavedWorkComeAsOftenAsPreferred()

@@ -34,7 +34,7 @@ private Q_SLOTS:
         openWindow({1280, 800});
     }
     void cleanupTestCase() { window_.reset(); }
-    void cleanup() { setPreferences({}); }
+    void cleanup() { setPreferences(quickPreferences()); }
 
     void whatARunDoesNotModelCannotBeChosen()
     {

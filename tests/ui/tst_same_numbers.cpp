@@ -20,7 +20,7 @@ private Q_SLOTS:
     void initTestCase()
     {
         useOwnSettings();
-        setPreferences({});
+        setPreferences(quickPreferences());
         openProject();
         run();
         QTRY_VERIFY_WITH_TIMEOUT(playback().metrics(), 20000);

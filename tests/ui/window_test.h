@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/basics/appearance.h"
+#include "ui/basics/preferences.h"
 #include "ui/compare/compare_view.h"
 #include "ui/results/simulation_panel.h"
 #include "ui/window/main_window.h"
@@ -38,6 +39,14 @@ protected:
     RunHistory& runs() { return window_->compare().runs(); }
     static QString example(const QString& name) { return QString(HYGROLOOM_SOURCE_DIR) + "/resources/examples/" + name + ".hygro"; }
 
+    /// The defaults, but pictures at rest as they are drawn first: a processor draws each pixel.
+    static Preferences quickPreferences()
+    {
+        Preferences quick;
+        quick.refine_at_rest = 0;
+        return quick;
+    }
+
     /// Before the first window.
     void useOwnSettings()
     {
@@ -46,6 +55,7 @@ protected:
         qputenv("XDG_DATA_HOME", folder_.path().toUtf8()); // unsaved work
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder_.path());
         applyAppearance(Appearance::light);
+        setPreferences(quickPreferences());
     }
 
     /// Small, as a processor draws every pixel: for a test of what is seen, say how large.

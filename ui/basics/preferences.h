@@ -23,6 +23,7 @@ struct Preferences {
     int navigation = 0;       ///< Navigation
     int wheel_towards = 0;    ///< 0: forward comes nearer; 1: backward does
     int zoom_to_pointer = 1;  ///< 0: the middle of the picture stays
+    int refine_at_rest = 1;   ///< whether pictures of cloth become finer while nothing moves
     int autosave_minutes = 0; ///< 0: after each change
     int runs_gigabytes = 20;  ///< of a project, before old runs are offered to go
     int threads = 0;          ///< of a run on the CPU; 0: all

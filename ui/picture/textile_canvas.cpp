@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/picture/textile_canvas.h"
 
+#include "ui/basics/preferences.h"
+
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
 #include <QOpenGLFunctions>
@@ -45,6 +47,10 @@ TextileCanvas::TextileCanvas(QWidget* parent) : QOpenGLWidget(parent)
     connect(&more_, &QTimer::timeout, this, [this] {
         sample_due_ = true;
         update();
+    });
+    refine_at_rest_ = preferences().refine_at_rest;
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, [this] {
+        if (std::exchange(refine_at_rest_, preferences().refine_at_rest) != refine_at_rest_) { changed(); }
     });
     fade_.setSingleShot(true);
     fade_.setInterval(15);
@@ -316,7 +322,7 @@ void TextileCanvas::drawScene()
     const QSize pixels = coarse ? (QSizeF(whole) * moving_shares[moving_step_]).toSize().expandedTo({1, 1}) : whole;
     const bool of_film = rested_.isValid() && rested_.elapsed() < rest_before_samples_ms;
     if (!of_film) film_is_quick_ = still_seconds_ < quick_seconds; // for the whole film
-    const bool samples = settled && still_seconds_ < too_slow_for_samples && (film_is_quick_ || !of_film);
+    const bool samples = settled && refines() && still_seconds_ < too_slow_for_samples && (film_is_quick_ || !of_film);
     if (!scene_picture_ || scene_picture_->size() != whole) {
         scene_picture_ = std::make_unique<QOpenGLFramebufferObject>(whole);
         sampled_.reset();
@@ -353,7 +359,7 @@ void TextileCanvas::drawScene()
     sample_due_ = false;
     if (settled) {
         samples_.begin(pixels);
-        more_.start(rest_before_samples_ms);
+        if (samplesWanted() > 0) { more_.start(rest_before_samples_ms); }
         rested_.start();
     } else {
         more_.stop();
@@ -372,10 +378,13 @@ void TextileCanvas::adaptToMotion(double seconds)
     }
 }
 
+/// What is saved is refined always.
+bool TextileCanvas::refines() const { return at_once_ || refine_at_rest_ != 0; }
+
 /// As many as take a few seconds.
 int TextileCanvas::samplesWanted() const
 {
-    if (!usable_ || !fabric()) { return 0; }
+    if (!usable_ || !fabric() || !refines()) { return 0; }
     return std::clamp(static_cast<int>(sampling_seconds / std::max(still_seconds_, 1e-3)), fewest_samples, samples_at_rest);
 }
 

@@ -166,6 +166,7 @@ private:
     void drawScene();
     void drawSample();
     void adaptToMotion(double seconds);
+    bool refines() const;
     int samplesWanted() const;
     void drawOverlay(QPainter& painter);
     double drawClock(QPainter& painter, const QColor& ink);
@@ -239,6 +240,7 @@ private:
     QElapsedTimer since_drawn_;
     QElapsedTimer rested_; ///< since the last still picture
     bool film_is_quick_ = true;
+    int refine_at_rest_ = 1; ///< as preferred when it was last looked
     QTimer still_;
     QTimer fade_;
     QTimer more_;       ///< until the next sample is drawn

@@ -234,6 +234,7 @@ void PreferencesDialog::addLook()
     });
     refreshers_.push_back([this] { look_->setCurrentIndex(static_cast<int>(savedAppearance())); });
     addChoice(*form, tr("Water colours"), &Preferences::water_colors, waterColorNames());
+    addTick(*form, tr("Refine pictures of cloth while nothing moves"), &Preferences::refine_at_rest);
     addTick(*form, tr("Show the start page at the start"), &Preferences::start_page);
 }
 
