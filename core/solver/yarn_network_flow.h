@@ -72,6 +72,10 @@ template <typename Executor> void YarnNetwork<Executor>::flow_between_layers(dou
     const RateWatch& watch = steps_.exchange();
     LayerSide* const sides = layer_sides_.data();
     each_segment("see layers", SeeLayers{segments(), climate_, dt, watch.known ? watch.dt : dt, rules.heat, sides});
+    if (rules.vapour)
+        each_layer_joint("layers, go on", [&](int first) {
+            return GoOnBetweenLayers{sides, segments(), dt, layers_.data() + first, layer_flows_.data() + 2 * first};
+        });
     each_layer_joint("layers, flow", [&](int first) {
         return FlowBetweenLayers{sides, segments(), dt, rules.vapour, rules.heat, layers_.data() + first, layer_flows_.data() + 2 * first};
     });
@@ -80,9 +84,9 @@ template <typename Executor> void YarnNetwork<Executor>::flow_between_layers(dou
 template <typename Executor> void YarnNetwork<Executor>::pass_between_layers(double dt)
 {
     const StepRules& rules = scene_->rules;
+    LayerSide* const sides = layer_sides_.data();
     each_layer_joint("layers, pass", [&](int first) {
-        return PassBetweenLayers{
-            segments(), climate_.density, dt, rules.vapour, rules.heat, layers_.data() + first, layer_flows_.data() + 2 * first};
+        return PassBetweenLayers{sides, segments(), dt, rules.vapour, rules.heat, layers_.data() + first, layer_flows_.data() + 2 * first};
     });
 }
 

@@ -19,7 +19,7 @@ void add_cell(WearNow& now, const WearFrame& frame, std::size_t i, const Garment
     const double water = frame.water(i);
     now.water += water;
     now.inside += frame.inside[i];
-    if (water > wet_share * cell.capacity) now.wet_area += cell.area;
+    if (water > share_of_wet * cell.capacity) now.wet_area += cell.area;
     now.evaporated += frame.evaporated[i];
     now.on_skin += frame.on_skin[i];
     now.temperature += static_cast<double>(frame.temperature[i]) * cell.area;
@@ -77,13 +77,13 @@ double WearPart::most_water() const
 
 std::optional<double> WearPart::time_to_full() const
 {
-    const auto full = std::find_if(course.begin(), course.end(), [&](const WearNow& now) { return now.water >= full_share * capacity; });
+    const auto full = std::find_if(course.begin(), course.end(), [&](const WearNow& now) { return now.water >= share_of_full * capacity; });
     return full == course.end() ? std::nullopt : std::optional(full->time);
 }
 
 std::optional<double> WearPart::time_to_dry(double from) const
 {
-    const double little = dry_share * most_water();
+    const double little = share_of_dry * most_water();
     if (little <= 0) return std::nullopt;
     const auto dry = std::find_if(course.begin(), course.end(), [&](const WearNow& now) { return now.time > from && now.water < little; });
     return dry == course.end() ? std::nullopt : std::optional(dry->time - from);

@@ -11,7 +11,7 @@ namespace hygroloom {
 
 /// Of a cell with more of its capacity than this the cloth is wet; as much over a panel's mean and it is full; a garment with less than
 /// the last, of the most that it held, is dry again.
-constexpr double wet_share = 0.1, full_share = 0.9, dry_share = 0.05;
+constexpr double share_of_wet = 0.1, share_of_full = 0.9, share_of_dry = 0.05;
 
 /// Part of a garment at one moment.
 struct WearNow {
@@ -33,9 +33,9 @@ struct WearPart {
 
     double largest_wet_area() const; ///< m2
     double most_water() const;       ///< kg
-    /// s: when it first holds full_share of its capacity; none: never.
+    /// s: when it first holds share_of_full of its capacity; none: never.
     std::optional<double> time_to_full() const;
-    /// s from a time on: until it holds less than dry_share of the most that it held; none: not by the end.
+    /// s from a time on: until it holds less than share_of_dry of the most that it held; none: not by the end.
     std::optional<double> time_to_dry(double from) const;
 };
 

@@ -27,18 +27,19 @@ std::string results(const WearMetrics& metrics)
     const WearPart& all = metrics.all();
     const WearNow& end = all.course.back();
     const auto time = [](const std::optional<double>& seconds) { return seconds ? fmt::format("{:.4g}", *seconds) : std::string("–"); };
-    std::string rows = row("cloth", fmt::format("{:.3f}", all.area), "m²") + row("it can hold", grams(all.capacity), "g") +
-                       row("water in it at the end", grams(end.water), "g", fmt::format("{:.1f} g/m²", 1e3 * end.water / all.area)) +
-                       row("most water in it", grams(all.most_water()), "g") +
-                       row("wet area at the end", fmt::format("{:.3f}", end.wet_area), "m²") +
-                       row("largest wet area", fmt::format("{:.3f}", all.largest_wet_area()), "m²") +
-                       row("time until full", time(all.time_to_full()), "s", fmt::format("{:.0f} % of what it can hold", 100 * full_share));
+    std::string rows =
+        row("cloth", fmt::format("{:.3f}", all.area), "m²") + row("it can hold", grams(all.capacity), "g") +
+        row("water in it at the end", grams(end.water), "g", fmt::format("{:.1f} g/m²", 1e3 * end.water / all.area)) +
+        row("most water in it", grams(all.most_water()), "g") + row("wet area at the end", fmt::format("{:.3f}", end.wet_area), "m²") +
+        row("largest wet area", fmt::format("{:.3f}", all.largest_wet_area()), "m²") +
+        row("time until full", time(all.time_to_full()), "s", fmt::format("{:.0f} % of what it can hold", 100 * share_of_full));
     if (metrics.stops())
-        rows += row("time to dry", time(all.time_to_dry(*metrics.stops())), "s",
-                    fmt::format("to {:.0f} % of the most, after the activity last falls at {:.4g} s", 100 * dry_share, *metrics.stops()));
+        rows +=
+            row("time to dry", time(all.time_to_dry(*metrics.stops())), "s",
+                fmt::format("to {:.0f} % of the most, after the activity last falls at {:.4g} s", 100 * share_of_dry, *metrics.stops()));
     rows += row("the skin gave to the cloth", fmt::format("{:.4g}", 1e-3 * metrics.heat_from_skin()), "kJ") +
             row("evaporating took", fmt::format("{:.4g}", 1e-3 * metrics.heat_of_evaporation()), "kJ");
-    return table(rows) + fmt::format("<p>Cloth is wet with more than {:.0f} % of what it can hold.</p>\n", 100 * wet_share);
+    return table(rows) + fmt::format("<p>Cloth is wet with more than {:.0f} % of what it can hold.</p>\n", 100 * share_of_wet);
 }
 
 /// A row for each part, at the end.

@@ -2,7 +2,10 @@
 // Panels of several layers: how they lie, and what passes from one to the next.
 #include "core/base/units.h"
 #include "core/physics/air.h"
+#include "core/physics/heat_moisture.h"
+#include "core/project/project_file.h"
 #include "core/wear/wear_layout.h"
+#include "core/wear/wear_run.h"
 #include "tests/wear/flat_garment.h"
 
 #include <QTest>
@@ -47,6 +50,22 @@ double water_of(const GarmentScene& garment, const Frame& frame, int panel)
 
 class TestLayers : public QObject {
     Q_OBJECT
+
+    void fillUp(const GarmentScene& garment, const Climate& climate, double skin_c)
+    {
+        const ClimateParameters& air = garment.fabrics.front().tile.climate;
+        const double wet_bulb = -wet_bulb_depression(air.heat_transfer, air.mass_transfer, air.temperature, climate.relative_humidity);
+        const auto backend = make_cpu_backend();
+        backend->load(garment.scene);
+        for (double time = 60; time <= 900; time += 60) {
+            while (backend->advance(time) < time) {}
+            const Frame frame = backend->frame();
+            QVERIFY(std::abs(frame.ledger.water_imbalance()) < 1e-12 * frame.ledger.water_delivered);
+            for (const CellSums& cell : frame.cells)
+                QVERIFY2(cell.warmth > wet_bulb - 1 && cell.warmth < skin_c - climate.temperature_c,
+                         qPrintable(QString("%1 K at %2 s; the wet bulb has %3").arg(cell.warmth).arg(time).arg(wet_bulb)));
+        }
+    }
 
 private Q_SLOTS:
     void layersArePanelsSewnAsTheFirst()
@@ -169,6 +188,41 @@ private Q_SLOTS:
         }
         QVERIFY2(std::abs(outer[1] / outer[0] - 1) < 0.02, qPrintable(QString("%1 and %2 kg in a cell").arg(outer[0]).arg(outer[1])));
         QVERIFY(outer[1] != outer[0]);
+    }
+
+    /// Full yarns have hardly any air of their own whose vapour could be told, and neither cool below the wet bulb nor warm over the skin.
+    void layersThatFillUpStayBetweenWetBulbAndSkin_data()
+    {
+        QTest::addColumn<QString>("lining");
+        QTest::addColumn<int>("layers");
+        QTest::addColumn<int>("fidelity");
+        for (const Fidelity fidelity : {Fidelity::live, Fidelity::draft}) {
+            const char* name = name_of(fidelity);
+            QTest::addRow("two alike, %s", name) << QString() << 2 << static_cast<int>(fidelity);
+            QTest::addRow("three alike, %s", name) << QString() << 3 << static_cast<int>(fidelity);
+            QTest::addRow("a lining, %s", name) << QStringLiteral("Sports micro-twill") << 2 << static_cast<int>(fidelity);
+        }
+    }
+    void layersThatFillUpStayBetweenWetBulbAndSkin()
+    {
+        QFETCH(QString, lining);
+        QFETCH(int, layers);
+        QFETCH(int, fidelity);
+        Lined lined(lining.toStdString(), layers, "Poplin shirting");
+        lined.fidelity = static_cast<Fidelity>(fidelity);
+        lined.garment.wearer.skin_temperature_c = 34;
+        lined.parts.sweat.g_m2_h.assign(body_zones().size(), 1500);
+        fillUp(lined.scene(6e-3, false, true), lined.wear.climate, 34);
+    }
+    void theShippedLinedSingletFillsUp()
+    {
+        const std::string folder = HYGROLOOM_SOURCE_DIR "/resources/examples";
+        const Design design = read_project(folder + "/lined-singlet.hygro");
+        const WearExperiment& wear = *find_wear(design, "wear");
+        WearOptions options;
+        options.fidelity = Fidelity::live;
+        fillUp(garment_scene(garment_parts(design, wear, folder), resolution_of(options)), wear.climate,
+               design.garments[0].wearer.skin_temperature_c);
     }
 
     /// Sweat comes to the outer layer through the inner one, and nothing is lost on the way.

@@ -35,6 +35,17 @@ struct WickBetweenLayers : PairFlow {
 struct LayerFlow {
     double heat = 0, heat_now = 0;
     double vapour = 0, vapour_now = 0;
+    double corrected = 0; ///< in the last step: kg of vapour, or J without
+    double caution = 1;   ///< on the responses of both sides: more where corrections change their sign and grow, or fall by less than half
+
+    HL_FN void take_care(double correction)
+    {
+        constexpr double most = 4, fades = 0.8;
+        const bool swings =
+            correction * corrected < 0 && (correction > 0 ? correction + 0.5 * corrected : -correction - 0.5 * corrected) > 0;
+        caution = swings ? (caution < 0.5 * most ? 2 * caution : most) : (fades * caution > 1 ? fades * caution : 1);
+        corrected = correction;
+    }
 };
 
 /// A segment under or over another layer: what it has, and by how much vapour (kg) and heat (J) that come in a step change it.
@@ -42,6 +53,8 @@ struct LayerSide {
     double vapour = 0, warmth = 0;                   ///< kg/m3, K
     double vapour_by_vapour = 0, vapour_by_heat = 0; ///< 1/m3, kg/(m3 J)
     double warmth_by_vapour = 0, warmth_by_heat = 0; ///< K/kg, K/J
+    double vapour_as_it_goes_on = 0;                 ///< 1/m3, by how much a flow that goes on changes what liquid brings vapour to
+    double at_hand = 0;                              ///< kg of vapour that it can give
 
     HL_FN void take(double mass, double heat)
     {
@@ -51,7 +64,8 @@ struct LayerSide {
 };
 
 /// Finds it from the balances of ExchangeInSegment about where the last one ended: fibres and liquid take vapour and warm, and give some
-/// as they warm.
+/// as they warm. Vapour is that of the pores, or what liquid will have brought it to, the more the more of it liquid feeds: the little air
+/// of full pores does not tell it.
 struct SeeLayers {
     Segments s;
     ClimateParameters climate;
@@ -68,12 +82,19 @@ struct SeeLayers {
         const YarnParameters& yarn = s.yarn_of(i);
         const ForeseeVapour foresee(s, climate, yarn, dt, 0.0, false);
         const Saturation saturated = saturation_at(climate.temperature + s.warmth[i]);
-        const double air = foresee.air(i), vapour = s.vapour[i] * plain_inverse(air), fed = foresee.supply(i, saturated.concentration);
-        const double still = air + foresee.to_air_at(i);
-        LayerSide side{vapour, s.warmth[i]};
-        if (!heat) {
-            side.vapour_by_vapour = plain_inverse(still + s.uptake[i] + fed);
-        } else {
+        const double air = foresee.air(i), fed = foresee.supply(i, saturated.concentration), still = air + foresee.to_air_at(i);
+        const VapourAtHome home = foresee(i);
+        const double squeezed = s.vapour[i] * plain_inverse(air);
+        const double vapour = squeezed < saturated.concentration ? squeezed : saturated.concentration;
+        const double by_mass = plain_inverse(home.pivot), by_kept = plain_inverse(air + s.uptake[i] + fed);
+        LayerSide side;
+        side.vapour = (s.vapour[i] + s.uptake[i] * vapour + fed * home.known * by_mass) * by_kept;
+        side.warmth = s.warmth[i];
+        side.vapour_by_vapour = by_mass;
+        side.vapour_as_it_goes_on = fed * by_kept * by_mass;
+        constexpr double share = 0.9; // of what it holds
+        side.at_hand = share * (vapour * (air + s.uptake[i]) + s.liquid[i]);
+        if (heat) {
             const double latent = heat_of_evaporation(climate.temperature + s.warmth[i]);
             const double humidity = vapour < saturated.concentration ? vapour * plain_inverse(saturated.concentration) : 1.0;
             const double capacity = heat_capacity(yarn, s.length[i], s.warm_water(i)) + dt * s.air_over(i).heat_transfer * s.cell_area(i);
@@ -100,6 +121,25 @@ struct SeeLayers {
     }
 };
 
+/// Counts in what flows that go on leave of the vapour that liquid would bring each side to.
+struct GoOnBetweenLayers {
+    LayerSide* sides;
+    Segments s;
+    double dt;
+    const LayerJoint* joints;
+    const LayerFlow* flows;
+
+    HL_FN void operator()(int index) const
+    {
+        for (bool is_warp : {true, false}) {
+            const auto [a, b] = FacingSegments(s, joints[index], is_warp);
+            const double passes = dt * flows[2 * index + (is_warp ? 1 : 0)].vapour_now;
+            sides[a].vapour -= sides[a].vapour_as_it_goes_on * passes;
+            sides[b].vapour += sides[b].vapour_as_it_goes_on * passes;
+        }
+    }
+};
+
 /// How much heat and vapour flow through the air between. What the exchange with fibres and air leaves must not depend on the step's length
 /// where nothing changes any more: a flow goes on as in the step before, corrected by what the layers' end state of that step asks for
 /// (rebalanced splitting: Speth et al. 2013, doi 10.1137/120878641). Half of a correction stays for the next step, so that none comes
@@ -121,13 +161,15 @@ struct FlowBetweenLayers {
             const double mass = vapour ? 0.5 * dt * joints[index].vapour : 0.0, joules = heat ? 0.5 * dt * joints[index].heat : 0.0;
             const double missing_mass = mass * (a.vapour - b.vapour) - dt * flow.vapour;
             const double missing_heat = joules * (a.warmth - b.warmth) - dt * flow.heat;
-            const double mm = 1.0 + mass * (a.vapour_by_vapour + b.vapour_by_vapour), mh = mass * (a.vapour_by_heat + b.vapour_by_heat),
-                         hm = joules * (a.warmth_by_vapour + b.warmth_by_vapour), hh = 1.0 + joules * (a.warmth_by_heat + b.warmth_by_heat);
+            const double c = flow.caution, mm = 1.0 + c * mass * (a.vapour_by_vapour + b.vapour_by_vapour),
+                         mh = c * mass * (a.vapour_by_heat + b.vapour_by_heat), hm = c * joules * (a.warmth_by_vapour + b.warmth_by_vapour),
+                         hh = 1.0 + c * joules * (a.warmth_by_heat + b.warmth_by_heat);
             const double scale = plain_inverse(mm * hh - mh * hm);
             const double more_mass = (hh * missing_mass - mh * missing_heat) * scale,
                          more_heat = (mm * missing_heat - hm * missing_mass) * scale;
             a.take(-more_mass, -more_heat);
             b.take(more_mass, more_heat);
+            flow.take_care(vapour ? more_mass : more_heat);
             correct(more_mass, flow.vapour, flow.vapour_now);
             correct(more_heat, flow.heat, flow.heat_now);
         }
@@ -142,8 +184,8 @@ struct FlowBetweenLayers {
 
 /// Hands the flows to the exchange, of vapour never more than the giving side has at hand.
 struct PassBetweenLayers {
+    LayerSide* sides;
     Segments s;
-    double density; ///< of the liquid
     double dt;
     bool vapour, heat;
     const LayerJoint* joints;
@@ -155,9 +197,8 @@ struct PassBetweenLayers {
             const auto [a, b] = FacingSegments(s, joints[index], is_warp);
             LayerFlow& flow = flows[2 * index + (is_warp ? 1 : 0)];
             if (vapour) {
-                const double wanted = dt * flow.vapour_now, most = at_hand(wanted > 0 ? a : b);
-                const double passed = wanted > most ? most : wanted < -most ? -most : wanted;
-                if (passed != wanted) flow.vapour = passed * plain_inverse(dt);
+                const double wanted = dt * flow.vapour_now, passed = wanted > 0 ? taken(sides[a], wanted) : -taken(sides[b], -wanted);
+                if (passed != wanted) flow.vapour = flow.vapour_now = passed * plain_inverse(dt);
                 s.vapour[a] -= passed; // less than nothing is what liquid and fibres will give
                 s.vapour[b] += passed;
             }
@@ -166,11 +207,11 @@ struct PassBetweenLayers {
             s.came[b] += dt * flow.heat_now;
         }
     }
-    HL_FN double at_hand(int i) const // kg
+    HL_FN double taken(LayerSide& from, double wanted) const // kg
     {
-        constexpr double share = 0.9;
-        const double held = s.vapour[i] * (1.0 + s.uptake[i] * plain_inverse(pore_air(s.pores[i], s.liquid[i], density))) + s.liquid[i];
-        return held > 0 ? share * held : 0.0;
+        const double taken = wanted < from.at_hand ? wanted : from.at_hand;
+        from.at_hand -= taken;
+        return taken;
     }
 };
 
