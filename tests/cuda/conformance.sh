@@ -52,6 +52,10 @@ if [ -d "$examples" ]; then
     try "a lined garment" worn cuda "$results/one"
     try "a lined garment on the CPU" worn cpu "$results/beside"
     try "they agree to the printed digits" cmp "$results/one" "$results/beside"
+    # Until yarns are full: what the garment holds in the end, within 1 %.
+    filled() { "$cli" simulate "$examples/lined-singlet.hygro" --fidelity live --backend "$1" --json | awk -F'[:,]' '/"water_g"/ && !n++ { print $2 }'; }
+    on_gpu=$(filled cuda) beside=$(filled cpu)
+    try "a lined garment that fills up: $on_gpu g, on the CPU $beside g" awk "BEGIN { exit !($on_gpu > 0 && ($on_gpu / $beside - 1) ^ 2 < 1e-4) }"
     # Blocks of few threads with one fabric at a time, of many side by side: the same bytes.
     compared() { # fabrics at once, file
         sh -c "'$cli' compare '$examples/paper/figure-13-structures.hygro' --experiment 'one drop' --set 'experiments.one drop.duration_s=0.2' \

@@ -93,7 +93,8 @@ struct SeeLayers {
         side.vapour_by_vapour = by_mass;
         side.vapour_as_it_goes_on = fed * by_kept * by_mass;
         constexpr double share = 0.9; // of what it holds
-        side.at_hand = share * (vapour * (air + s.uptake[i]) + s.liquid[i]);
+        const double held = vapour * (air + s.uptake[i]) + s.liquid[i];
+        side.at_hand = held > 0 ? share * held : 0.0;
         if (heat) {
             const double latent = heat_of_evaporation(climate.temperature + s.warmth[i]);
             const double humidity = vapour < saturated.concentration ? vapour * plain_inverse(saturated.concentration) : 1.0;
