@@ -43,19 +43,19 @@ double spacing_of(const ModelPlan& plan) { return std::cbrt(std::max(1e-18, plan
 double share_that_stays(const ModelPlan& plan) { return plan.on("cap") ? 1.0 : share_that_stays(plan.counts, spacing_of(plan)); }
 
 /// Of the yarns, as long as liquid is about that they may absorb: steps are short then. By suction it is not for long, and front places ask
-/// for shorter steps; on full cloth, and of a splash by other closures, some lies there until the end. What no yarn absorbs sleeps soon.
-/// Under a cap steps follow saturations: the six scenes of tests/data/tradeoff whose cloth draws took 31 to 228 more than frames.
+/// for shorter steps; on full cloth, and by other closures, some of it lies there until the end. What no yarn absorbs sleeps soon. Under a
+/// cap steps follow saturations: the six scenes of tests/data/tradeoff whose cloth draws took 31 to 228 more than frames, the median stands
+/// here.
 double steps_with_drops(const ModelPlan& plan)
 {
     const SceneCounts& scene = plan.counts;
     const double limit = plan.knobs.network_step_limit, stays = share_that_stays(plan), landings = landings_of(scene);
     const auto steps_in = [&](double time) { return std::min(scene.duration, landings * time) / limit; };
-    constexpr double of_a_cap = 114; // their median
+    constexpr double of_a_cap = 114;
     if (plan.on("cap")) return draws_from_drops(plan) ? landings * of_a_cap : 0.0;
     if (stays <= 0) return steps_in(falls_past_in(scene));
     if (!plan.on("wicking")) return steps_in(resting_swings * swing_of_largest(scene, stays));
-    if (scene.uptake <= 0 || share_with_room(scene, stays) < 1) return scene.duration / limit;
-    if (!flows_by_suction(plan)) return splashes(scene) ? scene.duration / limit : steps_in(absorbed_otherwise_in(scene));
+    if (!flows_by_suction(plan) || scene.uptake <= 0 || share_with_room(scene, stays) < 1) return scene.duration / limit;
     constexpr double of_the_limit = 0.7;
     return steps_in(absorbed_by_suction_in(scene)) / of_the_limit;
 }

@@ -61,22 +61,6 @@ inline double absorbed_by_suction_in(const SceneCounts& scene)
     return swings * swing_of(scene, drop) + uptakes * drop / scene.uptake * std::pow(times_its_room, power);
 }
 
-/// Until cloth with another closure has absorbed a drop, s. Swings were set on six drops of random designs, which took 12 to 70.
-inline double absorbed_otherwise_in(const SceneCounts& scene)
-{
-    constexpr double swings = 50, uptakes = 0.68; // the second as of particles: count_liquid()
-    const double drop = std::max(1e-18, scene.drop_volume);
-    return swings * swing_of(scene, drop) + uptakes * drop / scene.uptake;
-}
-
-/// Whether a drop lands so fast that bits of it stay apart, by its Weber number. Of random designs drops with 17 and less went into the
-/// cloth and some liquid of those with 570 and more lay there until the end.
-inline bool splashes(const SceneCounts& scene)
-{
-    constexpr double most = 100;
-    return scene.landing_speed * scene.landing_speed * diameter_of_largest(scene) / scene.capillarity > most;
-}
-
 /// In which the largest swings once, as far as it stays, s.
 inline double swing_of_largest(const SceneCounts& scene, double stays)
 {
