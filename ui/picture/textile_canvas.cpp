@@ -50,7 +50,8 @@ TextileCanvas::TextileCanvas(QWidget* parent) : QOpenGLWidget(parent)
     });
     refine_at_rest_ = preferences().refine_at_rest;
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, [this] {
-        if (std::exchange(refine_at_rest_, preferences().refine_at_rest) != refine_at_rest_) { changed(); }
+        const int before = std::exchange(refine_at_rest_, preferences().refine_at_rest);
+        if (before != refine_at_rest_) { changed(); }
     });
     fade_.setSingleShot(true);
     fade_.setInterval(15);
