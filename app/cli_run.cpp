@@ -179,4 +179,20 @@ void make_folder(const std::string& folder)
         throw Stop(exit_usage, folder + ": The folder cannot be created. Check that its parent exists and that you may write to it.");
 }
 
+void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
+{
+    const auto print = [json](const std::string& text) { json ? write_note(text) : write_result(text); };
+    if (stages.empty()) {
+        print("This backend does not measure the time of its stages.\n");
+        return;
+    }
+    double rest = wall;
+    print(fmt::format("{:<28} {:>10} {:>10} {:>7}\n", "stage", "calls", "s", "%"));
+    for (const StageTime& stage : stages) {
+        rest -= stage.seconds;
+        print(fmt::format("{:<28} {:>10} {:>10.4f} {:>7.2f}\n", stage.name, stage.calls, stage.seconds, 100 * stage.seconds / wall));
+    }
+    print(fmt::format("{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "outside the stages", "", rest, 100 * rest / wall));
+}
+
 } // namespace hygroloom

@@ -83,4 +83,7 @@ std::vector<std::string> words_of(const std::string& list);
 /// Makes a folder for results, unless it has no name. Throws Stop.
 void make_folder(const std::string& folder);
 
+/// The wall time of each stage; on stderr when stdout is for JSON alone.
+void print_profile(const std::vector<StageTime>& stages, double wall, bool json);
+
 } // namespace hygroloom

@@ -120,23 +120,6 @@ int plan(const SimulateOptions& options)
     return exit_ok;
 }
 
-/// The wall time of each stage; on stderr when stdout is for JSON alone.
-void print_profile(const std::vector<StageTime>& stages, double wall, bool json)
-{
-    const auto print = [json](const std::string& text) { json ? write_note(text) : write_result(text); };
-    if (stages.empty()) {
-        print("This backend does not measure the time of its stages.\n");
-        return;
-    }
-    double rest = wall;
-    print(fmt::format("{:<28} {:>10} {:>10} {:>7}\n", "stage", "calls", "s", "%"));
-    for (const StageTime& stage : stages) {
-        rest -= stage.seconds;
-        print(fmt::format("{:<28} {:>10} {:>10.4f} {:>7.2f}\n", stage.name, stage.calls, stage.seconds, 100 * stage.seconds / wall));
-    }
-    print(fmt::format("{:<28} {:>10} {:>10.4f} {:>7.2f}\n", "outside the stages", "", rest, 100 * rest / wall));
-}
-
 /// The plan's notes stand in the summary, and on stderr when stdout is for JSON alone.
 void print_run(const FinishedRun& finished, const CommonOptions& options)
 {
@@ -331,17 +314,17 @@ int simulate_several(const SimulateOptions& options, const Design& design, const
 /// A garment's run has no fabrics to choose, and no replicates.
 int wear_verb(const Design& design, const WearExperiment& wear, const SimulateOptions& options)
 {
-    if (!options.fabric.empty() || !options.fabrics.empty() || options.replicates > 1 || options.profile || !options.physics.empty() ||
+    if (!options.fabric.empty() || !options.fabrics.empty() || options.replicates > 1 || !options.physics.empty() ||
         options.seed != RunVerbOptions{}.seed)
-        throw Stop(exit_usage, "A worn garment takes --fidelity, --cell-mm, --shown-mm, --detail, --set, --backend, --threads and -o. Its "
-                               "panels name their fabrics, "
-                               "and nothing of it is left to chance.");
+        throw Stop(exit_usage, "A worn garment takes --fidelity, --cell-mm, --shown-mm, --detail, --set, --backend, --threads, --profile "
+                               "and -o. Its panels name their fabrics, and nothing of it is left to chance.");
     WearVerbOptions how;
     static_cast<RunVerbOptions&>(how) = options;
     how.fidelity = options.fidelity;
     how.cell_mm = options.cell_mm;
     how.shown_mm = options.shown_mm;
     how.detail = options.detail;
+    how.profile = options.profile;
     how.output = options.output;
     return simulate_wear(design, wear, how);
 }

@@ -154,6 +154,7 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
     const WearLayout layout = wear_layout(parts, garment);
     const std::unique_ptr<Backend> backend = open_backend(options);
     backend->set_threads(options.threads);
+    if (options.profile) backend->time_stages();
     std::optional<WearWriter> recording;
     if (!options.output.empty())
         recording.emplace(options.output,
@@ -182,6 +183,7 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (recording) recording->finish(wall);
     print_result("{}", text_of(metrics, layout, options.json));
+    if (options.profile) print_profile(backend->stage_times(), wall, options.json);
     if (!options.quiet) {
         print_note("{} on {}: {:.1f} s.\n", backend->name(), backend->device(), wall);
         if (recording) print_note("Recording: {}\n", options.output);
@@ -198,7 +200,7 @@ int plan_garment(const WearVerbOptions& options)
     if (!options.quiet) print_misnamed(design, parts, options.project);
     const GarmentScene garment = garment_scene(parts, resolution_of(how_of(options)));
     const WearLayout layout = wear_layout(parts, garment);
-    const WearPlan plan = plan_wear(garment, parts);
+    const WearPlan plan = plan_wear(garment, wear);
     if (options.json) {
         Json json{{"garment", layout.garment},
                   {"experiment", wear.name},
@@ -220,8 +222,10 @@ int plan_garment(const WearVerbOptions& options)
     for (std::size_t k = 0; k < layout.panels.size(); ++k)
         print_result("  {:<24} {:<24} {:>9.5f} m2 {:>9} cells\n", layout.panels[k].name, layout.panels[k].fabric,
                      area_of(parts.pattern.panels[k]), plan.panel_cells[k]);
-    print_result("Memory about {:.0f} MB; on two cores some {:.0f} s by the number of cells; runs took from half to three times that.\n",
-                 1e-6 * plan.bytes, plan.seconds);
+    print_result(
+        "Memory about {:.0f} MB; on two cores some {:.{}f} s, by the number of cells and how wet they get; most runs at live and draft "
+        "take from a third to three times that.\n",
+        1e-6 * plan.bytes, plan.seconds, plan.seconds < 10 ? 1 : 0);
     return exit_ok;
 }
 

@@ -11,6 +11,7 @@ struct WearVerbOptions : RunVerbOptions {
     double cell_mm = 0;  ///< 0: by fidelity
     double shown_mm = 0; ///< see ShownSize
     std::vector<std::string> detail;
+    bool profile = false;
     std::string output;
 };
 

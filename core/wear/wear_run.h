@@ -45,7 +45,7 @@ struct WearPlan {
     double bytes = 0;
     double seconds = 0; ///< rough, on two cores
 };
-WearPlan plan_wear(const GarmentScene& garment, const GarmentParts& parts);
+WearPlan plan_wear(const GarmentScene& garment, const WearExperiment& wear);
 
 /// s, of frames: 60 evenly, and one at each change of activity.
 std::vector<double> wear_times(const WearExperiment& wear);

@@ -117,6 +117,22 @@ private Q_SLOTS:
         QVERIFY(says({"plan", at("tee.hygro")}, "The project's only experiments are on a garment"));
     }
 
+    void an_estimate_counts_frames_time_and_water()
+    {
+        const auto seconds = [&](const QJsonObject& wear, const QString& fidelity) {
+            write_project("planned.hygro", {}, wear);
+            return run_cli({"garment", "plan", at("planned.hygro"), "--fidelity", fidelity, "--json"}).json()["seconds"].toDouble();
+        };
+        const QJsonObject minute{{"duration_s", 60}}, hour{{"duration_s", 3600}};
+        const double soon = seconds(minute, "live"), late = seconds(hour, "live");
+        QVERIFY2(soon > 0.5 && late > 1.5 * soon && late < 20 * soon, qPrintable(QString("%1 s, %2 s").arg(soon).arg(late)));
+        QVERIFY(seconds({{"duration_s", 60}, {"initial_water_g_m2", 100}}, "live") > 1.3 * soon); // wet from the start
+        const double cells = 16;                                                                  // of standard to one of live
+        QVERIFY(seconds(hour, "standard") > 2 * cells * late);
+        const QJsonArray rests{QJsonObject{{"time_s", 0}, {"factor", 0}}};
+        QVERIFY(seconds({{"duration_s", 3600}, {"activity", rests}}, "live") < 0.8 * late);
+    }
+
     void ranges_are_said_plainly()
     {
         for (const QStringList& wrong : {QStringList{"--most", "-5"}, {"--time", "-4"}, {"--times", "abc"}}) {
@@ -129,7 +145,10 @@ private Q_SLOTS:
     void a_map_beyond_the_run_is_refused()
     {
         write_project("short.hygro", {}, {{"duration_s", 2}});
-        QCOMPARE(run_cli({"simulate", at("short.hygro"), "--fidelity", "draft", "--cell-mm", "40", "-o", at("short.hygrorec")}).code, 0);
+        const Answer run =
+            run_cli({"simulate", at("short.hygro"), "--fidelity", "draft", "--cell-mm", "40", "--profile", "-o", at("short.hygrorec")});
+        QCOMPARE(run.code, 0);
+        QVERIFY2(run.out.contains("exchange  ") && run.out.contains("outside the stages"), run.out);
         const Answer beyond = run_cli({"garment", "map", at("short.hygrorec"), "--time", "5", "-o", at("map")});
         QCOMPARE(beyond.code, 2);
         QVERIFY2(beyond.err.contains("--time 5: The run ends at 2 s; take a time from 0 to 2."), beyond.err);

@@ -181,7 +181,7 @@ void RunForm::estimate()
             options.fidelity = fidelity;
             if (turn.outdated()) { return; }
             const GarmentScene scene = garment_scene(parts, resolution_of(options));
-            const WearPlan plan = plan_wear(scene, parts);
+            const WearPlan plan = plan_wear(scene, *parts.wear);
             text = tr("%1 %2, %3; %4 on two cores.")
                        .arg(plan.cells)
                        .arg(cellsText(wear_layout(parts, scene).cells_in_words), bytesText(plan.bytes), roughDuration(plan.seconds));
