@@ -53,7 +53,7 @@ double steps_with_drops(const ModelPlan& plan)
     const auto steps_in = [&](double time) { return std::min(scene.duration, landings * time) / limit; };
     constexpr double of_a_cap = 114;
     if (plan.on("cap")) return draws_from_drops(plan) ? landings * of_a_cap : 0.0;
-    if (stays <= 0) return steps_in(falls_past_in(scene));
+    if (stays <= 0) return steps_in(plan.on("wicking") ? clings_for(scene) : falls_past_in(scene));
     if (!plan.on("wicking")) return steps_in(resting_swings * swing_of_largest(scene, stays));
     if (!flows_by_suction(plan) || scene.uptake <= 0 || share_with_room(scene, stays) < 1) return scene.duration / limit;
     constexpr double of_the_limit = 0.7;
@@ -208,10 +208,6 @@ std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::v
     return errors;
 }
 
-} // namespace
-
-namespace {
-
 /// To set up a scene, however small, s.
 double start_on(const std::string& backend) { return backend == "cuda" ? 0.02 : 0.01; }
 
@@ -315,7 +311,8 @@ double rough_work(const ModelPlan& plan, const std::string& backend)
     constexpr double network_step = 3e-6, flows = 5e-7, wicks = 1.5e-7, conducts = 6e-8, exchange = 2e-7, shell = 1.2e-7; // for a segment
     const bool wicking = plan.on("wicking"), by_suction = wicking && flows_by_suction(plan);
     const double wider = plan.knobs.double_precision != 0 ? 2.6 : 1.0; // measured with 2 000 particles
-    const double segment = by_suction ? flows : wicking ? wicks : conducts;
+    const bool flowing = !plan.on("liquid") || plan.counts.uptake > 0;
+    const double segment = by_suction && flowing ? flows : wicking && flowing ? wicks : conducts;
     return start_on(backend) + frames + liquid.steps * (listing + liquid.particles * particle * wider) +
            network.steps * (network_step + network.segments * segment) +
            network.exchanges * network.segments * (exchange + shell * plan.fibre_shells) +

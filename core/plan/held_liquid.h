@@ -44,6 +44,18 @@ inline double falls_past_in(const SceneCounts& scene)
     return (std::sqrt(v * v + 2.0 * gravity_acceleration * way) - v) / gravity_acceleration;
 }
 
+/// Until yarns have absorbed what clings to a sample on which nothing stays, s; where they absorb nothing it clings to the end. A sample
+/// holds no more than a puddle and what hangs at its edge. The share that clings was set on 78 random drops, of which 15 instead of 18 were
+/// missed by more than a factor of 3 then; of 64 others, 17 instead of 18.
+inline double clings_for(const SceneCounts& scene)
+{
+    constexpr double clinging = 0.3; // of a drop
+    if (scene.uptake <= 0) return scene.duration;
+    const double length2 = scene.capillarity / gravity_acceleration, puddle = 2.0 * std::sqrt(length2);
+    const double held = std::min(clinging * scene.drop_volume, puddle * scene.sample_area + length2 * scene.sample_edge);
+    return std::max(falls_past_in(scene), held / scene.uptake);
+}
+
 /// In which a drop's liquid swings once, s.
 inline double swing_of(const SceneCounts& scene, double volume)
 {

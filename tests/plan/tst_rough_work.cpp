@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a plan counts of a run: which part computes for how long. No clock is asked.
 #include "core/plan/expectation.h"
+#include "core/plan/held_liquid.h"
 #include "core/run/plan_run.h"
 #include "tests/support/drop_design.h"
 
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace hygroloom;
 
@@ -61,6 +63,37 @@ private Q_SLOTS:
         QVERIFY2(plan.expected_seconds < 0.5, qPrintable(QString::number(plan.expected_seconds)));
         drop.sample_mm = {60, 60};
         QVERIFY(count_liquid(plan_run(design, design.fabrics[0], drop, Fidelity::draft)).steps > 10 * steps);
+    }
+    void whatClingsUnabsorbedKeepsStepsShort()
+    {
+        Design design = drop_design(80); // which the pores' threshold does not let in
+        Experiment& drop = design.experiments[0];
+        drop.closure = Closure::pores;
+        drop.sample_mm = {1.2, 0.33};
+        drop.droplets[0].volume_ul = 5000;
+        const auto work = [&](double duration) {
+            drop.duration_s = duration;
+            const ModelPlan plan = plan_run(design, design.fabrics[0], drop, Fidelity::draft, {}, {{"free_liquid", 2}});
+            if (!plan.on("wicking") || plan.counts.uptake > 0) throw Error("Another case is meant.");
+            return rough_work(plan, "cpu");
+        };
+        QVERIFY2(work(6000) > 5 * work(600), qPrintable(QString("%1 %2").arg(work(6000)).arg(work(600))));
+    }
+    void noMoreClingsThanASampleHolds()
+    {
+        SceneCounts scene;
+        scene.uptake = 1e-8;
+        scene.duration = 1e6;
+        scene.capillarity = 7.2e-5;
+        scene.sample_area = 1.2e-3 * 0.33e-3;
+        scene.sample_edge = 2 * (1.2e-3 + 0.33e-3);
+        const auto clings = [&](double microlitres) {
+            scene.drop_volume = scene.largest_drop = microlitres * 1e-9;
+            return clings_for(scene);
+        };
+        QVERIFY(std::abs(clings(20) / (0.3 * 20e-9 / 1e-8) - 1) < 1e-9);
+        QCOMPARE(clings(500), clings(5000));
+        QVERIFY(clings(5000) > clings(20));
     }
     void whatNoYarnAbsorbsSleepsSoon()
     {
