@@ -18,15 +18,15 @@ Changes smaller(const std::string& name, const std::string& machine)
 {
     if (qEnvironmentVariableIsSet("HYGROLOOM_WHOLE_CASES")) return {};
     static const std::map<std::string, Changes> all{
-        {"hydrostatic", {{"particles", "4000"}}},
-        {"laplace_pressure", {{"particles", "5000"}}},
+        {"hydrostatic", {{"particles", "2000"}}},
+        {"laplace_pressure", {{"particles", "2500"}}},
         {"sessile_drop", {{"particles", "2000"}}},
         {"experiments_agree", {{"duration_s", "0.05"}, {"fidelity", "live"}}},
         {"goes_on_on_cpu", {{"duration_s", "0.2"}}},
         {"measured_n6", {{"duration_s", "120"}}},
         {"measured_n3", {{"step_s", "8"}}},
         {"measured_t3", {{"sample_mm", "16"}, {"volume_ul", "5"}}},
-        {"measured_t4", {{"sample_mm", "24"}, {"volume_ul", "10"}}},
+        {"measured_t4", {{"sample_mm", "18"}, {"volume_ul", "6"}}},
         {"measured_t6", {{"duration_s", "1200"}}},
         {"measured_t7", {{"duration_s", "5"}}},
         {"measured_t8", {{"duration_s", "10"}}},
@@ -118,7 +118,7 @@ private Q_SLOTS:
         QTest::newRow("a drop swings with three lobes") << "rayleigh_drop"
                                                         << "mode=3 particles=4000";
         QTest::newRow("a deep column") << "hydrostatic"
-                                       << "depth_mm=45 particles=4000";
+                                       << "depth_mm=45 particles=2000";
         QTest::newRow("a drop fired at a dense fabric") << "impact"
                                                         << "fabric=Denim speed_m_s=5 volume_ul=3";
         QTest::newRow("a large warm drop that hardly wets") << "sessile_drop"
@@ -156,7 +156,7 @@ private Q_SLOTS:
         QTest::newRow("something enters what wets") << "repellent_drop"
                                                     << "contact_angle_deg=30 time_s=1";
         QTest::newRow("a front far behind the other") << "two_fronts"
-                                                      << "permeability_m2=3e-13 time_s=1";
+                                                      << "permeability_m2=3e-13 time_s=0.5";
         QTest::newRow("rods so far apart that water hardly stands between") << "rod_column"
                                                                             << "rod_radius_um=0.3 suction_pa=12 half_gap_um=30";
         QTest::newRow("a slug in cells as long as it") << "slug_arrest"
