@@ -23,17 +23,25 @@ inline double narrow_side(const SceneCounts& scene)
     return mean - std::sqrt(std::max(0.0, mean * mean - scene.sample_area));
 }
 
-/// Of all drops' volume, what can stay on the sample: a puddle as high as water stands, twice the capillary length, and what hangs at the
-/// edge, tension over weight. A drop that is wider than the sample is stopped within its own diameter, which adds to its weight. Particles
-/// this far apart (m) neither stand on a narrower sample nor in a lower puddle.
+/// m, as high as a puddle stands under an acceleration (m/s2): twice the capillary length.
+inline double puddle_height(const SceneCounts& scene, double acceleration) { return 2.0 * std::sqrt(scene.capillarity / acceleration); }
+
+/// m3, that a sample holds under an acceleration (m/s2): a puddle, and what hangs at its edge, tension over weight.
+inline double most_held(const SceneCounts& scene, double acceleration)
+{
+    return puddle_height(scene, acceleration) * scene.sample_area + scene.capillarity / acceleration * scene.sample_edge;
+}
+
+/// Of all drops' volume, what can stay on the sample. A drop that is wider than the sample is stopped within its own diameter, which adds
+/// to its weight. Particles this far apart (m) neither stand on a narrower sample nor in a lower puddle.
 inline double share_that_stays(const SceneCounts& scene, double spacing)
 {
     const double narrow = narrow_side(scene), wide = diameter_of_largest(scene), all = scene.drops * scene.drop_volume;
     if (!std::isfinite(narrow) || all <= 0) return 1.0;
     const double stopped = wide > narrow ? scene.landing_speed * scene.landing_speed / wide : 0.0; // m/s2
-    const double length2 = scene.capillarity / (gravity_acceleration + stopped), puddle = 2.0 * std::sqrt(length2);
-    if (narrow < spacing || puddle < spacing) return 0.0;
-    return std::min(1.0, (puddle * scene.sample_area + length2 * scene.sample_edge) / all);
+    const double acceleration = gravity_acceleration + stopped;
+    if (narrow < spacing || puddle_height(scene, acceleration) < spacing) return 0.0;
+    return std::min(1.0, most_held(scene, acceleration) / all);
 }
 
 /// Until a drop that does not stay has gone by and is no longer followed, s.
@@ -44,15 +52,14 @@ inline double falls_past_in(const SceneCounts& scene)
     return (std::sqrt(v * v + 2.0 * gravity_acceleration * way) - v) / gravity_acceleration;
 }
 
-/// Until yarns have absorbed what clings to a sample on which nothing stays, s; where they absorb nothing it clings to the end. A sample
-/// holds no more than a puddle and what hangs at its edge. The share that clings was set on 78 random drops, of which 15 instead of 18 were
-/// missed by more than a factor of 3 then; of 64 others, 17 instead of 18.
+/// Until yarns have absorbed what clings to a sample on which nothing stays, s; where they absorb nothing it clings to the end. The share
+/// that clings was set on 78 random drops, of which 15 instead of 18 were missed by more than a factor of 3 then; of 64 others, 17 instead
+/// of 18.
 inline double clings_for(const SceneCounts& scene)
 {
     constexpr double clinging = 0.3; // of a drop
     if (scene.uptake <= 0) return scene.duration;
-    const double length2 = scene.capillarity / gravity_acceleration, puddle = 2.0 * std::sqrt(length2);
-    const double held = std::min(clinging * scene.drop_volume, puddle * scene.sample_area + length2 * scene.sample_edge);
+    const double held = std::min(clinging * scene.drop_volume, most_held(scene, gravity_acceleration));
     return std::max(falls_past_in(scene), held / scene.uptake);
 }
 

@@ -95,7 +95,7 @@ double changes_of(const SkinSupply& skin, double duration)
     return changes;
 }
 
-/// Roughly, on two cores of an AMD EPYC, as if all cloth got as wet as that over sweating skin. Steps end at frames, are small at first,
+/// Roughly, on two cores of an Intel Xeon, as if all cloth got as wet as that over sweating skin. Steps end at frames, are small at first,
 /// and go on as things change; liquid in wet cloth takes more of its own. Set on 120 random garments, nearly all at live, and six of
 /// textile F and poplin; 48 others are in resources/help/limits.md.
 double seconds_of(const GarmentScene& garment, const WearExperiment& wear)
