@@ -103,10 +103,11 @@ __global__ void __launch_bounds__(most_team<Stage>, teams_beside<Stage>) run_lin
 {
     extern __shared__ double shared[];
     using BlockTeam = Team<Block>;
-    double* columns = shared + BlockTeam::template per_thread<Stage> * blockDim.x;
-    if (room.columns != nullptr)
-        columns = room.columns + BlockTeam::template room<Stage>(room.longest, static_cast<int>(blockDim.x)) * blockIdx.x;
-    const BlockTeam team(Block{}, columns, room.longest, shared);
+    const LineNumbers numbers = line_numbers_of(stage);
+    const auto threads = static_cast<int>(blockDim.x);
+    double* columns = shared + BlockTeam::links_room(numbers, threads);
+    if (room.columns != nullptr) columns = room.columns + BlockTeam::room(numbers, room.longest, threads) * blockIdx.x;
+    const BlockTeam team(Block{}, numbers, columns, room.longest, shared);
     for (int line = static_cast<int>(blockIdx.x); line < lines; line += static_cast<int>(gridDim.x)) stage(team, line);
 }
 
@@ -181,8 +182,9 @@ public:
         if (lines <= 0) return;
         int threads = least_team;
         while (threads < most_team<Stage> && threads * places_each<Stage> < longest) threads *= 2;
-        const std::size_t columns = Team<Block>::template room<Stage>(longest, threads);
-        std::size_t bytes = sizeof(double) * static_cast<std::size_t>(Team<Block>::template per_thread<Stage> * threads);
+        const LineNumbers numbers = line_numbers_of(stage);
+        const std::size_t columns = Team<Block>::room(numbers, longest, threads);
+        std::size_t bytes = sizeof(double) * static_cast<std::size_t>(Team<Block>::links_room(numbers, threads));
         LineRoom room{nullptr, longest};
         int blocks = lines;
         if (bytes + sizeof(double) * columns <= static_cast<std::size_t>(most_shared_)) {

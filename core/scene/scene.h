@@ -105,13 +105,15 @@ struct ClothPanels {
     std::vector<std::uint8_t> air;         ///< of each crossing, its place in airs
     std::vector<FaceAir> airs;             ///< one for each fabric and gap to the skin
     // Pieces of one system that seams join are solved together, as chains of places.
-    std::vector<int> order;                       ///< segment of each place, chain after chain: all of the warp's, then all of the weft's
-    std::vector<int> chain_ends;                  ///< past the last place of each chain
-    int warp_chains = 0;                          ///< how many are of the warp
-    std::vector<double> joint_yarns, joint_rooms; ///< as SeamJoint, from each place to the next across a seam; less than 0: along the yarn
-    std::vector<float> rise;                      ///< m, of each segment, by which the next one along its yarn lies higher
-    std::vector<int> shown;                       ///< crossings of each cell that frames show, cell after cell
-    std::vector<int> shown_ends;                  ///< past the last crossing of each cell
+    std::vector<int> order;      ///< segment of each place, chain after chain: all of the warp's, then all of the weft's
+    std::vector<int> chain_ends; ///< past the last place of each chain
+    int warp_chains = 0;         ///< how many are of the warp
+    /// As SeamJoint, from each place to the next across a seam; less than 0: along the yarn. A chain whose last place has them is a ring:
+    /// they lead to its first.
+    std::vector<double> joint_yarns, joint_rooms;
+    std::vector<float> rise;     ///< m, of each segment, by which the next one along its yarn lies higher
+    std::vector<int> shown;      ///< crossings of each cell that frames show, cell after cell
+    std::vector<int> shown_ends; ///< past the last crossing of each cell
 };
 
 /// Two places at the borders of panels that are sewn together.

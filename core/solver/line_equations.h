@@ -35,13 +35,37 @@ HL_FN PairMatrix operator-(const PairMatrix& m, const PairMatrix& n) { return {m
 HL_FN PairMatrix operator-(const PairMatrix& m) { return {-m.a, -m.b, -m.c, -m.d}; }
 HL_FN Pair operator-(const Pair& v, const Pair& w) { return {v.first - w.first, v.second - w.second}; }
 HL_FN Pair operator*(const PairMatrix& m, const Pair& v) { return {m.a * v.first + m.b * v.second, m.c * v.first + m.d * v.second}; }
+HL_FN PairMatrix diagonal(const Pair& v) { return {v.first, 0, 0, v.second}; }
 
-/// The same of two numbers at each place; those of neighbours meet their like only: lower and upper are diagonals.
-struct PairEquation {
+/// Of a line whose last place joins its first: what is found as if it were open, and how that answers to a unit that leaves by the joint
+/// from the first place and comes in at the last, of each number (Woodbury 1950).
+struct RingPair {
+    Pair open;
+    PairMatrix answer;
+
+    /// With so much of each number that passes the joint.
+    HL_FN Pair with(const Pair& passes) const { return open - answer * passes; }
+};
+HL_FN RingPair operator-(const RingPair& v, const RingPair& w) { return {v.open - w.open, v.answer - w.answer}; }
+HL_FN RingPair operator*(const PairMatrix& m, const RingPair& v) { return {m * v.open, m * v.answer}; }
+
+/// What passes a joint that passes this much for a difference of one, from the first place to the last.
+HL_FN Pair through_joint(const RingPair& first, const RingPair& last, const Pair& joint)
+{
+    const RingPair apart = first - last;
+    const PairMatrix one{1, 0, 0, 1}, held_back = diagonal(joint) * apart.answer;
+    return (one - (-held_back)).inverse() * (diagonal(joint) * apart.open);
+}
+
+/// The same as Equation of two numbers at each place; those of neighbours meet their like only: lower and upper are diagonals.
+template <typename Right> struct PairRow {
     Pair lower;
     PairMatrix pivot;
-    Pair upper, right;
+    Pair upper;
+    Right right;
 };
+using PairEquation = PairRow<Pair>;
+using RingEquation = PairRow<RingPair>;
 
 // What elimination does with the numbers of one place alike, whether it has one or two.
 HL_FN double one_of(double) { return 1.0; }
@@ -56,7 +80,6 @@ HL_FN double largest_of(const PairMatrix& m)
     const double ab = std::fmax(std::fabs(m.a), std::fabs(m.b)), cd = std::fmax(std::fabs(m.c), std::fabs(m.d));
     return ab > cd ? ab : cd;
 }
-HL_FN PairMatrix diagonal(const Pair& v) { return {v.first, 0, 0, v.second}; }
 
 /// x = right - lower x[before] - upper x[after].
 template <typename Matrix, typename Vector> struct Link {
@@ -72,13 +95,14 @@ template <typename Matrix, typename Vector> struct Link {
 };
 using SingleLink = Link<double, double>;
 using PairLink = Link<PairMatrix, Pair>;
+using RingLink = Link<PairMatrix, RingPair>;
 
 HL_FN SingleLink link_of(const Equation& own)
 {
     const double scale = plain_inverse(own.pivot);
     return {own.lower * scale, own.upper * scale, own.right * scale};
 }
-HL_FN PairLink link_of(const PairEquation& own)
+template <typename Right> HL_FN Link<PairMatrix, Right> link_of(const PairRow<Right>& own)
 {
     const PairMatrix scale = own.pivot.inverse();
     return {scale * diagonal(own.lower), scale * diagonal(own.upper), scale * own.right};
@@ -103,8 +127,8 @@ template <> struct LinkColumns<SingleLink> {
     }
     HL_FN void set_right(int k, double right) const { first[found * stride + k] = right; }
 };
-template <> struct LinkColumns<PairLink> {
-    static constexpr int numbers = 10, found = 8;
+template <typename Right> struct LinkColumns<Link<PairMatrix, Right>> {
+    static constexpr int found = 8, numbers = found + static_cast<int>(sizeof(Right) / sizeof(double));
     double* first;
     int stride, count;
 
@@ -121,21 +145,34 @@ template <> struct LinkColumns<PairLink> {
         at[2 * stride] = m.c;
         at[3 * stride] = m.d;
     }
-    HL_FN PairLink at(int k) const
+    HL_FN Link<PairMatrix, Right> at(int k) const
     {
         if (k < 0 || k >= count) return {};
-        return {matrix(0, k), matrix(4, k), {first[8 * stride + k], first[9 * stride + k]}};
+        return {matrix(0, k), matrix(4, k), right(k)};
     }
-    HL_FN void set(int k, const PairLink& link) const
+    HL_FN void set(int k, const Link<PairMatrix, Right>& link) const
     {
         set(0, k, link.lower);
         set(4, k, link.upper);
         set_right(k, link.right);
     }
+    HL_FN Right right(int k) const
+    {
+        const Pair pair{first[found * stride + k], first[(found + 1) * stride + k]};
+        if constexpr (numbers > found + 2)
+            return {pair, matrix(found + 2, k)};
+        else
+            return pair;
+    }
     HL_FN void set_right(int k, const Pair& right) const
     {
         first[found * stride + k] = right.first;
         first[(found + 1) * stride + k] = right.second;
+    }
+    HL_FN void set_right(int k, const RingPair& right) const
+    {
+        set_right(k, right.open);
+        set(found + 2, k, right.answer);
     }
 };
 

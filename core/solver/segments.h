@@ -35,7 +35,8 @@ struct Panels {
     int warp_pieces = 0, weft_pieces = 0; ///< of yarns
     int present = 0;                      ///< crossings
     int warp_chains = 0, weft_chains = 0, longest_chain = 0;
-    int count = 0; ///< 0: one whole rectangle
+    bool has_rings = false; ///< chains whose last place joins the first
+    int count = 0;          ///< 0: one whole rectangle
     const int* first = nullptr;
     const int* last = nullptr;
     const int* crossings = nullptr;
@@ -143,8 +144,12 @@ inline Panels panels_of(const ClothPanels& p)
     there.present = static_cast<int>(p.crossings.size());
     there.warp_chains = p.warp_chains;
     there.weft_chains = static_cast<int>(p.chain_ends.size()) - p.warp_chains;
-    for (std::size_t k = 0; k < p.chain_ends.size(); ++k)
-        there.longest_chain = std::max(there.longest_chain, p.chain_ends[k] - (k > 0 ? p.chain_ends[k - 1] : 0));
+    int first = 0;
+    for (int end : p.chain_ends) {
+        there.longest_chain = std::max(there.longest_chain, end - first);
+        there.has_rings = there.has_rings || (end > first && p.joint_yarns[static_cast<std::size_t>(end) - 1] >= 0);
+        first = end;
+    }
     there.count = p.count;
     there.first = p.first.data();
     there.last = p.last.data();

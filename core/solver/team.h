@@ -6,6 +6,8 @@
 
 #include "core/solver/line_equations.h"
 
+#include <type_traits>
+
 namespace hygroloom {
 
 /// Numbers per place that a stage along lines asks for beside what its equations take: Stage::columns.
@@ -19,9 +21,11 @@ constexpr int columns_of = [] {
 
 /// The team of a CPU, with a line to itself.
 class Alone {
+    static constexpr int of_pairs = LinkColumns<RingLink>::numbers, upper_column = 4;
+
 public:
     /// Numbers per place that a line's room must have: for single equations, or for pairs and the stage's own columns.
-    template <typename Stage> static constexpr int per_place = columns_of<Stage> > 0 ? 6 + columns_of<Stage> : 2;
+    template <typename Stage> static constexpr int per_place = columns_of<Stage> > 0 ? of_pairs + columns_of<Stage> : 2;
 
     explicit Alone(double* room, int longest) : upper_(room), right_(room + longest), room_(room), longest_(longest) {}
 
@@ -32,7 +36,7 @@ public:
 
         double& operator()(int column, int place) const { return first[place * count + column]; }
     };
-    Columns columns(int count, int) const { return {room_ + 6 * longest_, count}; }
+    Columns columns(int count, int) const { return {room_ + of_pairs * longest_, count}; }
 
     /// Calls f(i) for first <= i < last, in any order.
     template <typename F> void each(int first, int last, const F& f) const
@@ -77,35 +81,17 @@ public:
     /// none does, nothing is solved, otherwise use(i, x[i]) is called for each place. Returns whether any does.
     template <typename Rows, typename Use> bool solve_pairs(int first, int last, const Rows& row, const Use& use) const
     {
-        double* const columns[] = {room_, room_ + longest_, room_ + 2 * longest_, room_ + 3 * longest_};
-        double* const found[] = {room_ + 4 * longest_, room_ + 5 * longest_};
-        PairMatrix upper{0, 0, 0, 0};
-        Pair right{0, 0};
-        bool open = false;
-        for (int i = first; i < last; ++i) {
-            const PairEquation own = row(i, open);
-            const Pair& l = own.lower;
-            const PairMatrix per_pivot = PairMatrix{own.pivot.a - l.first * upper.a, own.pivot.b - l.first * upper.b,
-                                                    own.pivot.c - l.second * upper.c, own.pivot.d - l.second * upper.d}
-                                             .inverse();
-            right = per_pivot * Pair{own.right.first - l.first * right.first, own.right.second - l.second * right.second};
-            upper = {per_pivot.a * own.upper.first, per_pivot.b * own.upper.second, per_pivot.c * own.upper.first,
-                     per_pivot.d * own.upper.second};
-            const int k = i - first;
-            columns[0][k] = upper.a;
-            columns[1][k] = upper.b;
-            columns[2][k] = upper.c;
-            columns[3][k] = upper.d;
-            found[0][k] = right.first;
-            found[1][k] = right.second;
-        }
-        if (!open) return false;
-        Pair x{0, 0};
-        for (int k = last - first - 1; k >= 0; --k) {
-            x = {found[0][k] - columns[0][k] * x.first - columns[1][k] * x.second,
-                 found[1][k] - columns[2][k] * x.first - columns[3][k] * x.second};
-            use(first + k, x);
-        }
+        return solve_open<Pair>(first, last, row, use);
+    }
+    /// The same of rows whose last place joins the first. A row's right has its own number and, for the answer, one at the first place and
+    /// less than that at the last; the joint, which the rows do without, passes this much of each number for a difference of one.
+    template <typename Rows, typename Use> bool solve_ring(int first, int last, const Rows& row, const Pair& joint, const Use& use) const
+    {
+        const auto places = columns_of_pairs<RingPair>();
+        if (!solve_open<RingPair>(first, last, row, [&](int i, const RingPair& x) { places.set_right(i - first, x); })) return false;
+        const int count = last - first;
+        const Pair passes = through_joint(places.right(0), places.right(count - 1), joint);
+        for (int k = 0; k < count; ++k) use(first + k, places.right(k).with(passes));
         return true;
     }
     /// Passes on what places cannot keep: from the first to the last, then back to the first, which keeps whatever comes. keep(i) bounds a
@@ -123,6 +109,34 @@ public:
     }
 
 private:
+    template <typename Right> LinkColumns<Link<PairMatrix, Right>> columns_of_pairs() const { return {room_, longest_, longest_}; }
+    template <typename Right, typename Rows, typename Use> bool solve_open(int first, int last, const Rows& row, const Use& use) const
+    {
+        const auto places = columns_of_pairs<Right>();
+        PairMatrix upper{0, 0, 0, 0};
+        Right found{};
+        bool open = false;
+        for (int i = first; i < last; ++i) {
+            const PairRow<Right> own = row(i, open);
+            const Pair& l = own.lower;
+            const PairMatrix per_pivot = PairMatrix{own.pivot.a - l.first * upper.a, own.pivot.b - l.first * upper.b,
+                                                    own.pivot.c - l.second * upper.c, own.pivot.d - l.second * upper.d}
+                                             .inverse();
+            found = per_pivot * (own.right - diagonal(l) * found);
+            upper = {per_pivot.a * own.upper.first, per_pivot.b * own.upper.second, per_pivot.c * own.upper.first,
+                     per_pivot.d * own.upper.second};
+            const int k = i - first;
+            places.set(upper_column, k, upper);
+            places.set_right(k, found);
+        }
+        if (!open) return false;
+        Right x{};
+        for (int k = last - first - 1; k >= 0; --k) {
+            x = places.right(k) - places.matrix(upper_column, k) * x;
+            use(first + k, x);
+        }
+        return true;
+    }
     double* upper_;
     double* right_;
     double* room_;
@@ -157,27 +171,35 @@ private:
     std::uint64_t per_each_; ///< of 2^32
 };
 
+/// Numbers of each place that a stage along lines asks for.
+struct LineNumbers {
+    int of_link; ///< see LinkColumns
+    int columns; ///< the stage's own
+};
+template <typename Stage> HL_FN LineNumbers line_numbers_of(const Stage& stage)
+{
+    if constexpr (columns_of < Stage >> 0)
+        return {stage.has_rings() ? LinkColumns<RingLink>::numbers : LinkColumns<PairLink>::numbers, columns_of<Stage>};
+    else
+        return {LinkColumns<SingleLink>::numbers, 0};
+}
+
 /// A team of several threads, each with a chunk of neighbouring places wherever what happens at one depends on the one before. Threads
 /// offers size(), all(f), which has every thread call f(its number) and wait for the others, any(f), which does the same and returns
 /// whether any f did, and add(total, own).
 template <typename Threads> class Team {
-    template <typename Stage> static constexpr bool of_pairs = columns_of<Stage> > 0;
-    template <typename Stage>
-    static constexpr int per_place =
-        of_pairs<Stage> ? LinkColumns<PairLink>::numbers + columns_of<Stage> : LinkColumns<SingleLink>::numbers;
     HL_FN static constexpr int slots(int longest, int threads) { return longest + longest / threads + 1; }
 
 public:
-    /// Numbers that the room of the longest line must have, and that the links' room must have per thread.
-    template <typename Stage> HL_FN static constexpr std::size_t room(int longest, int threads)
+    /// Numbers that the room of the longest line must have, and that the links' room must have.
+    HL_FN static constexpr std::size_t room(const LineNumbers& numbers, int longest, int threads)
     {
-        return static_cast<std::size_t>(per_place<Stage>) * static_cast<std::size_t>(slots(longest, threads));
+        return static_cast<std::size_t>(numbers.of_link + numbers.columns) * static_cast<std::size_t>(slots(longest, threads));
     }
-    template <typename Stage>
-    static constexpr int per_thread = 2 * (of_pairs<Stage> ? LinkColumns<PairLink>::numbers : LinkColumns<SingleLink>::numbers);
+    HL_FN static constexpr int links_room(const LineNumbers& numbers, int threads) { return 2 * numbers.of_link * threads; }
 
-    HL_FN Team(const Threads& threads, double* room, int longest, double* links_room)
-        : threads_(threads), room_(room), stride_(slots(longest, threads.size())), links_(links_room)
+    HL_FN Team(const Threads& threads, const LineNumbers& numbers, double* room, int longest, double* links_room)
+        : threads_(threads), of_link_(numbers.of_link), room_(room), stride_(slots(longest, threads.size())), links_(links_room)
     {
     }
 
@@ -189,10 +211,7 @@ public:
 
         HL_FN double& operator()(int column, int place) const { return first[column * stride + slot(place)]; }
     };
-    HL_FN Columns columns(int, int places) const
-    {
-        return {room_ + LinkColumns<PairLink>::numbers * stride_, stride_, ChunkSlots(even_chunks(places))};
-    }
+    HL_FN Columns columns(int, int places) const { return {room_ + of_link_ * stride_, stride_, ChunkSlots(even_chunks(places))}; }
 
     // As with Alone.
     template <typename F> HL_FN void each(int first, int last, const F& f) const
@@ -239,20 +258,22 @@ public:
     HL_FN double found(int first, int i) const { return room_[LinkColumns<SingleLink>::found * stride_ + i - first]; }
     template <typename Rows, typename Use> HL_FN bool solve_pairs(int first, int last, const Rows& row, const Use& use) const
     {
+        return solve_open<PairLink>(
+            last - first, [&](int k, bool& open) { return row(first + k, open); }, [&](int k, const Pair& x) { use(first + k, x); });
+    }
+    template <typename Rows, typename Use>
+    HL_FN bool solve_ring(int first, int last, const Rows& row, const Pair& joint, const Use& use) const
+    {
         const Chunks chunks = even_chunks(last - first);
         const ChunkSlots slot(chunks);
-        const LinkColumns<PairLink> places{room_, stride_, stride_};
-        const bool any_open = threads_.any([&](int t) {
-            bool open = false;
-            links<PairLink>(1).set(
-                t, eliminate(places, slot, chunks.begin(t), chunks.end(t), [&](int k) { return link_of(row(first + k, open)); }));
-            return open;
-        });
-        if (!any_open) return false;
-        const LinkColumns<PairLink> solved = solve_chunks(places, slot, chunks);
+        const LinkColumns<RingLink> places{room_, stride_, stride_};
+        if (!solve_open<RingLink>(
+                last - first, [&](int k, bool& open) { return row(first + k, open); },
+                [&](int k, const RingPair& x) { places.set_right(slot(k), x); }))
+            return false;
+        const Pair passes = through_joint(places.right(slot(0)), places.right(slot(last - first - 1)), joint);
         threads_.all([&](int t) {
-            substitute(places, slot, chunks.begin(t), chunks.end(t), solved.at(t - 1).right, solved.at(t).right,
-                       [&](int k, const Pair& x) { use(first + k, x); });
+            for (int k = chunks.begin(t); k < chunks.end(t); ++k) use(first + k, places.right(slot(k)).with(passes));
         });
         return true;
     }
@@ -267,6 +288,22 @@ public:
     }
 
 private:
+    template <typename Own, typename Rows, typename Use> HL_FN bool solve_open(int count, const Rows& row, const Use& use) const
+    {
+        const Chunks chunks = even_chunks(count);
+        const ChunkSlots slot(chunks);
+        const LinkColumns<Own> places{room_, stride_, stride_};
+        const bool any_open = threads_.any([&](int t) {
+            bool open = false;
+            links<Own>(1).set(t, eliminate(places, slot, chunks.begin(t), chunks.end(t), [&](int k) { return link_of(row(k, open)); }));
+            return open;
+        });
+        if (!any_open) return false;
+        const LinkColumns<Own> solved = solve_chunks(places, slot, chunks);
+        threads_.all(
+            [&](int t) { substitute(places, slot, chunks.begin(t), chunks.end(t), solved.at(t - 1).right, solved.at(t).right, use); });
+        return true;
+    }
     HL_FN Chunks even_chunks(int places) const { return {places, places > 0 ? (places + threads_.size() - 1) / threads_.size() : 1}; }
     /// So that the threads of a warp find their places in different banks of shared memory.
     HL_FN Chunks odd_chunks(int places) const { return {places, even_chunks(places).each | 1}; }
@@ -380,6 +417,7 @@ private:
     }
 
     Threads threads_;
+    int of_link_;
     double* room_;
     int stride_;
     double* links_;

@@ -3,7 +3,6 @@
 #include "core/wear/joint_groups.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace hygroloom {
 namespace {
@@ -18,19 +17,14 @@ struct PieceEnd {
 
 class Pieces {
 public:
-    explicit Pieces(const ClothPanels& panels) : panels_(panels), ends_(2 * panels.first.size()), chain_(panels.first.size())
-    {
-        std::iota(chain_.begin(), chain_.end(), 0);
-    }
+    explicit Pieces(const ClothPanels& panels) : panels_(panels), ends_(2 * panels.first.size()) {}
 
     /// Whether the joint became one of pieces end to end.
     bool join(const SeamJoint& joint)
     {
         const int a = free_end(joint.a), b = free_end(joint.b);
         if (a == nothing || b == nothing || is_warp(a / 2) != is_warp(b / 2)) return false;
-        const int chain_a = chain_of(a / 2), chain_b = chain_of(b / 2);
-        if (chain_a == chain_b) return false; // a ring
-        chain_[static_cast<std::size_t>(chain_a)] = chain_b;
+        if (a == b) return false;
         end(a) = {b, joint.yarns, joint.rooms};
         end(b) = {a, joint.yarns, joint.rooms};
         return true;
@@ -38,15 +32,16 @@ public:
     /// Writes all chains, the warp's first.
     void write(ClothPanels& panels)
     {
-        std::vector<bool> done(chain_.size());
+        std::vector<bool> done(panels_.first.size());
         for (bool warp : {true, false}) {
             for (int piece = 0; piece < count(); ++piece) {
                 if (is_warp(piece) != warp || done[static_cast<std::size_t>(piece)]) continue;
                 const int start = first_end(piece);
-                for (int at = start; at != nothing;) {
+                int at = start;
+                do {
                     done[static_cast<std::size_t>(at / 2)] = true;
                     at = end(add(panels, at)).other;
-                }
+                } while (at != nothing && at != start);
                 panels.chain_ends.push_back(static_cast<int>(panels.order.size()));
             }
             if (warp) panels.warp_chains = static_cast<int>(panels.chain_ends.size());
@@ -54,14 +49,9 @@ public:
     }
 
 private:
-    int count() const { return static_cast<int>(chain_.size()); }
+    int count() const { return static_cast<int>(panels_.first.size()); }
     bool is_warp(int piece) const { return piece < panels_.warp_pieces; }
     PieceEnd& end(int number) { return ends_[static_cast<std::size_t>(number)]; }
-    int chain_of(int piece)
-    {
-        while (chain_[static_cast<std::size_t>(piece)] != piece) piece = chain_[static_cast<std::size_t>(piece)];
-        return piece;
-    }
     /// The piece that a segment is of, by bisection: pieces are in order.
     int piece_of(int segment) const
     {
@@ -77,11 +67,14 @@ private:
         if (panels_.last[at] - 1 == segment && end(2 * piece + 1).other == nothing) return 2 * piece + 1;
         return nothing;
     }
-    /// An end of the piece's chain that is not joined.
+    /// An end of the piece's chain that is not joined; in a ring, the piece's own first.
     int first_end(int piece)
     {
         int at = 2 * piece;
-        while (end(at).other != nothing) at = end(at).other ^ 1;
+        do {
+            if (end(at).other == nothing) return at;
+            at = end(at).other ^ 1;
+        } while (at != 2 * piece);
         return at;
     }
     /// Adds a piece from one end on; returns its other end.
@@ -104,7 +97,6 @@ private:
 
     const ClothPanels& panels_;
     std::vector<PieceEnd> ends_;
-    std::vector<int> chain_; ///< of each piece, another one of its chain, or itself
 };
 
 } // namespace

@@ -29,22 +29,28 @@ struct InTurns {
     void add(std::int64_t* total, std::int64_t own) const { *total += own; }
 };
 
-/// A stage that solves pairs.
+/// Stages that solve single equations, and pairs.
+struct OfSingles {};
 struct OfPairs {
     static constexpr int columns = 1;
+    bool rings = false;
+
+    bool has_rings() const { return rings; }
 };
 
 /// Calls work(team) with a team for lines of so many places and a stage; of no threads: one that is alone.
-template <typename Stage = void, typename Work> void with_team(int threads, bool last_first, int longest, const Work& work)
+template <typename Stage = OfSingles, typename Work>
+void with_team(int threads, bool last_first, int longest, const Work& work, const Stage& stage = {})
 {
-    std::vector<double> places(Team<InTurns>::room<Stage>(longest, std::max(1, threads)) +
+    const LineNumbers numbers = line_numbers_of(stage);
+    std::vector<double> places(Team<InTurns>::room(numbers, longest, std::max(1, threads)) +
                                    static_cast<std::size_t>(Alone::per_place<Stage> * longest),
                                std::nan(""));
-    std::vector<double> links(static_cast<std::size_t>(Team<InTurns>::per_thread<Stage> * threads), std::nan(""));
+    std::vector<double> links(static_cast<std::size_t>(Team<InTurns>::links_room(numbers, threads)), std::nan(""));
     if (threads == 0)
         work(Alone(places.data(), longest));
     else
-        work(Team<InTurns>({threads, last_first}, places.data(), longest, links.data()));
+        work(Team<InTurns>({threads, last_first}, numbers, places.data(), longest, links.data()));
 }
 
 const int team_sizes[] = {32, 64, 128, 256, 512};
@@ -136,13 +142,41 @@ std::vector<double> solution(const std::vector<PairEquation>& equations, int thr
     return x;
 }
 
-/// The largest part of an equation that a solution leaves open, over its terms.
-double left_open(const std::vector<PairEquation>& equations, const std::vector<double>& x)
+/// The same, with the last place joined to the first.
+std::vector<double> ring_solution(const std::vector<PairEquation>& equations, const Pair& joint, int threads, bool last_first)
+{
+    constexpr int first = 7;
+    const auto count = static_cast<int>(equations.size());
+    std::vector<double> x(2 * equations.size());
+    const auto row = [&](int i, bool& open) {
+        open = true;
+        const PairEquation& own = equations[static_cast<std::size_t>(i - first)];
+        const double leaves = (i == first ? 1.0 : 0.0) - (i + 1 == first + count ? 1.0 : 0.0);
+        return RingEquation{own.lower, own.pivot, own.upper, {own.right, diagonal({leaves, leaves})}};
+    };
+    const auto use = [&](int i, const Pair& found) {
+        x[static_cast<std::size_t>(i - first)] = found.first;
+        x[static_cast<std::size_t>(count + i - first)] = found.second;
+    };
+    with_team(
+        threads, last_first, count, [&](const auto& team) { team.solve_ring(first, first + count, row, joint, use); }, OfPairs{true});
+    return x;
+}
+
+/// The largest part of an equation that a solution leaves open, over its terms. With a joint, the last place meets the first.
+double left_open(const std::vector<PairEquation>& equations, const std::vector<double>& x, const Pair& joint = {})
 {
     const std::size_t n = equations.size();
     double largest = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        const PairEquation& e = equations[i];
+        PairEquation e = equations[i];
+        for (const bool meets : {i == 0, i + 1 == n}) {
+            if (!meets) continue;
+            e.pivot.a += joint.first;
+            e.pivot.d += joint.second;
+            const std::size_t other = i == 0 ? n - 1 : 0;
+            e.right = {e.right.first + joint.first * x[other], e.right.second + joint.second * x[n + other]};
+        }
         const double before[] = {i > 0 ? x[i - 1] : 0.0, i > 0 ? x[n + i - 1] : 0.0};
         const double next[] = {i + 1 < n ? x[i + 1] : 0.0, i + 1 < n ? x[n + i + 1] : 0.0};
         const double own[] = {x[i], x[n + i]};
@@ -245,17 +279,33 @@ private Q_SLOTS:
             QVERIFY(shared == solution(equations, threads, true));
         }
     }
+    void ringsAreSolvedByAnyNumberOfThreads_data() { add_teams_and_lines(); }
+    void ringsAreSolvedByAnyNumberOfThreads()
+    {
+        QFETCH(int, threads);
+        QFETCH(int, places);
+        const std::vector<PairEquation> equations = random_pairs(places, 1);
+        for (const Pair joint : {Pair{0.3, 2}, Pair{1e3, 0}, Pair{0, 0}}) {
+            const std::vector<double> alone = ring_solution(equations, joint, 0, false),
+                                      shared = ring_solution(equations, joint, threads, false);
+            QVERIFY2(left_open(equations, alone, joint) < 1e-12, qPrintable(QString::number(left_open(equations, alone, joint))));
+            QVERIFY2(difference(alone, shared) < 1e-11, qPrintable(QString::number(difference(alone, shared))));
+            QVERIFY(shared == ring_solution(equations, joint, threads, true));
+        }
+        QVERIFY(difference(ring_solution(equations, {}, threads, false), solution(equations, threads, false)) < 1e-12);
+    }
     /// As a GPU lays them out.
     void columnsHoldANumberForEachPlace_data() { add_teams_and_lines(); }
     void columnsHoldANumberForEachPlace()
     {
         QFETCH(int, threads);
         QFETCH(int, places);
-        with_team<OfPairs>(threads, false, places, [&](const auto& team) {
+        const auto work = [&](const auto& team) {
             const auto numbers = team.columns(OfPairs::columns, places);
             for (int i = 0; i < places; ++i) numbers(0, i) = i;
             for (int i = 0; i < places; ++i) QCOMPARE(numbers(0, i), static_cast<double>(i));
-        });
+        };
+        for (bool rings : {false, true}) with_team(threads, false, places, work, OfPairs{rings});
     }
     void pairsWithNothingOpenStayAsTheyAre()
     {

@@ -48,6 +48,31 @@ double passed(int crossings, double left, double right, bool is_cut)
     return beyond / all;
 }
 
+/// kg in the cells of two panels that are sewn together on both sides, by where they lie flat, where it sweats on the last 32 mm of one.
+std::map<std::pair<int, int>, double> water_in_tube(bool front)
+{
+    Worn worn;
+    GarmentPattern& pattern = worn.parts.pattern;
+    add_rectangle(pattern, "front", {0, 0}, 0.064, 0.032);
+    add_rectangle(pattern, "back", {0.064, 0}, 0.064, 0.032);
+    pattern.seams = {{0, 1, 1, 3, true}, {1, 1, 0, 3, true}};
+    GarmentScene garment = worn.scene(side_of(worn.design.fabrics[0], 8));
+    for (const GarmentCell& cell : garment.cells) {
+        const double end = front ? 0.064 : 0.128;
+        const bool sweats = cell.flat[0] < end && cell.flat[0] > end - 0.032;
+        garment.scene.supply.skin.rate[static_cast<std::size_t>(cell.crossing)] =
+            sweats ? 1e-3 * rate / 3600 / garment.scene.climate.density : 0.0;
+    }
+    garment.scene.rules.vapour = garment.scene.rules.sorption = garment.scene.rules.heat = false;
+    const std::vector<double> water = water_in_cells(frame_at(garment.scene, seconds));
+    std::map<std::pair<int, int>, double> found;
+    for (std::size_t k = 0; k < water.size(); ++k) {
+        const std::array<double, 2>& flat = garment.shown.cells[k].flat;
+        found[{static_cast<int>(std::lround(1e5 * flat[0])), static_cast<int>(std::lround(1e5 * flat[1]))}] += water[k];
+    }
+    return found;
+}
+
 } // namespace
 
 class TestSeams : public QObject {
@@ -86,6 +111,25 @@ private Q_SLOTS:
             high = std::max(high, cut);
         }
         QVERIFY(high < 1.07 * low);
+    }
+
+    /// No seam of a ring is its last: wherever a tube is fed, water spreads from there alike.
+    void a_tube_is_alike_all_around()
+    {
+        constexpr int half = 6400; // of the way around, in 10 um
+        const auto one = water_in_tube(true), other = water_in_tube(false);
+        QCOMPARE(one.size(), other.size());
+        double all = 0, apart = 0, beyond = 0;
+        for (const auto& [at, mass] : one) {
+            const auto turned = other.find({(at.first + half) % (2 * half), at.second});
+            QVERIFY(turned != other.end());
+            all += mass;
+            apart += std::abs(turned->second - mass);
+            if (at.first > half) beyond += mass;
+        }
+        qInfo("%.4f of the water passes to the other panel; fed there, %.2g lies elsewhere", beyond / all, 0.5 * apart / all);
+        QVERIFY(beyond > 0.1 * all);
+        QVERIFY(apart < 1e-6 * all);
     }
 
     /// However a panel lies in the cloth, its cells are counted by the ends and picks of its fabric.

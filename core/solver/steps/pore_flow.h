@@ -13,7 +13,7 @@ struct FlowAlongLines : PoreRounds {
     {
         if (!s.whole()) {
             const int chain = of_warp ? index : s.panels.warp_chains + index;
-            flow(line_of(team, chain > 0 ? s.panels.chain_ends[chain - 1] : 0, s.panels.chain_ends[chain], 0, 0));
+            flow(chain_of(team, chain > 0 ? s.panels.chain_ends[chain - 1] : 0, s.panels.chain_ends[chain]));
             return;
         }
         const YarnLine at = s.visited_line(of_warp ? index : s.visited_warps() + index);
@@ -56,7 +56,7 @@ struct FlowAlongLines : PoreRounds {
     }
     template <typename Team> HL_FN double flux_after(const Line<Team>& line, int i) const // kg on to the next place
     {
-        return i + 1 < line.last ? flux_along(line, 0, i) + flux_along(line, 1, i) : 0.0;
+        return place_after(line, i) != none ? flux_along(line, 0, i) + flux_along(line, 1, i) : 0.0;
     }
     /// For what goes along the yarn with the liquid: of each segment, to the next one on its yarn.
     template <typename Team> HL_FN void note_flux(const Line<Team>& line, int i) const
@@ -76,11 +76,12 @@ struct FlowAlongLines : PoreRounds {
     template <typename Team> HL_FN double warmth_over_seams(const Line<Team>& line, int i) const
     {
         const int own = s.panels.order[i];
-        const bool seam_before = i > line.first && is_seam(i - 1), seam_after = i + 1 < line.last && is_seam(i);
+        const int last = place_before(line, i), next = place_after(line, i);
+        const bool seam_before = last != none && is_seam(last), seam_after = next != none && is_seam(i);
         if (!seam_before && !seam_after) return s.warmth[own];
         double in = 0, from_before = 0, from_next = 0; // kg
-        if (i > line.first) (seam_before ? from_before : in) += flux_after(line, i - 1);
-        if (i + 1 < line.last) (seam_after ? from_next : in) -= flux_after(line, i);
+        if (last != none) (seam_before ? from_before : in) += flux_after(line, last);
+        if (next != none) (seam_after ? from_next : in) -= flux_after(line, i);
         const double now = heat_capacity(s.yarn_of(own), s.length[own], s.warm_water(own)) - water_specific_heat * in; // J/K
         double heat = 0, came = 0;
         const auto add = [&](double mass, int from) {
@@ -88,8 +89,8 @@ struct FlowAlongLines : PoreRounds {
             came += water_specific_heat * mass;
             heat += water_specific_heat * mass * s.warmth[s.panels.order[from]];
         };
-        add(from_before, i - 1);
-        add(from_next, i + 1);
+        add(from_before, last);
+        add(from_next, next);
         return came > 0 && now > came ? ((now - came) * s.warmth[own] + heat) * plain_inverse(now) : s.warmth[own];
     }
     /// Along each piece of a yarn.

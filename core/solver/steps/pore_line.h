@@ -62,6 +62,7 @@ struct PoreLines {
     template <typename Team> struct Line {
         const Team& team;
         int first, last;
+        bool ring;        ///< the last place joins the first
         int number, base; ///< of the end or pick; segment of its first place, visited or not
         typename Team::Columns numbers;
 
@@ -69,7 +70,22 @@ struct PoreLines {
     };
     template <typename Team> HL_FN static Line<Team> line_of(const Team& team, int first, int last, int number, int base)
     {
-        return {team, first, last, number, base, team.columns(columns, last - first)};
+        return {team, first, last, false, number, base, team.columns(columns, last - first)};
+    }
+    /// In panels lines are chains of places.
+    template <typename Team> HL_FN Line<Team> chain_of(const Team& team, int first, int last) const
+    {
+        return {team, first, last, last > first && is_seam(last - 1), 0, 0, team.columns(columns, last - first)};
+    }
+    HL_FN bool has_rings() const { return s.panels.has_rings; }
+    static constexpr int none = -1;
+    template <typename Team> HL_FN static int place_before(const Line<Team>& line, int i)
+    {
+        return i > line.first ? i - 1 : line.ring ? line.last - 1 : none;
+    }
+    template <typename Team> HL_FN static int place_after(const Line<Team>& line, int i)
+    {
+        return i + 1 < line.last ? i + 1 : line.ring ? line.first : none;
     }
     struct Place {
         int own, crossing, crossed; ///< segment, crossing, segment
@@ -83,14 +99,13 @@ struct PoreLines {
         const int crossing = s.warp_of(k, line.number);
         return {i, crossing, crossing, k, line.number};
     }
-    /// In panels lines are chains of places.
     HL_FN Place place_in_chain(int i) const
     {
         const int own = s.panels.order[i], crossing = s.crossing_of(own), end = crossing / s.picks, pick = crossing % s.picks;
         return {own, crossing, of_warp ? s.weft_of(end, pick) : crossing, end, pick};
     }
     HL_FN int segment_at(int i) const { return s.whole() ? i : s.panels.order[i]; }
-    /// Whether a seam lies between a place and the next.
+    /// Whether a seam lies between a place and the next, or the first of a ring.
     HL_FN bool is_seam(int i) const { return !s.whole() && s.panels.joint_yarns[i] >= 0; }
     HL_FN const YarnParameters& yarn(const Place& p, bool own) const
     {
@@ -255,15 +270,15 @@ struct PoreLines {
         line(room_crossed, i) =
             bath ? 0.0 : coupling_across(beside, true, crossed, density * (of_warp ? here.to_weft : here.to_warp), moves);
         line(along, i) = line(along + 1, i) = 0;
-        if (i + 1 < line.last && !(bath && is_fed(i + 1))) { // what stands in a bath bears itself
-            const Place q = place(line, i + 1);
+        if (const int next = place_after(line, i); next != none && !(bath && is_fed(next))) { // what stands in a bath bears itself
+            const Place q = place(line, next);
             const double from = along_room(p), to = along_room(q);
             const double in_series = from > 0 && to > 0 ? 2.0 * from * to / (from + to) : 0.0;
             const bool seam = is_seam(i);
-            const double yarns = seam ? s.panels.joint_yarns[i] : along_yarn(yarn_of(p, own_pores), segment_at(i), segment_at(i + 1));
+            const double yarns = seam ? s.panels.joint_yarns[i] : along_yarn(yarn_of(p, own_pores), segment_at(i), segment_at(next));
             const double rooms = seam ? s.panels.joint_rooms[i] : in_series;
-            line(along, i) = coupling_along(own, end_of(line, q, own_pores, i + 1), lift_after(i), density * yarns, 7, moves);
-            line(along + 1, i) = coupling_along(beside, end_of(line, q, room_pores, i + 1), lift_after(i), density * rooms, 8, moves);
+            line(along, i) = coupling_along(own, end_of(line, q, own_pores, next), lift_after(i), density * yarns, 7, moves);
+            line(along + 1, i) = coupling_along(beside, end_of(line, q, room_pores, next), lift_after(i), density * rooms, 8, moves);
         }
         const bool by_pool = pool.stands && couple_with_pool(line, p, i);
         return by_pool || moves;

@@ -12,13 +12,14 @@ struct PoreRounds : PoreLines {
     template <typename Team> HL_FN double flux_along(const Line<Team>& line, int which, int i) const
     {
         const double joint = line(along + which, i);
-        return joint > 0 ? joint * (line(suction + which, i + 1) - line(suction + which, i) - lift_after(i)) : 0.0;
+        return joint > 0 ? joint * (line(suction + which, place_after(line, i)) - line(suction + which, i) - lift_after(i)) : 0.0;
     }
     template <typename Team> HL_FN double inflow_along(const Line<Team>& line, int which, int i) const
     {
+        const int last = place_before(line, i);
         double in = 0;
-        if (i > line.first) in += flux_along(line, which, i - 1);
-        if (i + 1 < line.last) in -= flux_along(line, which, i);
+        if (last != none) in += flux_along(line, which, last);
+        if (place_after(line, i) != none) in -= flux_along(line, which, i);
         return in;
     }
     template <typename Team> HL_FN double from_room(const Line<Team>& line, int i) const // kg to the own pores
@@ -83,9 +84,9 @@ struct PoreRounds : PoreLines {
         const double to_own = from_room(line, i), ab = from_crossed(line, i), bx = from_crossed_to_room(line, i);
         const double in[3] = {to_own + ab + inflow_along(line, 0, i), inflow_along(line, 1, i) - to_own + bx, -ab - bx};
         const double ab_all = line(own_crossed, i), ax_all = line(own_room, i), bx_all = line(room_crossed, i);
-        const bool starts = i == line.first;
-        const double coupled[3] = {line(along, i) + (starts ? 0.0 : line(along, i - 1)) + ab_all + ax_all,
-                                   line(along + 1, i) + (starts ? 0.0 : line(along + 1, i - 1)) + ax_all + bx_all, ab_all + bx_all};
+        const int last = place_before(line, i);
+        const double coupled[3] = {line(along, i) + (last == none ? 0.0 : line(along, last)) + ab_all + ax_all,
+                                   line(along + 1, i) + (last == none ? 0.0 : line(along + 1, last)) + ax_all + bx_all, ab_all + bx_all};
         const Place p = place(line, i);
         const double falls = through_hole(line, room(p), i), leak = falls > 0 ? hole(room(p), line(presses, i)) : 0.0;
         Balance found{{}, {}, false};
@@ -105,7 +106,8 @@ struct PoreRounds : PoreLines {
         }
         return found;
     }
-    /// For the change of the own suction and of the room's; the crossed segment's follows from both. Says whether too much is left.
+    /// For the change of the own suction and of the room's; the crossed segment's follows from both. Says whether too much is left. The
+    /// joint of a ring comes later: see solve_ring().
     template <typename Team> HL_FN PairEquation row(const Line<Team>& line, int i, bool nested, bool& open) const
     {
         if (is_fed(i)) return {{0, 0}, {1, 0, 0, 1}, {0, 0}, {0, 0}};
@@ -116,7 +118,8 @@ struct PoreRounds : PoreLines {
         line(response, i) = of_crossed;
         line(left, i) = at.left[crossed_pores];
         const Pair before_along{i > line.first ? line(along, i - 1) : 0.0, i > line.first ? line(along + 1, i - 1) : 0.0};
-        const Pair next_along{line(along, i), line(along + 1, i)};
+        const bool ends = i + 1 == line.last;
+        const Pair next_along{ends ? 0.0 : line(along, i), ends ? 0.0 : line(along + 1, i)};
         const double through = ax + ab * bx * of_crossed, left_crossed = at.left[crossed_pores] * of_crossed;
         const double own = at.falls[own_pores] + before_along.first + next_along.first + ab * fall * of_crossed;
         const double room = at.falls[room_pores] + before_along.second + next_along.second + bx * fall * of_crossed;
@@ -124,6 +127,12 @@ struct PoreRounds : PoreLines {
                 {own + through, -through, -through, room + through},
                 {-next_along.first, -next_along.second},
                 {-(at.left[own_pores] + ab * left_crossed), -(at.left[room_pores] + bx * left_crossed)}};
+    }
+    template <typename Team> HL_FN RingEquation row_in_ring(const Line<Team>& line, int i, bool nested, bool& open) const
+    {
+        const PairEquation own = row(line, i, nested, open);
+        const double leaves = (i == line.first ? 1.0 : 0.0) - (i + 1 == line.last ? 1.0 : 0.0);
+        return {own.lower, own.pivot, own.upper, {own.right, diagonal({leaves, leaves})}};
     }
     /// By the solution; outside nested rounds for each class no further than to its next bend.
     template <typename Team> HL_FN void move(const Line<Team>& line, int i, const Pair& change, bool nested) const
@@ -141,9 +150,13 @@ struct PoreRounds : PoreLines {
     /// Returns whether too much was left, so that suctions have moved.
     template <typename Team> HL_FN bool newton_round(const Line<Team>& line, bool nested) const
     {
-        return line.team.solve_pairs(
-            line.first, line.last, [&](int i, bool& open) { return row(line, i, nested, open); },
-            [&](int i, const Pair& change) { move(line, i, change, nested); });
+        const auto change_by = [&](int i, const Pair& change) { move(line, i, change, nested); };
+        if (!line.ring)
+            return line.team.solve_pairs(
+                line.first, line.last, [&](int i, bool& open) { return row(line, i, nested, open); }, change_by);
+        const Pair joint{line(along, line.last - 1), line(along + 1, line.last - 1)};
+        return line.team.solve_ring(
+            line.first, line.last, [&](int i, bool& open) { return row_in_ring(line, i, nested, open); }, joint, change_by);
     }
 
     /// Bits of a class.
