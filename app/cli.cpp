@@ -11,6 +11,7 @@
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <charconv>
@@ -306,6 +307,13 @@ const Fabric& chosen_fabric(const Design& design, const ProjectOptions& options)
 
 namespace {
 
+template <typename Item> std::vector<std::string> names_of(const std::vector<Item>& items)
+{
+    std::vector<std::string> names;
+    for (const Item& item : items) names.push_back(item.name);
+    return names;
+}
+
 /// That an experiment is on a garment, and which verbs take it.
 Stop of_garment(const std::string& subject, const std::string& name)
 {
@@ -320,17 +328,20 @@ const Experiment& chosen_experiment(const Design& design, const ProjectOptions& 
 {
     if (find_wear(design, options.experiment) != nullptr)
         throw of_garment("The experiment \"" + options.experiment + "\" is one", options.experiment);
+    if (!design.wears.empty() && !options.experiment.empty() && find_experiment(design, options.experiment) == nullptr) {
+        std::vector<std::string> names = names_of(design.experiments);
+        const std::string samples = names.empty() ? "" : fmt::format("\"{}\" on a sample of fabric and ", fmt::join(names, "\", \""));
+        const std::vector<std::string> worn = names_of(design.wears);
+        names.insert(names.end(), worn.begin(), worn.end());
+        throw Stop(exit_usage, fmt::format("The project has no experiment \"{}\"{} It has {}\"{}\" on a garment.", options.experiment,
+                                           did_you_mean(options.experiment, names), samples, fmt::join(worn, "\", \"")));
+    }
     if (design.experiments.empty() && !design.wears.empty())
         throw of_garment("The project's only experiments are", design.wears.front().name);
-    if (options.experiment.empty() && design.experiments.size() > 1 && !design.wears.empty()) {
-        std::string samples, garments;
-        for (const Experiment& experiment : design.experiments) samples += (samples.empty() ? "\"" : ", \"") + experiment.name + "\"";
-        for (const WearExperiment& wear : design.wears) garments += (garments.empty() ? "\"" : ", \"") + wear.name + "\"";
-        throw Stop(exit_usage,
-                   fmt::format("The project has several experiments; choose one with --experiment: {} on a sample of fabric, or "
-                               "{} on a garment, which takes no --fabric.",
-                               samples, garments));
-    }
+    if (options.experiment.empty() && design.experiments.size() > 1 && !design.wears.empty())
+        throw Stop(exit_usage, fmt::format("The project has several experiments; choose one with --experiment: \"{}\" on a sample of "
+                                           "fabric, or \"{}\" on a garment, which takes no --fabric.",
+                                           fmt::join(names_of(design.experiments), "\", \""), fmt::join(names_of(design.wears), "\", \"")));
     return chosen(design.experiments, options.experiment, "experiment",
                   "Add one to its \"experiments\", such as {\"name\": \"one drop\", \"type\": \"droplet\", \"sample_mm\": [20, 20], "
                   "\"duration_s\": 10, \"droplets\": [{\"volume_ul\": 5}]}; in the window: Experiment, Add Experiment.");

@@ -30,6 +30,7 @@ struct GarmentOptions : CommonOptions {
     std::string output;
     std::string name;
     std::string uv_unit = name_of(UvUnit::from_lengths);
+    std::string fabric; ///< that panels are cut from; empty: the project's first
     WearVerbOptions plan;
     WearMapVerbOptions map;
 };
@@ -73,11 +74,26 @@ CLI::Validator most_validator()
         "NUMBER");
 }
 
+/// Name of the fabric that panels are cut from: the design's, or one of the library, which the design then gets. Throws Stop.
+std::string fabric_in(Design& design, const std::string& asked)
+{
+    if (asked.empty() && !design.fabrics.empty()) return design.fabrics.front().name;
+    if (find_fabric(design, asked) != nullptr) return asked;
+    std::vector<std::string> names;
+    for (const Fabric& fabric : design.fabrics) names.push_back(fabric.name);
+    for (const Preset& preset : shipped_presets()) {
+        if (asked.empty() || preset.fabric().name == asked) return design.fabrics[add_preset(design, preset)].name;
+        names.push_back(preset.fabric().name);
+    }
+    throw Stop(exit_usage, fmt::format("--fabric {}: Neither the project nor the library has this fabric{} hygroloom-cli presets lists the "
+                                       "library's.",
+                                       asked, did_you_mean(asked, names)));
+}
+
 /// Adds the garment to a design, worn in an experiment of its own, with a fabric of the library where that has none.
 std::string add_to(Design& design, const GarmentOptions& options, Garment& garment)
 {
-    if (design.fabrics.empty()) add_preset(design, shipped_presets().front());
-    garment.panels["*"].fabric = design.fabrics.front().name;
+    garment.panels["*"].fabric = fabric_in(design, options.fabric);
     if (!garment.is_built_in()) {
         const fs::path folder = fs::absolute(options.output).parent_path();
         garment.source = fs::absolute(garment.source).lexically_normal().lexically_relative(folder.lexically_normal()).generic_string();
@@ -132,6 +148,7 @@ int import_garment(const GarmentOptions& options)
 {
     if (!options.output.empty() && fs::path(options.output).extension() != ".hygro")
         throw Stop(exit_usage, "-o " + options.output + ": The project's name must end in .hygro.");
+    if (options.output.empty() && !options.fabric.empty()) throw Stop(exit_usage, "--fabric works with -o: it is for the project there.");
     Garment garment = garment_of(options);
     GarmentPattern pattern;
     Design design;
@@ -176,6 +193,31 @@ int act(GarmentOptions& options)
     return options.action == "map" ? map_garment(options.map) : import_garment(options);
 }
 
+void add_map_options(CLI::App& verb, WearMapVerbOptions& map)
+{
+    verb.add_option("--time", map.time, "With map: time, s; the end when left out")->default_str("")->check(time_validator());
+    verb.add_option("--cells", map.cells, "With map: crossings over which water is summed up each way, or auto: as computed");
+    verb.add_option("--scale", map.scale, "With map: g/m2 alike for all fabrics, or share of what each fabric can hold")
+        ->check(CLI::IsMember({"same", "capacity"}));
+    verb.add_option("--most", map.most,
+                    "With map: the scale's end, g/m2 or a share; next round number over the map's largest when left out")
+        ->check(most_validator());
+    verb.add_option(
+            "--steps", map.steps,
+            "With map: where the eight colours end, ascending, separated by commas, g/m2 or shares; even up to --most when left out")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->excludes("--most");
+    verb.add_option("--report", map.report,
+                    "With map: write a report (.html or .pdf) with maps, tables, curves and what was assumed; -o may be left out")
+        ->type_name("FILE");
+    verb.add_option("--times", map.times,
+                    "With --report: times of its maps, s, separated by commas; at each quarter of the run when left out")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(time_validator());
+}
+
 } // namespace
 
 void add_garment(CLI::App& app, Verb& verb)
@@ -197,38 +239,18 @@ void add_garment(CLI::App& app, Verb& verb)
     garment_verb.add_option("--name", options->name, "Name of the garment; the file's when left out");
     garment_verb.add_option("--uv-unit", options->uv_unit, "Unit of a mesh's flat coordinates")
         ->check(CLI::IsMember({"from_lengths", "mm", "cm", "m"}));
+    garment_verb.add_option("--fabric", options->fabric,
+                            "With import: fabric of the project or the library that its panels are cut from; the project's first when left "
+                            "out");
+    options->plan.takes_knobs = true;
+    garment_verb.add_option("--set", options->plan.sets, "With plan: change a value for this call, e.g. experiments[0].duration_s=600")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false);
     garment_verb.add_option("--experiment", options->plan.experiment, "With plan: experiment of the type wear; the only one when left out");
     garment_verb.add_option("--fidelity", options->plan.fidelity, "With plan: resolution")->type_name("{live,draft,standard,reference}");
     garment_verb.add_option("--cell-mm", options->plan.cell_mm, "With plan: sides of cells, mm; by fidelity when left out")
         ->check(CLI::Range(0.05, 100.0));
-    garment_verb.add_option("--time", options->map.time, "With map: time, s; the end when left out")
-        ->default_str("")
-        ->check(time_validator());
-    garment_verb.add_option("--cells", options->map.cells,
-                            "With map: crossings over which water is summed up each way, or auto: as computed");
-    garment_verb.add_option("--scale", options->map.scale, "With map: g/m2 alike for all fabrics, or share of what each fabric can hold")
-        ->check(CLI::IsMember({"same", "capacity"}));
-    garment_verb
-        .add_option("--most", options->map.most,
-                    "With map: the scale's end, g/m2 or a share; next round number over the map's largest when left out")
-        ->check(most_validator());
-    garment_verb
-        .add_option(
-            "--steps", options->map.steps,
-            "With map: where the eight colours end, ascending, separated by commas, g/m2 or shares; even up to --most when left out")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->excludes("--most");
-    garment_verb
-        .add_option("--report", options->map.report,
-                    "With map: write a report (.html or .pdf) with maps, tables, curves and what was assumed; -o may be left out")
-        ->type_name("FILE");
-    garment_verb
-        .add_option("--times", options->map.times,
-                    "With --report: times of its maps, s, separated by commas; at each quarter of the run when left out")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->check(time_validator());
+    add_map_options(garment_verb, options->map);
     add_common_options(garment_verb, *options);
     garment_verb.callback([&verb, options] { verb = [options] { return act(*options); }; });
 }

@@ -314,10 +314,19 @@ int simulate_several(const SimulateOptions& options, const Design& design, const
 /// A garment's run has no fabrics to choose, and no replicates.
 int wear_verb(const Design& design, const WearExperiment& wear, const SimulateOptions& options)
 {
-    if (!options.fabric.empty() || !options.fabrics.empty() || options.replicates > 1 || !options.physics.empty() ||
-        options.seed != RunVerbOptions{}.seed)
-        throw Stop(exit_usage, "A worn garment takes --fidelity, --cell-mm, --shown-mm, --detail, --set, --backend, --threads, --profile "
-                               "and -o. Its panels name their fabrics, and nothing of it is left to chance.");
+    const std::pair<bool, const char*> refused[] = {
+        {!options.fabric.empty(), "--fabric"},
+        {!options.fabrics.empty(), "--fabrics"},
+        {options.replicates > 1, "--replicates"},
+        {!options.physics.empty(), "--physics"},
+        {options.seed != RunVerbOptions{}.seed, "--seed"},
+    };
+    for (const auto& [given, name] : refused)
+        if (given)
+            throw Stop(exit_usage, fmt::format("A worn garment does not take {}: its panels name their fabrics, and nothing of it is left "
+                                               "to chance. It takes --fidelity, --cell-mm, --shown-mm, --detail, --set, --backend, "
+                                               "--threads, --profile and -o.",
+                                               name));
     WearVerbOptions how;
     static_cast<RunVerbOptions&>(how) = options;
     how.fidelity = options.fidelity;
@@ -344,8 +353,11 @@ int simulate(const SimulateOptions& options)
     const Design design = load_project(options);
     const FittedFabrics fitted = require_valid(design, options);
     if (const WearExperiment* wear = chosen_wear(design, options)) return wear_verb(design, *wear, options);
+    const Experiment& experiment = chosen_experiment(design, options);
     if (options.cell_mm > 0 || !options.detail.empty())
-        throw Stop(exit_usage, "--cell-mm and --detail work with experiments of the type wear.");
+        throw Stop(exit_usage, fmt::format("--cell-mm and --detail work with experiments on a garment (type wear); \"{}\" is one on a "
+                                           "sample of fabric.",
+                                           experiment.name));
     how.shown_side = metre_from_mm(options.shown_mm);
     if (replicates) return simulate_replicates(options, design, fitted, how);
     return several ? simulate_several(options, design, fitted, how) : simulate_one(options, design, fitted, how);

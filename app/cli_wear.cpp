@@ -53,10 +53,39 @@ WearOptions how_of(const WearVerbOptions& options)
     return how;
 }
 
-std::string text_of(const WearMetrics& metrics, const WearLayout& layout, bool json)
+/// That yarns hold less than the experiment wets them with.
+std::string of_initial_water(const WearMetrics& metrics, const WearRecord& record)
 {
+    const WearExperiment* const wear = find_wear(record.design, record.layout.experiment);
+    const double asked = wear != nullptr ? wear->initial_water_g_m2 : 0.0, there = 1e3 * metrics.at_start() / metrics.all().area; // g/m2
+    constexpr double rounding = 1e-3;
+    if (there >= (1 - rounding) * asked) return {};
+    return fmt::format("Of the {:.4g} g/m2 of water asked for at the start the yarns hold {:.4g}.\n", asked, there);
+}
+
+std::string text_of(const WearMetrics& metrics, const WearRecord& record, bool json)
+{
+    const WearLayout& layout = record.layout;
     return json ? metrics.json() + "\n"
-                : fmt::format("{} in \"{}\", {}\n{}", layout.garment, layout.experiment, layout.cells_in_words, metrics.text());
+                : fmt::format("{} in \"{}\", {}\n{}{}", layout.garment, layout.experiment, layout.cells_in_words, metrics.text(),
+                              of_initial_water(metrics, record));
+}
+
+/// The last words, and what the garment came to so far, if there is a frame.
+int print_cancelled(const WearMetrics& metrics, const WearRecord& record, bool json)
+{
+    const LastWords* const words = last_words.exchange(nullptr);
+    write_note(words->note);
+    if (metrics.all().course.empty()) {
+        write_result(words->result);
+    } else if (json) {
+        Json object = Json::parse(words->result);
+        object["so_far"] = Json::parse(metrics.json());
+        print_json(object);
+    } else {
+        print_result("Up to {:.4g} s:\n{}", metrics.all().course.back().time, text_of(metrics, record, false));
+    }
+    return exit_cancelled;
 }
 
 WearMetrics metrics_of(const WearRecording& recording)
@@ -92,6 +121,20 @@ WearSteps steps_of(const WearMapVerbOptions& options)
         }
         return steps;
     });
+}
+
+/// Each computed cell by itself.
+constexpr int as_computed = 1;
+
+/// A scale of shares does not end at g/m2. Throws Stop.
+void require_shares(const WearMapOptions& how)
+{
+    constexpr double most = 10; // cloth with all of its rooms filled holds a few times what its yarns can
+    const double end = how.steps ? how.steps->back() : how.most;
+    if (how.scale == WearScale::capacity && end > most)
+        throw Stop(exit_usage,
+                   fmt::format("{}: With --scale capacity this is a share of what the cloth can hold, up to {:g}; {:g} % is {:g}.",
+                               how.steps ? fmt::format("--steps up to {:g}", end) : fmt::format("--most {:g}", end), most, end, end / 100));
 }
 
 /// Reports must not take the place of what is read.
@@ -139,8 +182,8 @@ const WearExperiment& required_wear(const Design& design, const ProjectOptions& 
 
 const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& options)
 {
-    if (!options.experiment.empty()) return find_wear(design, options.experiment);
-    return design.experiments.empty() && design.wears.size() == 1 ? &design.wears.front() : nullptr;
+    if (design.experiments.empty() && !design.wears.empty()) return &required_wear(design, options);
+    return options.experiment.empty() ? nullptr : find_wear(design, options.experiment);
 }
 
 int simulate_wear(const Design& design, const WearExperiment& wear, const WearVerbOptions& options)
@@ -151,17 +194,19 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
         for (const std::string& issue : parts.pattern.issues) print_note("{}: {}\n", parts.garment->name, issue);
     if (!options.quiet) print_misnamed(design, parts, options.project);
     const GarmentScene garment = garment_scene(parts, resolution_of(how_of(options)));
-    const WearLayout layout = wear_layout(parts, garment);
     const std::unique_ptr<Backend> backend = open_backend(options);
     backend->set_threads(options.threads);
     if (options.profile) backend->time_stages();
+    const WearRecord record{
+        design,
+        wear_layout(parts, garment),
+        options.fidelity,
+        backend->name(),
+        backend->device(),
+        fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())))};
     std::optional<WearWriter> recording;
-    if (!options.output.empty())
-        recording.emplace(options.output,
-                          WearRecord{design, layout, options.fidelity, backend->name(), backend->device(),
-                                     fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                                                 fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())))});
-    WearMetrics metrics(layout);
+    if (!options.output.empty()) recording.emplace(options.output, record);
+    WearMetrics metrics(record.layout);
     RunControl control;
     const LastWords words = failure_words(options.json, exit_cancelled,
                                           options.output.empty() ? "Cancelled." : "Cancelled. The recording so far: " + options.output);
@@ -177,12 +222,12 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
         try {
             run_wear(garment, wear, *backend, control, callbacks);
         } catch (const Cancelled&) {
-            throw Stop(exit_cancelled, words.note);
+            return print_cancelled(metrics, record, options.json);
         }
     }
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (recording) recording->finish(wall);
-    print_result("{}", text_of(metrics, layout, options.json));
+    print_result("{}", text_of(metrics, record, options.json));
     if (options.profile) print_profile(backend->stage_times(), wall, options.json);
     if (!options.quiet) {
         print_note("{} on {}: {:.1f} s.\n", backend->name(), backend->device(), wall);
@@ -236,10 +281,10 @@ int measure_garment(const std::string& file, const CommonOptions& options, const
     const WearMetrics metrics = metrics_of(recording);
     if (!report.empty()) {
         WearMapOptions how;
-        how.crossings = recording.record().layout.panels.front().crossings_per_cell;
+        how.crossings = as_computed;
         write_wear_report(recording, metrics, time >= 0 ? std::vector{time} : std::vector<double>{}, how, report, options.quiet);
     }
-    print_result("{}", text_of(metrics, recording.record().layout, options.json));
+    print_result("{}", text_of(metrics, recording.record(), options.json));
     if (!options.quiet && !recording.finished()) print_note("{}: The run did not end.\n", file);
     return exit_ok;
 }
@@ -263,7 +308,8 @@ int map_garment(const WearMapVerbOptions& options)
     how.scale = options.scale == "capacity" ? WearScale::capacity : WearScale::same;
     how.most = options.most;
     if (!options.steps.empty()) how.steps = steps_of(options);
-    how.crossings = layout.panels.front().crossings_per_cell;
+    require_shares(how);
+    how.crossings = as_computed;
     if (options.cells != "auto") {
         const char* const end = options.cells.data() + options.cells.size();
         const auto [last, failure] = std::from_chars(options.cells.data(), end, how.crossings);

@@ -104,6 +104,7 @@ WearLayout wear_layout(const GarmentParts& parts, const GarmentScene& garment)
     for (std::size_t k = 1; k < activity.size(); ++k)
         if (activity[k].factor < activity[k - 1].factor) layout.stops = activity[k].time_s;
     if (garment.scene.supply.skin.has_zones()) take_course(garment, parts.wear->duration_s, layout);
+    if (!layout.stops && parts.wear->initial_water_g_m2 > 0) layout.stops = 0;
     for (std::size_t k = 0; k < garment.grids.size(); ++k) {
         const PatternPanel& panel = parts.pattern.panels[k];
         const PanelCut* cut = parts.garment->cut_of(panel.cut());

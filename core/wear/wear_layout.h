@@ -35,7 +35,9 @@ struct WearLayout {
         double temperature = 0; ///< K
     };
     std::vector<std::vector<SkinTemperature>> skin_course;
-    std::optional<double> stops;        ///< s, when the wearer's activity last falls; none: never
+    /// s, when the wearer's activity last falls: from then on cloth may dry; where it never falls, the start of what is wet from the start;
+    /// none: neither.
+    std::optional<double> stops;
     std::vector<std::string> own_zones; ///< names of the wearer's own zones, which follow the body's
     std::vector<WearPanel> panels;
     std::vector<GarmentCell> cells;

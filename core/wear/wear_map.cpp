@@ -14,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <set>
 #include <tuple>
 #include <unordered_map>
 
@@ -182,8 +183,10 @@ WearMap wear_map(const WearLayout& layout, const WearFrame& frame, const WearMap
     }
     map.steps = options.steps ? *options.steps : even_steps(options.most > 0 ? options.most : rounded_up(most));
     require_ascending(map.steps);
-    const WearPanel& first = layout.panels.front();
-    map.cells = fmt::format("by {0} x {0} crossings", group_of(first) * first.crossings_per_cell);
+    std::set<int> sides; // crossings
+    for (const WearPanel& panel : layout.panels) sides.insert(group_of(panel) * panel.crossings_per_cell);
+    for (int side : sides) map.cells += fmt::format("{0}{1} x {1}", map.cells.empty() ? "by " : " or ", side);
+    map.cells += " crossings";
     return map;
 }
 

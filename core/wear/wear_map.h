@@ -37,7 +37,7 @@ struct WearMap {
     std::vector<double> values;
     WearSteps steps = even_steps(1);
     WearScale scale = WearScale::same;
-    std::string cells; ///< "by 8 x 8 crossings, 2.3 x 2.3 mm"
+    std::string cells; ///< "by 8 x 8 or 14 x 14 crossings"
     ReaderUnits units{};
     /// At the scale's end.
     double most() const { return steps.back(); }

@@ -45,6 +45,15 @@ Json numbers_of(const WearPart& part, const std::optional<double>& stops)
             {"time_to_dry_s", or_null(stops ? part.time_to_dry(*stops) : std::nullopt)}};
 }
 
+/// s, at which the water came to so much, between a frame that has passed it and the one before.
+double time_of(const std::vector<WearNow>& course, std::vector<WearNow>::const_iterator after, double water)
+{
+    if (after == course.begin()) return after->time;
+    const WearNow& before = *(after - 1);
+    const double share = (water - before.water) / (after->water - before.water);
+    return share > 0 && share < 1 ? before.time + share * (after->time - before.time) : after->time;
+}
+
 Json series_of(const WearPart& part)
 {
     Json series;
@@ -77,8 +86,9 @@ double WearPart::most_water() const
 
 std::optional<double> WearPart::time_to_full() const
 {
-    const auto full = std::find_if(course.begin(), course.end(), [&](const WearNow& now) { return now.water >= share_of_full * capacity; });
-    return full == course.end() ? std::nullopt : std::optional(full->time);
+    const double much = share_of_full * capacity;
+    const auto full = std::find_if(course.begin(), course.end(), [&](const WearNow& now) { return now.water >= much; });
+    return full == course.end() ? std::nullopt : std::optional(time_of(course, full, much));
 }
 
 std::optional<double> WearPart::time_to_dry(double from) const
@@ -86,7 +96,7 @@ std::optional<double> WearPart::time_to_dry(double from) const
     const double little = share_of_dry * most_water();
     if (little <= 0) return std::nullopt;
     const auto dry = std::find_if(course.begin(), course.end(), [&](const WearNow& now) { return now.time > from && now.water < little; });
-    return dry == course.end() ? std::nullopt : std::optional(dry->time - from);
+    return dry == course.end() ? std::nullopt : std::optional(std::max(from, time_of(course, dry, little)) - from);
 }
 
 WearMetrics::WearMetrics(const WearLayout& layout) : layout_(layout)
@@ -178,10 +188,10 @@ std::string WearMetrics::text() const
     for (const WearPart& panel : panels_) add(panel);
     text += "By zone of the body\n";
     for (const WearPart& zone : zones_) add(zone);
-    if (at_start_ > 0) text += fmt::format("At the start {:.1f} g of water in the cloth.\n", 1e3 * at_start_);
-    text +=
-        fmt::format("Sweat {:.1f} g: {:.1f} g in the cloth, {:.1f} g evaporated, {:.1f} g on the skin, {:.1f} g dripped.\n", 1e3 * sweat(),
-                    1e3 * all_.course.back().water, 1e3 * ledger_.water_evaporated, 1e3 * ledger_.water_free, 1e3 * ledger_.water_dripped);
+    const std::string and_start = at_start_ > 0 ? fmt::format(" and {:.1f} g in the cloth at the start", 1e3 * at_start_) : "";
+    text += fmt::format("Sweat {:.1f} g{}: {:.1f} g in the cloth, {:.1f} g evaporated, {:.1f} g on the skin, {:.1f} g dripped.\n",
+                        1e3 * sweat(), and_start, 1e3 * all_.course.back().water, 1e3 * ledger_.water_evaporated, 1e3 * ledger_.water_free,
+                        1e3 * ledger_.water_dripped);
     text +=
         fmt::format("The skin gave {:.1f} kJ to the cloth; evaporating took {:.1f} kJ.\n", 1e-3 * from_skin_, 1e-3 * heat_of_evaporation());
     return text;

@@ -33,6 +33,7 @@ struct WearPart {
 
     double largest_wet_area() const; ///< m2
     double most_water() const;       ///< kg
+    // Between two frames water is taken to change evenly.
     /// s: when it first holds share_of_full of its capacity; none: never.
     std::optional<double> time_to_full() const;
     /// s from a time on: until it holds less than share_of_dry of the most that it held; none: not by the end.
@@ -58,7 +59,7 @@ public:
     /// J that the skin has given to the cloth, by the trapezoidal rule over frames; and J that evaporating takes at the skin's temperature.
     double heat_from_skin() const { return from_skin_; }
     double heat_of_evaporation() const;
-    /// s: the last time at which the wearer's activity falls; none: never.
+    /// s: see WearLayout::stops.
     std::optional<double> stops() const { return layout_.stops; }
 
     /// As `simulate --json` prints it.

@@ -34,9 +34,10 @@ std::string results(const WearMetrics& metrics)
         row("largest wet area", fmt::format("{:.3f}", all.largest_wet_area()), "m²") +
         row("time until full", time(all.time_to_full()), "s", fmt::format("{:.0f} % of what it can hold", 100 * share_of_full));
     if (metrics.stops())
-        rows +=
-            row("time to dry", time(all.time_to_dry(*metrics.stops())), "s",
-                fmt::format("to {:.0f} % of the most, after the activity last falls at {:.4g} s", 100 * share_of_dry, *metrics.stops()));
+        rows += row("time to dry", time(all.time_to_dry(*metrics.stops())), "s",
+                    fmt::format("to {:.0f} % of the most, {}", 100 * share_of_dry,
+                                *metrics.stops() > 0 ? fmt::format("after the activity last falls at {:.4g} s", *metrics.stops())
+                                                     : "from the start"));
     rows += row("the skin gave to the cloth", fmt::format("{:.4g}", 1e-3 * metrics.heat_from_skin()), "kJ") +
             row("evaporating took", fmt::format("{:.4g}", 1e-3 * metrics.heat_of_evaporation()), "kJ");
     return table(rows) + fmt::format("<p>Cloth is wet with more than {:.0f} % of what it can hold.</p>\n", 100 * share_of_wet);

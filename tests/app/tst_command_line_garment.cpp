@@ -4,8 +4,11 @@
 
 #include <QFile>
 #include <QJsonArray>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <csignal>
 
 class TestCommandLineGarment : public QObject {
     Q_OBJECT
@@ -115,6 +118,74 @@ private Q_SLOTS:
         QVERIFY(says({"compare", mixed, "--experiment", "wear"}, "hygroloom-cli simulate runs it"));
         QVERIFY(says({"simulate", mixed}, "\"drop\", \"drop 2\" on a sample of fabric, or \"wear\" on a garment"));
         QVERIFY(says({"plan", at("tee.hygro")}, "The project's only experiments are on a garment"));
+        const char* const all = "did you mean \"wear\"? It has \"drop\", \"drop 2\" on a sample of fabric and \"wear\" on a garment.";
+        QVERIFY(says({"simulate", mixed, "--experiment", "waer"}, all));
+        QVERIFY(says({"simulate", mixed, "--experiment", "waer", "--cell-mm", "30"}, all));
+        QVERIFY(says({"simulate", mixed, "--experiment", "drop", "--cell-mm", "30"}, "\"drop\" is one on a sample of fabric."));
+        QVERIFY(says({"simulate", at("tee.hygro"), "--experiment", "waer"}, "did you mean \"wear\"? It has \"wear\"."));
+        QVERIFY(says({"simulate", at("tee.hygro"), "--fabric", "Denim"}, "A worn garment does not take --fabric"));
+        QVERIFY(says({"simulate", at("tee.hygro"), "--seed", "7"}, "A worn garment does not take --seed"));
+    }
+
+    void panels_are_cut_from_a_fabric_of_the_library()
+    {
+        QCOMPARE(run_cli({"garment", "import", "built-in:tee", "--fabric", "Denim", "-o", at("tee-of-two.hygro")}).code, 0);
+        QCOMPARE(run_cli({"garment", "import", "built-in:tee", "--fabric", "Textile F", "-o", at("tee-of-two.hygro")}).code, 0);
+        const QJsonObject project = read(at("tee-of-two.hygro"));
+        QCOMPARE(project["fabrics"].toArray().size(), 2);
+        const auto fabric_of = [&](int garment) {
+            return project["garments"].toArray()[garment].toObject()["panels"].toObject()["*"].toObject()["fabric"].toString();
+        };
+        QCOMPARE(fabric_of(0), QString("Denim"));
+        QCOMPARE(fabric_of(1), QString("Textile F"));
+        const Answer wrong = run_cli({"garment", "import", "built-in:tee", "--fabric", "Denin", "-o", at("tee-of-two.hygro")});
+        QCOMPARE(wrong.code, 2);
+        QVERIFY2(wrong.err.contains("did you mean \"Denim\"?"), wrong.err);
+        QCOMPARE(run_cli({"garment", "import", "built-in:tee", "--fabric", "Denim"}).code, 2); // nothing is written
+    }
+
+    void a_plan_takes_changed_values()
+    {
+        const auto seconds = [&](const QString& set) {
+            return run_cli({"garment", "plan", at("tee.hygro"), "--fidelity", "live", "--set", set, "--json"}).json()["seconds"].toDouble();
+        };
+        QVERIFY(seconds("experiments[0].duration_s=3600") > 1.5 * seconds("experiments[0].duration_s=60"));
+        QCOMPARE(run_cli({"garment", "plan", at("tee.hygro"), "--set", "experiments[0].duraton_s=60"}).code, 2);
+    }
+
+    /// A washed garment at rest dries from the start, and not all that is asked for fits in.
+    void a_washed_garment_dries()
+    {
+        const QJsonArray rests{QJsonObject{{"time_s", 0}, {"factor", 0}}};
+        write_project("washed.hygro", {}, {{"activity", rests}, {"initial_water_g_m2", 2000}, {"duration_s", 14400}});
+        const QStringList simulate{"simulate", at("washed.hygro"), "--fidelity", "live", "--cell-mm", "50"};
+        const Answer run = run_cli(simulate + QStringList{"-o", at("washed.hygrorec")});
+        QVERIFY2(run.out.contains("Of the 2000 g/m2 of water asked for at the start the yarns hold "), run.out);
+        QVERIFY2(run.out.contains("Sweat 0.0 g and "), run.out);
+        const QJsonObject found = run_cli({"measure", at("washed.hygrorec"), "--json"}).json();
+        const double dry = found["metrics"].toObject()["time_to_dry_s"].toDouble();
+        const QJsonArray times = found["series"].toObject()["time_s"].toArray(), water = found["series"].toObject()["water_g"].toArray();
+        qsizetype after = 0;
+        while (after < times.size() && times[after].toDouble() < dry) ++after;
+        QVERIFY(after > 0 && after < times.size() && dry > times[after - 1].toDouble());
+        const double little = 0.05 * water[0].toDouble();
+        QVERIFY2(water[after - 1].toDouble() > little && water[after].toDouble() <= little, qPrintable(QString::number(dry)));
+    }
+
+    void a_stopped_run_says_what_it_came_to()
+    {
+        write_project("long.hygro", {}, {{"duration_s", 3600}});
+        QProcess process;
+        process.start(HYGROLOOM_CLI, {"simulate", at("long.hygro"), "--fidelity", "draft", "-o", at("long.hygrorec"), "--json", "-q"});
+        QVERIFY(process.waitForStarted());
+        QTRY_VERIFY_WITH_TIMEOUT(run_cli({"measure", at("long.hygrorec"), "--json"}).json()["time_s"].toDouble() > 0, 60000);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(10000));
+        QCOMPARE(process.exitCode(), 130);
+        const QJsonObject said = QJsonDocument::fromJson(process.readAllStandardOutput()).object();
+        QCOMPARE(said["exit_code"].toInt(), 130);
+        QVERIFY(said["so_far"].toObject()["time_s"].toDouble() > 0);
+        QVERIFY(said["so_far"].toObject()["panels"].toObject().contains("front"));
     }
 
     void an_estimate_counts_frames_time_and_water()
@@ -153,6 +224,33 @@ private Q_SLOTS:
         QCOMPARE(beyond.code, 2);
         QVERIFY2(beyond.err.contains("--time 5: The run ends at 2 s; take a time from 0 to 2."), beyond.err);
         QCOMPARE(run_cli({"garment", "map", at("short.hygrorec"), "--time", "2", "-o", at("map")}).code, 0);
+        const QStringList shares{"garment", "map", at("short.hygrorec"), "-o", at("map"), "--scale", "capacity"};
+        const Answer percents = run_cli(shares + QStringList{"--most", "50"});
+        QCOMPARE(percents.code, 2);
+        QVERIFY2(percents.err.contains("--most 50: ") && percents.err.contains("50 % is 0.5."), percents.err);
+        QCOMPARE(run_cli(shares + QStringList{"--steps", "1,2,3,4,5,6,7,80"}).code, 2);
+        QCOMPARE(run_cli(shares + QStringList{"--most", "0.5"}).code, 0);
+    }
+
+    void a_map_names_the_cells_of_all_fabrics()
+    {
+        QCOMPARE(run_cli({"garment", "import", "built-in:tee", "--fabric", "Denim", "-o", at("two-cloths.hygro")}).code, 0);
+        QCOMPARE(run_cli({"presets", "Textile F", "-o", at("two-cloths.hygro")}).code, 0);
+        QJsonObject project = read(at("two-cloths.hygro")), tee = project["garments"].toArray()[0].toObject();
+        tee["panels"] = QJsonObject{{"*", tee["panels"].toObject()["*"]}, {"front", QJsonObject{{"fabric", "Textile F"}}}};
+        project["garments"] = QJsonArray{tee};
+        write("two-cloths.hygro", QJsonDocument(project).toJson());
+        QCOMPARE(run_cli({"simulate", at("two-cloths.hygro"), "--set", "experiments[0].duration_s=2", "--fidelity", "live", "--cell-mm",
+                          "40", "-o", at("two-cloths.hygrorec")})
+                     .code,
+                 0);
+        const QStringList map{"garment", "map", at("two-cloths.hygrorec"), "-o", at("map"), "--json"};
+        const QJsonArray panels =
+            run_cli({"garment", "plan", at("two-cloths.hygro"), "--cell-mm", "40", "--json"}).json()["panels"].toArray();
+        const int of_front = panels[0].toObject()["crossings_per_cell"].toInt(),
+                  of_back = panels[1].toObject()["crossings_per_cell"].toInt();
+        QVERIFY(of_front > of_back);
+        QCOMPARE(run_cli(map).json()["cells"].toString(), QString("by %1 x %1 or %2 x %2 crossings").arg(of_back).arg(of_front));
     }
 
     void a_file_that_is_no_pattern_is_named()

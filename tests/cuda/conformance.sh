@@ -56,6 +56,15 @@ if [ -d "$examples" ]; then
     filled() { "$cli" simulate "$examples/lined-singlet.hygro" --fidelity live --backend "$1" --json | awk -F'[:,]' '/"water_g"/ && !n++ { print $2 }'; }
     on_gpu=$(filled cuda) beside=$(filled cpu)
     try "a lined garment that fills up: $on_gpu g, on the CPU $beside g" awk "BEGIN { exit !($on_gpu > 0 && ($on_gpu / $beside - 1) ^ 2 < 1e-4) }"
+    # Yarns that seams join into rings: both corners of a symmetric garment's hem hold the same within 2 %.
+    "$cli" garment import built-in:tee --fabric "Textile F" -o "$results/tee.hygro" -q > "$results/one"
+    even() {
+        "$cli" simulate "$results/tee.hygro" --fidelity live --backend cuda -q -o "$results/tee.hygrorec" > "$results/one"
+        "$cli" garment map "$results/tee.hygrorec" -o "$results/map" > "$results/one"
+        awk -F, '$1 == "back" && $5 < 60 && $4 < -200 { left += $11; ++n } $1 == "back" && $5 < 60 && $4 > 200 { right += $11 }
+            END { print left / n, right / n; exit !(n > 0 && left > 0 && (right / left - 1) ^ 2 < 4e-4) }' "$results/map/cells.csv"
+    }
+    try "a tee is even left and right" even
     # Blocks of few threads with one fabric at a time, of many side by side: the same bytes.
     compared() { # fabrics at once, file
         sh -c "'$cli' compare '$examples/paper/figure-13-structures.hygro' --experiment 'one drop' --set 'experiments.one drop.duration_s=0.2' \
