@@ -13,10 +13,12 @@ namespace hygroloom {
 namespace {
 
 constexpr double most_cells_across = 100'000;
+constexpr double rounding = 1e-6; // of a cell
 
 double dot(const FlatPlace& a, const FlatPlace& b) { return a[0] * b[0] + a[1] * b[1]; }
 
-/// Marks the cells of each pick between every second place where the outline crosses the pick's middle line.
+/// Marks the cells of each pick between every second place where the outline crosses the pick's middle line; those with their middle on it,
+/// too, so that both sides of a symmetric panel have them.
 void mark_inside(PanelGrid& grid, const std::vector<FlatPlace>& outline)
 {
     const double across2 = dot(grid.across, grid.across), along2 = dot(grid.along, grid.along);
@@ -37,9 +39,17 @@ void mark_inside(PanelGrid& grid, const std::vector<FlatPlace>& outline)
         std::vector<double>& cut = cuts[static_cast<std::size_t>(pick)];
         std::sort(cut.begin(), cut.end());
         for (std::size_t k = 0; k + 1 < cut.size(); k += 2)
-            for (int end = std::max(0, static_cast<int>(std::ceil(cut[k]))); end < grid.ends && end < cut[k + 1]; ++end)
+            for (int end = std::max(0, static_cast<int>(std::ceil(cut[k] - rounding))); end < grid.ends && end <= cut[k + 1] + rounding;
+                 ++end)
                 grid.there[grid.cell(end, pick)] = 1;
     }
+}
+
+/// m2 by which the cells' area differs from that inside the outline.
+double area_off(const PanelGrid& grid, double area)
+{
+    const auto cells = static_cast<double>(std::count(grid.there.begin(), grid.there.end(), 1));
+    return std::abs(cells * std::abs(grid.across[0] * grid.along[1] - grid.across[1] * grid.along[0]) - area);
 }
 
 } // namespace
@@ -62,23 +72,32 @@ PanelGrid panel_grid(const PatternPanel& panel, double grain, double end_pitch, 
             low[k] = std::min(low[k], at);
             high[k] = std::max(high[k], at);
         }
-    constexpr double rounding = 1e-6; // of a cell
     const double ends = std::ceil((high[0] - low[0]) / end_pitch - rounding), picks = std::ceil((high[1] - low[1]) / pick_pitch - rounding);
     if (!(ends <= most_cells_across && picks <= most_cells_across))
         throw Error("The panel \"" + panel.name + "\" has more than 100 000 cells across; take larger ones.");
-    PanelGrid grid;
-    grid.ends = std::max(1, static_cast<int>(ends));
-    grid.picks = std::max(1, static_cast<int>(picks));
-    const double first_end = 0.5 * (low[0] + high[0]) - 0.5 * (grid.ends - 1) * end_pitch,
-                 first_pick = 0.5 * (low[1] + high[1]) - 0.5 * (grid.picks - 1) * pick_pitch;
-    for (std::size_t k = 0; k < 2; ++k) {
-        grid.origin[k] = first_end * across[k] + first_pick * along[k];
-        grid.across[k] = end_pitch * across[k];
-        grid.along[k] = pick_pitch * along[k];
+    const auto grid_of = [&](int end_count, int pick_count) {
+        PanelGrid grid;
+        grid.ends = std::max(1, end_count);
+        grid.picks = std::max(1, pick_count);
+        const double first_end = 0.5 * (low[0] + high[0]) - 0.5 * (grid.ends - 1) * end_pitch,
+                     first_pick = 0.5 * (low[1] + high[1]) - 0.5 * (grid.picks - 1) * pick_pitch;
+        for (std::size_t k = 0; k < 2; ++k) {
+            grid.origin[k] = first_end * across[k] + first_pick * along[k];
+            grid.across[k] = end_pitch * across[k];
+            grid.along[k] = pick_pitch * along[k];
+        }
+        grid.there.assign(static_cast<std::size_t>(grid.ends) * static_cast<std::size_t>(grid.picks), 0);
+        mark_inside(grid, places);
+        return grid;
+    };
+    // Of the grids about the panel's middle that with the panel's area: with all cells that have a part of it, or one less either way.
+    PanelGrid best = grid_of(static_cast<int>(ends), static_cast<int>(picks));
+    const double area = area_of(panel);
+    for (const auto& [fewer_ends, fewer_picks] : {std::array{0, 1}, {1, 0}, {1, 1}}) {
+        PanelGrid grid = grid_of(static_cast<int>(ends) - fewer_ends, static_cast<int>(picks) - fewer_picks);
+        if (area_off(grid, area) < (1 - rounding) * area_off(best, area)) best = std::move(grid);
     }
-    grid.there.assign(static_cast<std::size_t>(grid.ends) * static_cast<std::size_t>(grid.picks), 0);
-    mark_inside(grid, places);
-    return grid;
+    return best;
 }
 
 PanelGrid turned(const PanelGrid& grid)

@@ -187,6 +187,37 @@ private Q_SLOTS:
         QVERIFY(difference(uncut, sorted) < 0.03);
     }
 
+    /// However large cells are, a panel has about its area in them, and its left half as many as its right one.
+    void cells_have_their_panels_area_data()
+    {
+        QTest::addColumn<double>("side");
+        QTest::addColumn<double>("within");
+        QTest::newRow("20 mm") << 0.020 << 0.03;
+        QTest::newRow("12 mm") << 0.012 << 0.02;
+        QTest::newRow("6 mm") << 0.006 << 0.01;
+    }
+    void cells_have_their_panels_area()
+    {
+        QFETCH(double, side);
+        QFETCH(double, within);
+        for (const std::string& kind : built_in_garments()) {
+            Garment garment;
+            garment.built_in = standard_garment(kind);
+            const GarmentPattern pattern = read_pattern(garment, {});
+            for (const PatternPanel& panel : pattern.panels) {
+                for (const double wider : {1.0, 1.1, 1.2}) { // so that panels are of other numbers of cells
+                    const double pitch = wider * side;
+                    const PanelGrid grid = panel_grid(panel, 0, pitch, pitch);
+                    const auto cells = static_cast<double>(std::count(grid.there.begin(), grid.there.end(), 1));
+                    const double off = cells * pitch * pitch / area_of(panel) - 1;
+                    QVERIFY2(std::abs(off) < within, qPrintable(QString("%1, %2: %3").arg(kind.c_str(), panel.name.c_str()).arg(off)));
+                    if (kind == "leggings") continue; // whose panels are not symmetric
+                    for (int end = 0; end < grid.ends; ++end)
+                        for (int pick = 0; pick < grid.picks; ++pick) QCOMPARE(grid.has(end, pick), grid.has(grid.ends - 1 - end, pick));
+                }
+            }
+        }
+    }
     void a_taped_seam_passes_nothing()
     {
         Worn worn;
