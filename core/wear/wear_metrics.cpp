@@ -51,7 +51,7 @@ double time_of(const std::vector<WearNow>& course, std::vector<WearNow>::const_i
     if (after == course.begin()) return after->time;
     const WearNow& before = *(after - 1);
     const double share = (water - before.water) / (after->water - before.water);
-    return share > 0 && share < 1 ? before.time + share * (after->time - before.time) : after->time;
+    return before.time + share * (after->time - before.time);
 }
 
 Json series_of(const WearPart& part)
@@ -95,8 +95,9 @@ std::optional<double> WearPart::time_to_dry(double from) const
 {
     const double little = share_of_dry * most_water();
     if (little <= 0) return std::nullopt;
-    const auto dry = std::find_if(course.begin(), course.end(), [&](const WearNow& now) { return now.time > from && now.water < little; });
-    return dry == course.end() ? std::nullopt : std::optional(std::max(from, time_of(course, dry, little)) - from);
+    const auto wet = std::find_if(course.rbegin(), course.rend(), [&](const WearNow& now) { return now.water >= little; });
+    if (wet == course.rbegin()) return std::nullopt; // at the end, still or again
+    return std::max(from, time_of(course, wet.base(), little)) - from;
 }
 
 WearMetrics::WearMetrics(const WearLayout& layout) : layout_(layout)

@@ -36,7 +36,7 @@ struct WearPart {
     // Between two frames water is taken to change evenly.
     /// s: when it first holds share_of_full of its capacity; none: never.
     std::optional<double> time_to_full() const;
-    /// s from a time on: until it holds less than share_of_dry of the most that it held; none: not by the end.
+    /// s from a time on: until it holds less than share_of_dry of the most that it held, for good; none: not by the end.
     std::optional<double> time_to_dry(double from) const;
 };
 
