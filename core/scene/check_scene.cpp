@@ -15,12 +15,34 @@ void demand(bool fulfilled, const char* fault)
 
 bool empty_or(std::size_t size, int count) { return size == 0 || size == static_cast<std::size_t>(count); }
 
+bool is_of(std::size_t size, int count) { return size == static_cast<std::size_t>(count); }
+
+/// Pieces of yarns in chains and rings.
+void check_chains(const ClothPanels& p, int segments)
+{
+    demand(is_of(p.joint_yarns.size(), static_cast<int>(p.order.size())) && is_of(p.joint_rooms.size(), static_cast<int>(p.order.size())) &&
+               p.warp_chains >= 0 && p.warp_chains <= static_cast<int>(p.chain_ends.size()) &&
+               is_of(p.order.size(), 2 * static_cast<int>(p.crossings.size())),
+           "its pieces of yarn are in no chain");
+    demand(std::is_sorted(p.chain_ends.begin(), p.chain_ends.end()) &&
+               (p.chain_ends.empty() || is_of(p.order.size(), p.chain_ends.back())) &&
+               std::all_of(p.order.begin(), p.order.end(), [&](int segment) { return segment >= 0 && segment < segments; }),
+           "its chains of yarns are not in order");
+    const auto is_joint = [&](std::size_t place) { return p.joint_yarns[place] >= 0; };
+    for (std::size_t place = 0; place < p.order.size(); ++place)
+        demand(is_joint(place) ? p.joint_rooms[place] >= 0 : p.joint_yarns[place] < 0, "a chain of yarns is sewn by nothing");
+    int first = 0;
+    for (int end : p.chain_ends) {
+        demand(end >= first && (end - first != 1 || !is_joint(static_cast<std::size_t>(first))), "a chain of yarns is sewn to itself");
+        first = end;
+    }
+}
+
 /// Every place that panels name must be there: stages do not ask.
 void check_panels(const Cloth& cloth)
 {
     const ClothPanels& p = cloth.panels;
     const int segments = cloth.segments(), crossings = cloth.crossings();
-    const auto of_all = [&](std::size_t size, int count) { return size == static_cast<std::size_t>(count); };
     demand(cloth.by_suction, "a garment's liquid must flow by suction");
     demand(p.first.size() == p.last.size() && p.warp_pieces >= 0 && p.warp_pieces <= static_cast<int>(p.first.size()),
            "a piece of a panel's yarn has no end");
@@ -36,25 +58,18 @@ void check_panels(const Cloth& cloth)
     const auto is_crossing = [&](int crossing) { return crossing >= 0 && crossing < crossings; };
     demand(std::all_of(p.crossings.begin(), p.crossings.end(), is_crossing) && std::is_sorted(p.crossings.begin(), p.crossings.end()),
            "a panel's crossing does not exist");
-    demand(of_all(p.panel.size(), cloth.picks) && of_all(p.cell_area.size(), p.count) && of_all(p.skin_on_top.size(), p.count) &&
-               of_all(p.air.size(), crossings) && of_all(p.rise.size(), segments),
+    demand(is_of(p.panel.size(), cloth.picks) && is_of(p.cell_area.size(), p.count) && is_of(p.skin_on_top.size(), p.count) &&
+               is_of(p.air.size(), crossings) && is_of(p.rise.size(), segments),
            "its panels are not described in full");
     demand(std::all_of(p.panel.begin(), p.panel.end(), [&](std::uint8_t panel) { return panel < p.count; }), "a pick is of no panel");
     demand(std::all_of(p.air.begin(), p.air.end(), [&](std::uint8_t air) { return air < p.airs.size(); }), "a place has no air");
-    demand(of_all(p.joint_yarns.size(), static_cast<int>(p.order.size())) &&
-               of_all(p.joint_rooms.size(), static_cast<int>(p.order.size())) && p.warp_chains >= 0 &&
-               p.warp_chains <= static_cast<int>(p.chain_ends.size()) && of_all(p.order.size(), 2 * static_cast<int>(p.crossings.size())),
-           "its pieces of yarn are in no chain");
-    demand(std::is_sorted(p.chain_ends.begin(), p.chain_ends.end()) &&
-               (p.chain_ends.empty() || of_all(p.order.size(), p.chain_ends.back())) &&
-               std::all_of(p.order.begin(), p.order.end(), [&](int segment) { return segment >= 0 && segment < segments; }),
-           "its chains of yarns are not in order");
+    check_chains(p, segments);
     int group = 0;
     for (int end : cloth.seams.group_ends) {
         demand(end >= group, "its seams are not in order");
         group = end;
     }
-    demand(of_all(cloth.seams.joints.size(), group), "a seam is in no group");
+    demand(is_of(cloth.seams.joints.size(), group), "a seam is in no group");
     for (const SeamJoint& joint : cloth.seams.joints)
         demand(joint.a >= 0 && joint.b >= 0 && joint.a < segments && joint.b < segments && joint.yarns >= 0 && joint.rooms >= 0,
                "a seam joins what does not exist");
@@ -63,7 +78,7 @@ void check_panels(const Cloth& cloth)
         demand(end >= group, "its layers are not in order");
         group = end;
     }
-    demand(of_all(cloth.layers.joints.size(), group), "two places of layers are in no group");
+    demand(is_of(cloth.layers.joints.size(), group), "two places of layers are in no group");
     for (const LayerJoint& joint : cloth.layers.joints)
         demand(joint.a >= 0 && joint.b >= 0 && joint.a < cloth.crossings() && joint.b < cloth.crossings() && joint.a != joint.b &&
                    joint.yarns >= 0 && joint.heat >= 0 && joint.vapour >= 0,
