@@ -186,6 +186,8 @@ int import_garment(const GarmentOptions& options)
 
 int act(GarmentOptions& options)
 {
+    if (!options.fabric.empty() && options.action != "import") throw Stop(exit_usage, "--fabric works with garment import.");
+    if (!options.plan.sets.empty() && options.action != "plan") throw Stop(exit_usage, "--set works with garment plan.");
     static_cast<CommonOptions&>(options.plan) = static_cast<CommonOptions&>(options.map) = options;
     options.plan.project = options.map.recording = options.file;
     options.map.output = options.output;

@@ -137,6 +137,14 @@ void require_shares(const WearMapOptions& how)
                                how.steps ? fmt::format("--steps up to {:g}", end) : fmt::format("--most {:g}", end), most, end, end / 100));
 }
 
+/// Throws Stop for a time after the run's end.
+void require_within(const char* option, double time, const WearRecording& recording)
+{
+    if (const double end = recording.time_of(recording.frames() - 1); time > end * (1 + 1e-5))
+        throw Stop(exit_usage, fmt::format("{} {:g}: The run {} at {:g} s; take a time from 0 to {:g}.", option, time,
+                                           recording.finished() ? "ends" : "was stopped", end, end));
+}
+
 /// Reports must not take the place of what is read.
 void require_other_file(const std::string& report, const std::string& recording)
 {
@@ -298,9 +306,8 @@ int map_garment(const WearMapVerbOptions& options)
     const WearRecording recording = as_invalid([&] { return WearRecording(options.recording); });
     const WearLayout& layout = recording.record().layout;
     int nearest = recording.frames() - 1;
-    if (const double end = recording.time_of(nearest); options.time > end * (1 + 1e-5))
-        throw Stop(exit_usage, fmt::format("--time {:g}: The run {} at {:g} s; take a time from 0 to {:g}.", options.time,
-                                           recording.finished() ? "ends" : "was stopped", end, end));
+    require_within("--time", options.time, recording);
+    for (const double time : options.times) require_within("--times", time, recording);
     for (int k = 0; options.time >= 0 && k < recording.frames(); ++k)
         if (std::abs(recording.time_of(k) - options.time) < std::abs(recording.time_of(nearest) - options.time)) nearest = k;
     const WearFrame frame = as_invalid([&] { return recording.frame(nearest); });

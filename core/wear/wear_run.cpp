@@ -97,8 +97,7 @@ double changes_of(const SkinSupply& skin, double duration)
 
 /// Roughly, on two cores of an Intel Xeon, as if all cloth got as wet as that over sweating skin. Steps end at frames, are small at first,
 /// and go on as things change; liquid in wet cloth takes more of its own. Set on 120 random garments, nearly all at live, and six of
-/// textile F and poplin; the form was chosen with 48 others in sight; 48 more are in
-/// resources/help/limits.md.
+/// textile F and poplin; the form was chosen with 48 others in sight. resources/help/limits.md has 48 more.
 double seconds_of(const GarmentScene& garment, const WearExperiment& wear)
 {
     constexpr double dry = 1.6e-6, wet = 1.4e-6, flow = 1.7e-6;                          // s, for a cell and step

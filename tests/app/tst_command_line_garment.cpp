@@ -142,6 +142,8 @@ private Q_SLOTS:
         QCOMPARE(wrong.code, 2);
         QVERIFY2(wrong.err.contains("did you mean \"Denim\"?"), wrong.err);
         QCOMPARE(run_cli({"garment", "import", "built-in:tee", "--fabric", "Denim"}).code, 2); // nothing is written
+        QCOMPARE(run_cli({"garment", "plan", at("tee-of-two.hygro"), "--experiment", "wear", "--fabric", "Denim"}).code, 2);
+        QCOMPARE(run_cli({"garment", "import", "built-in:tee", "--set", "experiments[0].duration_s=60"}).code, 2);
     }
 
     void a_plan_takes_changed_values()
@@ -170,13 +172,17 @@ private Q_SLOTS:
         QVERIFY(after > 0 && after < times.size() && dry > times[after - 1].toDouble());
         const double little = 0.05 * water[0].toDouble();
         QVERIFY2(water[after - 1].toDouble() > little && water[after].toDouble() <= little, qPrintable(QString::number(dry)));
+        write_project("damp.hygro", {}, {{"initial_water_g_m2", 5}, {"duration_s", 600}}); // a little, then sweat: it only gets wetter
+        const QJsonObject damp = run_cli({"simulate", at("damp.hygro"), "--fidelity", "live", "--cell-mm", "50", "--json"}).json();
+        QVERIFY(damp["metrics"].toObject()["water_g"].toDouble() > 10);
+        QVERIFY(damp["metrics"].toObject()["time_to_dry_s"].isNull());
     }
 
     void a_stopped_run_says_what_it_came_to()
     {
-        write_project("long.hygro", {}, {{"duration_s", 3600}});
+        write_project("long.hygro", {}, {{"duration_s", 86400}});
         QProcess process;
-        process.start(HYGROLOOM_CLI, {"simulate", at("long.hygro"), "--fidelity", "draft", "-o", at("long.hygrorec"), "--json", "-q"});
+        process.start(HYGROLOOM_CLI, {"simulate", at("long.hygro"), "--fidelity", "live", "-o", at("long.hygrorec"), "--json", "-q"});
         QVERIFY(process.waitForStarted());
         QTRY_VERIFY_WITH_TIMEOUT(run_cli({"measure", at("long.hygrorec"), "--json"}).json()["time_s"].toDouble() > 0, 60000);
         ::kill(static_cast<pid_t>(process.processId()), SIGINT);
@@ -223,6 +229,9 @@ private Q_SLOTS:
         const Answer beyond = run_cli({"garment", "map", at("short.hygrorec"), "--time", "5", "-o", at("map")});
         QCOMPARE(beyond.code, 2);
         QVERIFY2(beyond.err.contains("--time 5: The run ends at 2 s; take a time from 0 to 2."), beyond.err);
+        const Answer late = run_cli({"garment", "map", at("short.hygrorec"), "--report", at("late.html"), "--times", "1,5"});
+        QCOMPARE(late.code, 2);
+        QVERIFY2(late.err.contains("--times 5: The run ends at 2 s"), late.err);
         QCOMPARE(run_cli({"garment", "map", at("short.hygrorec"), "--time", "2", "-o", at("map")}).code, 0);
         const QStringList shares{"garment", "map", at("short.hygrorec"), "-o", at("map"), "--scale", "capacity"};
         const Answer percents = run_cli(shares + QStringList{"--most", "50"});

@@ -61,8 +61,8 @@ if [ -d "$examples" ]; then
     even() {
         "$cli" simulate "$results/tee.hygro" --fidelity live --backend cuda -q -o "$results/tee.hygrorec" > "$results/one"
         "$cli" garment map "$results/tee.hygrorec" -o "$results/map" > "$results/one"
-        awk -F, '$1 == "back" && $5 < 60 && $4 < -200 { left += $11; ++n } $1 == "back" && $5 < 60 && $4 > 200 { right += $11 }
-            END { print left / n, right / n; exit !(n > 0 && left > 0 && (right / left - 1) ^ 2 < 4e-4) }' "$results/map/cells.csv"
+        awk -F, '$1 == "back" && $5 < 60 && $4 < -200 { left += $11; ++n } $1 == "back" && $5 < 60 && $4 > 200 { right += $11; ++m }
+            END { left /= n; right /= m; print left, right; exit !(left > 0 && (right / left - 1) ^ 2 < 4e-4) }' "$results/map/cells.csv"
     }
     try "a tee is even left and right" even
     # Blocks of few threads with one fabric at a time, of many side by side: the same bytes.
