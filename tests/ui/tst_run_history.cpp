@@ -6,6 +6,8 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <functional>
+
 using namespace hygroloom;
 
 class TestRunHistory : public QObject {
@@ -56,6 +58,40 @@ private Q_SLOTS:
         QVERIFY(whyNotCompared(bare, whole).contains("being read"));
         whole.problem = "it is damaged.";
         QCOMPARE(whyNotCompared(whole, bare), whole.problem);
+    }
+
+    /// A garment's run depends on the fabrics that its panels name, not on others of the project.
+    void aGarmentsRunStaysCurrentWhateverElseChanges()
+    {
+        Design then = drop_design();
+        for (const char* name : {"lining", "other"}) {
+            then.fabrics.push_back(then.fabrics[0]);
+            then.fabrics.back().name = name;
+        }
+        Garment tee;
+        tee.name = "tee";
+        tee.panels["*"].fabric = then.fabrics[0].name;
+        tee.panels["back"] = tee.panels["*"];
+        tee.panels["back"].lining = "lining";
+        then.garments = {tee};
+        WearExperiment wear;
+        wear.name = "wear";
+        wear.garment = "tee";
+        then.wears = {wear};
+        const auto holds = [&](const std::function<void(Design&)>& change) {
+            Design now = then;
+            change(now);
+            return garmentHoldsFor(then, "tee", "wear", now);
+        };
+        QVERIFY(holds([](Design&) {}));
+        QVERIFY(holds([](Design& now) { now.fabrics.push_back(now.fabrics[0]), now.fabrics.back().name = "new"; }));
+        QVERIFY(holds([](Design& now) { now.fabrics[2].contact_angle_deg = 12; }));
+        QVERIFY(!holds([](Design& now) { now.fabrics[0].contact_angle_deg = 12; }));
+        QVERIFY(!holds([](Design& now) { now.fabrics[1].contact_angle_deg = 12; }));
+        QVERIFY(!holds([](Design& now) { now.fabrics.erase(now.fabrics.begin() + 1); }));
+        QVERIFY(!holds([](Design& now) { now.garments[0].panels["back"].fabric = "other"; }));
+        QVERIFY(!holds([](Design& now) { now.wears[0].duration_s += 1; }));
+        QVERIFY(holds([](Design& now) { now.liquids.push_back({}), now.liquids.back().name = "unused"; }));
     }
 
     void whatDiffersIsNamed()

@@ -229,8 +229,18 @@ bool garmentHoldsFor(const Design& then, const std::string& garment, const std::
 {
     const Garment *worn = find_garment(now, garment), *before = find_garment(then, garment);
     const WearExperiment *wear = find_wear(now, experiment), *wear_before = find_wear(then, experiment);
-    return worn && before && anywhere(*worn) == anywhere(*before) && wear && wear_before && anywhere(*wear) == anywhere(*wear_before) &&
-           now.fabrics == then.fabrics && now.materials == then.materials && now.liquids == then.liquids;
+    if (!worn || !before || anywhere(*worn) != anywhere(*before) || !wear || !wear_before || anywhere(*wear) != anywhere(*wear_before)) {
+        return false;
+    }
+    const auto stays = [&](const std::string& name) {
+        const Fabric *fabric = find_fabric(now, name), *was = find_fabric(then, name);
+        return areEqual(fabric, was) && (!fabric || haveEqualFibres(now, then, *fabric));
+    };
+    return areEqual(find_liquid(now, wear->liquid), find_liquid(then, wear->liquid)) &&
+           std::all_of(worn->panels.begin(), worn->panels.end(), [&](const auto& panel) {
+               const PanelCut& cut = panel.second;
+               return stays(cut.fabric) && (cut.lining.empty() || stays(cut.lining));
+           });
 }
 
 bool isSaved(const KeptRun& run)
