@@ -25,31 +25,29 @@ struct Column {
     const char* title;
     int decimals;
     std::optional<double> (*of)(const WearPart& part, const WearNow& now, const std::optional<double>& stops);
-    bool compared; ///< of A and B each, with the difference
 };
 
 constexpr Column columns[] = {
     {QT_TRANSLATE_NOOP("hygroloom", "Area, m²"), 3,
-     [](const WearPart& p, const WearNow&, const std::optional<double>&) { return std::optional(p.area); }, false},
+     [](const WearPart& p, const WearNow&, const std::optional<double>&) { return std::optional(p.area); }},
     {QT_TRANSLATE_NOOP("hygroloom", "Water, g"), 2,
-     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.water); }, true},
+     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.water); }},
     {QT_TRANSLATE_NOOP("hygroloom", "Water, g/m²"), 1,
-     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.water / p.area); }, true},
+     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.water / p.area); }},
     {QT_TRANSLATE_NOOP("hygroloom", "Of capacity, %"), 1,
-     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(100 * n.water / p.capacity); }, true},
+     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(100 * n.water / p.capacity); }},
     {QT_TRANSLATE_NOOP("hygroloom", "Wet area, %"), 0,
-     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(100 * n.wet_area / p.area); }, true},
+     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(100 * n.wet_area / p.area); }},
     {QT_TRANSLATE_NOOP("hygroloom", "On skin, g"), 2,
-     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.on_skin); }, true},
+     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.on_skin); }},
     {QT_TRANSLATE_NOOP("hygroloom", "Evaporated, g"), 2,
-     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.evaporated); }, true},
+     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.evaporated); }},
     {QT_TRANSLATE_NOOP("hygroloom", "Cloth, °C"), 1,
-     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(n.temperature - zero_celsius); }, true},
+     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(n.temperature - zero_celsius); }},
     {QT_TRANSLATE_NOOP("hygroloom", "Full after, s"), 0,
-     [](const WearPart& p, const WearNow&, const std::optional<double>&) { return p.time_to_full(); }, true},
+     [](const WearPart& p, const WearNow&, const std::optional<double>&) { return p.time_to_full(); }},
     {QT_TRANSLATE_NOOP("hygroloom", "Dry after, s"), 0,
-     [](const WearPart& p, const WearNow&, const std::optional<double>& stops) { return stops ? p.time_to_dry(*stops) : std::nullopt; },
-     true},
+     [](const WearPart& p, const WearNow&, const std::optional<double>& stops) { return stops ? p.time_to_dry(*stops) : std::nullopt; }},
 };
 
 struct Line {
@@ -122,7 +120,7 @@ void PartsTable::refresh()
     QStringList titles{tr("Part")};
     for (const Column& column : columns) {
         const QString title = tr(column.title);
-        if (compares && column.compared) {
+        if (compares) {
             titles << "A " + title << "B " + title << QStringLiteral("B − A");
         } else {
             titles << title;
@@ -149,7 +147,7 @@ void PartsTable::refresh()
         for (const Column& column : columns) {
             const auto text = [&](double value) { return std::isnan(value) ? QStringLiteral("–") : inColumn(value, column.decimals); };
             const double newest = valueOf(column, lines[k].newest, playback_.time(), run->metrics->stops());
-            if (compares && column.compared) {
+            if (compares) {
                 const double kept = valueOf(column, lines[k].kept, playback_.time(), playback_.kept()->metrics->stops());
                 const double less = newest - kept; // NaN where one of them is
                 put(row, at++, text(kept), kept);

@@ -16,7 +16,7 @@ namespace hygroloom {
 namespace {
 
 constexpr int steps = std::tuple_size_v<WearSteps>;
-constexpr int box = 22;
+constexpr int box = 22, edge = 8;
 
 } // namespace
 
@@ -97,7 +97,14 @@ QSize StepLegend::sizeHint() const
     const QFontMetrics metrics(font());
     const int words =
         std::max(metrics.horizontalAdvance(tr("Difference B − A, g/m²")), box + 8 + metrics.horizontalAdvance(tr("−1000.5 and more")));
-    return {words + 16, steps * box + 2 * metrics.height() + 24};
+    return {words + 2 * edge, steps * box + metrics.height() + 3 * edge};
+}
+
+/// As low as its words are, where two legends share a low window.
+QSize StepLegend::minimumSizeHint() const
+{
+    const int line = QFontMetrics(font()).height();
+    return {sizeHint().width(), (steps + 1) * line + 3 * edge};
 }
 
 void StepLegend::paintEvent(QPaintEvent*)
@@ -106,18 +113,19 @@ void StepLegend::paintEvent(QPaintEvent*)
     const QColor ink = palette().color(QPalette::WindowText);
     painter.setPen(ink);
     const int line = painter.fontMetrics().height();
-    painter.drawText(QRect(8, 8, width() - 16, line), Qt::AlignLeft | Qt::AlignVCenter, title_);
+    painter.drawText(QRect(edge, edge, width() - 2 * edge, line), Qt::AlignLeft | Qt::AlignVCenter, title_);
+    const int high = std::min(box, (height() - line - 3 * edge) / steps);
     const QStringList words = texts();
     for (int row = 0; row < steps; ++row) {
         const double share = (steps - 1 - row + 0.5) / steps;
         const auto step = step_colour(static_cast<std::size_t>(steps - 1 - row));
-        const QRect square(8, 8 + line + 8 + row * box, box, box);
+        const QRect square(edge, edge + line + edge + row * high, box, high);
         painter.fillRect(square, difference_ ? differenceColor(2 * share - 1) : QColor(step[0], step[1], step[2]));
         painter.setPen(QColor("#707880"));
         painter.drawRect(square);
         painter.setPen(ink);
-        painter.drawText(QRect(square.right() + 8, square.top(), width() - square.right() - 8, box), Qt::AlignLeft | Qt::AlignVCenter,
-                         words[row]);
+        painter.drawText(QRect(square.right() + edge, square.top(), width() - square.right() - edge, high),
+                         Qt::AlignLeft | Qt::AlignVCenter, words[row]);
     }
 }
 

@@ -21,6 +21,7 @@ public:
     QStringList texts() const;
     const WearSteps& ends() const { return ends_; }
     QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
