@@ -53,8 +53,8 @@ HL_FN RingPair operator*(const PairMatrix& m, const RingPair& v) { return {m * v
 HL_FN Pair through_joint(const RingPair& first, const RingPair& last, const Pair& joint)
 {
     const RingPair apart = first - last;
-    const PairMatrix one{1, 0, 0, 1}, held_back = diagonal(joint) * apart.answer;
-    return (one - (-held_back)).inverse() * (diagonal(joint) * apart.open);
+    const PairMatrix held_back = diagonal(joint) * apart.answer;
+    return PairMatrix{1 + held_back.a, held_back.b, held_back.c, 1 + held_back.d}.inverse() * (diagonal(joint) * apart.open);
 }
 
 /// The same as Equation of two numbers at each place; those of neighbours meet their like only: lower and upper are diagonals.

@@ -178,7 +178,7 @@ struct LineNumbers {
 };
 template <typename Stage> HL_FN LineNumbers line_numbers_of(const Stage& stage)
 {
-    if constexpr (columns_of < Stage >> 0)
+    if constexpr (columns_of<Stage> != 0)
         return {stage.has_rings() ? LinkColumns<RingLink>::numbers : LinkColumns<PairLink>::numbers, columns_of<Stage>};
     else
         return {LinkColumns<SingleLink>::numbers, 0};

@@ -127,8 +127,8 @@ private Q_SLOTS:
         QTest::addColumn<double>("time");
         QTest::addColumn<double>("passes");
         QTest::addColumn<double>("most_elsewhere");
-        QTest::newRow("two panels") << false << false << seconds << 0.2 << 1e-6;
-        QTest::newRow("one panel") << true << false << seconds << 0.2 << 2e-3;              // yarns side by side touch, but not over a seam
+        QTest::newRow("two panels") << false << false << seconds << 0.2 << 1e-9;
+        QTest::newRow("one panel") << true << false << seconds << 0.2 << 1e-3;              // 7e-4, of which the cause is not known
         QTest::newRow("two panels that warm up") << false << true << 100.0 << 0.01 << 1e-9; // later rounding grows at bends
     }
     void a_tube_is_alike_all_around()
