@@ -7,6 +7,7 @@
 #include "core/physics/caps.h"
 #include "core/run/plan_run.h"
 #include "core/run/recording.h"
+#include "core/scene/ledger_closes.h"
 #include "core/scene/scene.h"
 #include "core/solver/cap_shapes.h"
 #include "core/solver/yarn_start.h"
@@ -55,13 +56,6 @@ std::string why_no_caps(const ModelPlan& plan, const std::string& fabric)
     for (const PlannedPart& part : plan.parts)
         if (part.name == "cap" && !part.on) return "On \"" + fabric + "\" drops do not stand as caps: " + part.reason;
     return {};
-}
-
-void require_closed(const Ledger& ledger)
-{
-    const double all = ledger.water_delivered + ledger.water_initial + std::abs(ledger.water_evaporated);
-    if (!(std::abs(ledger.water_imbalance()) <= 1e-9 * all))
-        throw Error("The water ledger does not close; this is a fault of the program. Reset the table.");
 }
 
 bool stands(const Ledger& ledger) { return ledger.water_free > 1e-9 * ledger.water_delivered; }
@@ -113,7 +107,8 @@ void RunningCloth::look()
 {
     auto frame = std::make_shared<Frame>(session_->of_single_yarns(session_->take_frame().get()));
     frame->time = time_;
-    require_closed(frame->ledger);
+    if (!ledger_closes(frame->ledger, session_->scene().cloth))
+        throw Error("The water ledger does not close; this is a fault of the program. Reset the table.");
     const Ledger& ledger = frame->ledger;
     if (stands(ledger) || ledger.water_delivered <= 0 || time_ < landed_)
         absorbed_ = -1;

@@ -3,10 +3,9 @@
 
 #include "core/base/error.h"
 #include "core/run/session.h"
+#include "core/scene/ledger_closes.h"
 
 #include <fmt/format.h>
-
-#include <cmath>
 
 namespace hygroloom {
 namespace {
@@ -14,13 +13,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// Water may not appear or vanish; if it does, the result is worth nothing.
-void require_closed(const Ledger& l)
-{
-    if (!(std::abs(l.water_imbalance()) <= 1e-9 * (l.water_delivered + l.water_initial + std::abs(l.water_evaporated))))
-        throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
-}
 
 } // namespace
 
@@ -38,7 +30,8 @@ void Publisher::start(const std::filesystem::path& recording)
 void Publisher::publish(Frame frame, double time)
 {
     frame.time = time;
-    require_closed(frame.ledger);
+    if (!ledger_closes(frame.ledger, session_.scene().cloth)) // then the result is worth nothing
+        throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
     for (SwitchedPart& part : watch_.see(frame)) due_.push_back(std::move(part));
     frame = session_.of_single_yarns(std::move(frame));
     if (recording_) recording_->append(frame);

@@ -4,13 +4,13 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/design/wear.h"
+#include "core/scene/ledger_closes.h"
 #include "core/solver/backend.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <set>
 #include <thread>
 
@@ -162,8 +162,7 @@ void run_wear(const GarmentScene& garment, const WearExperiment& wear, Backend& 
             if (callbacks.progress) callbacks.progress({reached, wear.duration_s, wall, 0, 0});
         }
         const auto frame = std::make_shared<const WearFrame>(wear_frame(garment, backend.frame()));
-        const double at_stake = frame->ledger.water_initial + frame->ledger.water_delivered;
-        if (!(std::abs(frame->ledger.water_imbalance()) <= 1e-9 * at_stake))
+        if (!ledger_closes(frame->ledger, garment.scene.cloth))
             throw Error(fmt::format("At {:.4g} s {:.3g} kg of water are not accounted for.", until, frame->ledger.water_imbalance()));
         if (callbacks.frame) callbacks.frame(frame);
     }

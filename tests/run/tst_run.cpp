@@ -90,6 +90,25 @@ private Q_SLOTS:
         }
         QVERIFY(apart > 0);
     }
+    void vapourThatCameAndWentIsNotLost()
+    {
+        Design design = drop_design(90.1, 0.5);
+        Experiment& experiment = design.experiments[0];
+        experiment.type = ExperimentType::moisture_management;
+        experiment.droplets.clear();
+        experiment.volume_ul = 0.2;
+        experiment.feed_s = 4;
+        experiment.drop_ul = 1000; // none comes in this time
+        experiment.climate.relative_humidity = 0;
+        experiment.climates = {{0.008, {20, 1, 20}}, {0.016, {20, 1, 20}}, {0.03, {20, 0, 1}}};
+        const std::vector<Frame> frames = run(design, 0, {{"sorption", false}, {"wicking", false}, {"vapour", true}});
+        double most = 0;
+        for (const Frame& frame : frames) most = std::max(most, -frame.ledger.water_evaporated);
+        QVERIFY(most > 0);
+        QCOMPARE(frames.back().ledger.water_delivered, 0.0);
+        QVERIFY(std::abs(frames.back().ledger.water_evaporated) < 1e-12 * most); // it came to nothing that its rounding can be a share of
+        QVERIFY(std::abs(frames.back().ledger.water_imbalance()) <= 1e-12 * most);
+    }
     void ledgerClosesAndContentsStayInBounds_data()
     {
         QTest::addColumn<double>("angle");
