@@ -109,7 +109,7 @@ private Q_SLOTS:
     void aPlainWeaveHasNoBandsAtAnyDistance_data()
     {
         QTest::addColumn<int>("farther");
-        for (const int farther : {1, 2, 4, 8, 16}) { QTest::addRow("%d times the near distance", farther) << farther; }
+        for (const int farther : {1, 2, 4, 16}) { QTest::addRow("%d times the near distance", farther) << farther; }
     }
     void aPlainWeaveHasNoBandsAtAnyDistance()
     {
@@ -122,7 +122,7 @@ private Q_SLOTS:
 
     void nearlyFromAboveItIsAsBrightAsItsYarns()
     {
-        const Misses misses = missesOf(50, 8, 20, 85);
+        const Misses misses = missesOf(50, 4, 20, 85);
         qInfo("bands %.4f, brighter by %.4f", misses.bands, misses.brighter);
         QVERIFY2(std::abs(misses.brighter) < 0.08, qPrintable(QString::number(misses.brighter)));
     }
