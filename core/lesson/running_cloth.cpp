@@ -107,7 +107,7 @@ void RunningCloth::look()
 {
     auto frame = std::make_shared<Frame>(session_->of_single_yarns(session_->take_frame().get()));
     frame->time = time_;
-    if (!ledger_closes(frame->ledger, session_->scene().cloth))
+    if (!ledger_closes(frame->ledger, session_->scene()))
         throw Error("The water ledger does not close; this is a fault of the program. Reset the table.");
     const Ledger& ledger = frame->ledger;
     if (stands(ledger) || ledger.water_delivered <= 0 || time_ < landed_)

@@ -30,7 +30,7 @@ void Publisher::start(const std::filesystem::path& recording)
 void Publisher::publish(Frame frame, double time)
 {
     frame.time = time;
-    if (!ledger_closes(frame.ledger, session_.scene().cloth)) // then the result is worth nothing
+    if (!ledger_closes(frame.ledger, session_.scene())) // then the result is worth nothing
         throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
     for (SwitchedPart& part : watch_.see(frame)) due_.push_back(std::move(part));
     frame = session_.of_single_yarns(std::move(frame));

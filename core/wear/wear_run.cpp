@@ -162,7 +162,7 @@ void run_wear(const GarmentScene& garment, const WearExperiment& wear, Backend& 
             if (callbacks.progress) callbacks.progress({reached, wear.duration_s, wall, 0, 0});
         }
         const auto frame = std::make_shared<const WearFrame>(wear_frame(garment, backend.frame()));
-        if (!ledger_closes(frame->ledger, garment.scene.cloth))
+        if (!ledger_closes(frame->ledger, garment.scene))
             throw Error(fmt::format("At {:.4g} s {:.3g} kg of water are not accounted for.", until, frame->ledger.water_imbalance()));
         if (callbacks.frame) callbacks.frame(frame);
     }

@@ -107,7 +107,7 @@ private Q_SLOTS:
         QVERIFY(most > 0);
         QCOMPARE(frames.back().ledger.water_delivered, 0.0);
         QVERIFY(std::abs(frames.back().ledger.water_evaporated) < 1e-12 * most); // it came to nothing that its rounding can be a share of
-        QVERIFY(std::abs(frames.back().ledger.water_imbalance()) <= 1e-12 * most);
+        QVERIFY(std::abs(frames.back().ledger.water_imbalance()) <= 1e-14 * most);
     }
     void ledgerClosesAndContentsStayInBounds_data()
     {
