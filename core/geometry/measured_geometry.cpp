@@ -13,7 +13,8 @@ namespace hygroloom {
 namespace {
 
 constexpr int least_threads = 16, most_threads = 240;
-constexpr double most_points = 2e7; // of fibres, and of the raster for cover
+constexpr double most_points = 5e6;         // of fibres, and of the raster for cover: a fortieth of 2e8, within 0.1 % of it
+constexpr double most_flyaway_points = 2e7; // half of them move the smoothness by 5 %
 
 /// Whole repeats of weave and yarn order where they are small enough.
 int threads_for(int repeat, const std::vector<YarnRun>& order)
@@ -109,7 +110,7 @@ FibreSums sum_fibres(const Textile& textile)
             std::vector<int> wanted, pieces, summed(system.types.size(), 0);
             for (std::size_t type = 0; type < system.types.size(); ++type) {
                 const double each = points_of(textile, system.types[type], crossings, pitch, flyaways);
-                const double yarns = 0.25 * most_points * threads[type] / system.count / each;
+                const double yarns = 0.25 * (flyaways ? most_flyaway_points : most_points) * threads[type] / system.count / each;
                 wanted.push_back(static_cast<int>(std::clamp(yarns, 1.0, std::max(1.0, double(threads[type])))));
                 pieces.push_back(static_cast<int>(std::clamp(yarns * crossings, 1.0, double(crossings))));
                 if (flyaways && threads[type] > 0)
