@@ -3,6 +3,7 @@
 #include "app/cli.h"
 #include "app/cli_interrupt.h"
 
+#include "core/base/utf8.h"
 #include "core/base/words.h"
 #include "core/design/wear.h"
 #include "core/project/project_file.h"
@@ -143,7 +144,7 @@ std::string knob_help()
 void print_issue(const std::string& file, const Issue& issue)
 {
     constexpr const char* severities[] = {"note", "warning", "error"};
-    print_note("{}: {}: {}: {}\n", file, issue.where, severities[static_cast<int>(issue.severity)], issue.text);
+    print_note("{}: {}: {}: {}\n", file, in_one_line(issue.where), severities[static_cast<int>(issue.severity)], in_one_line(issue.text));
 }
 
 void print_in_short(const std::string& file, const std::vector<Issue>& issues, bool quiet)

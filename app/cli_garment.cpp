@@ -50,7 +50,7 @@ Garment garment_of(const GarmentOptions& options)
         garment.name = kind;
     } else {
         garment.source = options.file;
-        garment.name = fs::path(options.file).stem().string();
+        garment.name = in_one_line(fs::path(options.file).stem().string());
     }
     for (int unit = 0; unit < uv_units; ++unit)
         if (options.uv_unit == name_of(static_cast<UvUnit>(unit))) garment.uv_unit = static_cast<UvUnit>(unit);

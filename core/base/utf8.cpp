@@ -24,10 +24,11 @@ std::size_t length_at(std::string_view text, std::size_t at)
     return no_character ? 0 : length;
 }
 
-/// C0 but for tab and line feed, DEL, and C1, which some terminals obey.
+/// C0 but for tab and line feed, DEL, and C1, which some terminals obey; Unicode's line breaks, and what turns the direction of a text.
 bool is_control(std::string_view character)
 {
     const auto lead = static_cast<unsigned char>(character[0]);
+    if (character.size() == 3) return (character >= "\u2028" && character <= "\u202E") || (character >= "\u2066" && character <= "\u2069");
     if (character.size() == 2) return lead == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
     return character.size() == 1 && (lead == 0x7F || (lead < 0x20 && lead != '\t' && lead != '\n'));
 }
@@ -63,5 +64,10 @@ std::string in_whole_utf8(std::string_view bytes)
 }
 
 std::string printable(std::string_view bytes) { return repaired(bytes, is_control); }
+
+std::string in_one_line(std::string_view bytes)
+{
+    return repaired(bytes, [](std::string_view character) { return is_control(character) || character == "\n"; });
+}
 
 } // namespace hygroloom

@@ -12,7 +12,11 @@ bool is_utf8(std::string_view text);
 /// With the replacement character in the place of each byte that belongs to no character.
 std::string in_whole_utf8(std::string_view bytes);
 
-/// For a terminal: UTF-8, with the replacement character for what is no text, such as escape codes. Line breaks and tabs stay.
+/// For a terminal: UTF-8, with the replacement character for what is no text, such as escape codes, or turns a text's direction. Line
+/// breaks and tabs stay.
 std::string printable(std::string_view bytes);
+
+/// The same in one line: without line breaks.
+std::string in_one_line(std::string_view bytes);
 
 } // namespace hygroloom

@@ -38,9 +38,16 @@ struct IssueList {
         return !value || range(where, what, *value, least, most, unit);
     }
 
-    /// A name that is not empty, not too long, and not taken.
+    /// A name in more lines than one could show, in a table, what a program did not say.
+    void one_line(const std::string& where, const std::string& name)
+    {
+        if (name.find_first_of("\n\r") != std::string::npos) error("line_break", where, "The name has a line break; write it in one line.");
+    }
+
+    /// A name of one line that is not empty, not too long, and not taken.
     void name(const std::string& where, const std::string& value, std::set<std::string>& taken)
     {
+        one_line(where, value);
         if (value.empty()) error("empty_name", where, "The name is empty; give one.");
         if (value.size() > 200) error("range", where, fmt::format("The name has {} bytes; 200 at most.", value.size()));
         if (!value.empty() && !taken.insert(value).second)

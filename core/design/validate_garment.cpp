@@ -61,6 +61,7 @@ void validate_cuts(const Design& design, const Garment& garment, const std::stri
     for (const auto& [panel, cut] : garment.panels) {
         const std::string at = where + ".panels." + panel;
         if (panel.empty()) list.error("empty_name", where + ".panels", "The name of a panel is empty; give one.");
+        list.one_line(where + ".panels", panel);
         if (!find_fabric(design, cut.fabric))
             list.error("unknown_fabric", at + ".fabric",
                        fmt::format("The project has no fabric \"{}\"{}", cut.fabric, did_you_mean(cut.fabric, fabrics)));
@@ -81,6 +82,7 @@ constexpr double farthest_mm = 1e5, most_sweat = 1e5; // as a panel may reach, g
 void validate_own_zone(const OwnZone& zone, const std::string& at, IssueList& list)
 {
     if (zone.name.empty()) list.error("empty_name", at + ".name", "The name of a zone is empty; give one.");
+    list.one_line(at + ".name", zone.name);
     if (zone.name == "default" || is_in(zone.name, gap_zones()))
         list.error("duplicate_name", at + ".name",
                    fmt::format("\"{}\" is a zone of the body; give a zone of your own another name.", zone.name));

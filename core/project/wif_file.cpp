@@ -218,7 +218,7 @@ std::string decoded_text(std::string_view bytes, const std::string& name)
     return in_utf8(bytes);
 }
 
-std::string name_of_file(const std::string& path) { return in_utf8(std::filesystem::path(path).stem().string()); }
+std::string name_of_file(const std::string& path) { return in_one_line(in_utf8(std::filesystem::path(path).stem().string())); }
 
 std::string_view take_line(std::string_view& text)
 {

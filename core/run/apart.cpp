@@ -3,6 +3,7 @@
 #include "core/run/apart.h"
 
 #include "core/base/error.h"
+#include "core/base/utf8.h"
 
 #include <fmt/format.h>
 
@@ -22,6 +23,7 @@ void write_line(int pipe, const std::string& line)
     const std::string text = line + "\n";
     for (std::size_t at = 0; at < text.size();) {
         const ssize_t written = write(pipe, text.data() + at, text.size() - at);
+        if (written < 0 && errno == EINTR) continue;
         if (written <= 0) return; // nobody reads any more
         at += static_cast<std::size_t>(written);
     }
@@ -35,11 +37,11 @@ void work_and_write(const std::string& name, const ApartWork& work, int pipe)
     } catch (const Cancelled&) {
         write_line(pipe, "c ");
     } catch (const DeviceError& error) {
-        write_line(pipe, std::string("d ") + error.what());
+        write_line(pipe, "d " + in_one_line(error.what()));
     } catch (const std::bad_alloc&) {
-        write_line(pipe, fmt::format("e The memory does not suffice for {}.", name));
+        write_line(pipe, in_one_line(fmt::format("e The memory does not suffice for {}.", name)));
     } catch (const std::exception& error) {
-        write_line(pipe, std::string("e ") + error.what());
+        write_line(pipe, "e " + in_one_line(error.what()));
     }
 }
 

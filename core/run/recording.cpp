@@ -2,6 +2,7 @@
 #include "core/run/recording.h"
 
 #include "core/base/error.h"
+#include "core/base/utf8.h"
 #include "core/plan/bundles.h"
 #include "core/plan/plan_json.h"
 #include "core/project/project_file.h"
@@ -108,12 +109,12 @@ std::string read_provenance(hid_t file, RunRecord& run)
     run.fabric = text("fabric");
     run.experiment = text("experiment");
     run.backend = text("backend");
-    run.device = text(h5::exists(provenance.get(), "all_devices") ? "all_devices" : "device");
+    run.device = in_one_line(text(h5::exists(provenance.get(), "all_devices") ? "all_devices" : "device"));
     run.plan = plan_from_json(text("plan"));
     run.switched_on = read_switched_on(provenance.get());
     for (const auto& [name, time] : stored_acts(run.acts))
         if (h5::has_number(provenance.get(), name)) *time = time_from(provenance.get(), name);
-    if (h5::exists(provenance.get(), "date")) run.date = text("date");
+    if (h5::exists(provenance.get(), "date")) run.date = in_one_line(text("date"));
     if (h5::has_number(provenance.get(), "unsolved_lines")) run.unsolved_lines = h5::read_number(provenance.get(), "unsolved_lines");
     run.seed = seed_from(text("seed"));
     run.threads = static_cast<int>(h5::read_count(provenance.get(), "threads", 0, 1'000'000));

@@ -194,8 +194,10 @@ def names(bench):
     (bench.folder / "design.hygro").write_text(json.dumps(design))
     outside = set(bench.folder.parent.iterdir())
     done = bench.call("compare", "design.hygro", "--experiment", "one drop", *SHORT, *FEW, "-o", "compared", codes=(0, 3))
+    breaks = any("\n" in f["name"] or "\r" in f["name"] for f in design["fabrics"])
+    demand(not breaks or done.returncode == 3, "a name in several lines is taken")
     for text in (done.stdout, done.stderr):
-        commands = [c for c in text.decode(errors="replace") if (ord(c) < 32 and c not in "\n\t") or 0x7F <= ord(c) < 0xA0]
+        commands = [c for c in text.decode(errors="replace") if (ord(c) < 32 and c not in "\n\t") or 0x7F <= ord(c) < 0xA0 or 0x2028 <= ord(c) <= 0x202E or 0x2066 <= ord(c) <= 0x2069]
         demand(not commands, f"control codes {commands[:4]} reach the terminal")
     demand(set(bench.folder.parent.iterdir()) == outside and {p.name for p in bench.folder.iterdir()} <= {"design.hygro", "compared"}, "a file lies outside the folder")
     if done.returncode == 0:

@@ -244,7 +244,7 @@ private Q_SLOTS:
     {
         QByteArray project = contents(example("one-drop-on-cotton.hygro"));
         QVERIFY(project.contains("\"Textile F\""));
-        project.replace("\"Textile F\"", "\"\\u001b]0;gone\\u0007\\u0000 \\u009b31m\"");
+        project.replace("\"Textile F\"", "\"\\u001b]0;gone\\u0007\\u0000 \\u009b31m\\u202e\\u2067\\u2028\"");
         const QString file = at("hostile.hygro"), recording = at("hostile.hygrorec"), report = at("hostile.html");
         write(file, project);
         const QStringList run{"simulate", file,     "--fidelity", "live", "--backend", "cpu", "--set", "experiments[0].duration_s=0.01",
@@ -253,7 +253,8 @@ private Q_SLOTS:
              {QStringList{"check", file}, QStringList{"plan", file}, run, QStringList{"measure", recording, "--report", report},
               QStringList{"check", file, "--fabric", "\x1b[31m"}}) {
             const Answer answer = run_cli(verb);
-            for (const char* code : {"\x1b", "\x07", "\xc2\x9b"}) QVERIFY2(!(answer.out + answer.err).contains(code), qPrintable(verb[0]));
+            for (const char* code : {"\x1b", "\x07", "\xc2\x9b", "\u202e", "\u2067", "\u2028"})
+                QVERIFY2(!(answer.out + answer.err).contains(code), qPrintable(verb[0]));
             QVERIFY(!(answer.out + answer.err).contains('\0'));
         }
         const QByteArray page = contents(report);

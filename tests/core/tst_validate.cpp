@@ -118,6 +118,8 @@ private Q_SLOTS:
         QTest::addColumn<QString>("code");
         QTest::addColumn<Change>("change");
         const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+        row("fabrics[0].name", "line_break", [](Design& d) { d.fabrics[0].name = "linen\n  wetted radius, top  99 mm"; });
+        row("garments[0].panels", "line_break", [](Design& d) { d.garments.emplace_back().panels["front\rback"] = {}; });
         row("fabrics[0].name", "empty_name", [](Design& d) { d.fabrics[0].name.clear(); });
         row("fabrics[0].warp.diameter_mm", "range", [](Design& d) { d.fabrics[0].warp.diameter_mm = 0; });
         row("fabrics[0].weft.diameter_mm", "range", [nan](Design& d) { d.fabrics[0].weft.diameter_mm = nan; });

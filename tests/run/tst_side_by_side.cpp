@@ -72,6 +72,7 @@ private Q_SLOTS:
         QCOMPARE(thrown_by([](const auto&) -> std::string { throw Cancelled(); }), "cancelled");
         QCOMPARE(thrown_by([](const auto&) -> std::string { throw DeviceError("It is gone."); }), "device: It is gone.");
         QCOMPARE(thrown_by([](const auto&) -> std::string { throw FileError("No room."); }), "error: No room.");
+        QCOMPARE(thrown_by([](const auto&) -> std::string { throw FileError("No \no {}\n."); }), QString("error: No \uFFFDo {}\uFFFD."));
         QCOMPARE(thrown_by([](const auto&) -> std::string { throw std::bad_alloc(); }), "error: The memory does not suffice for this.");
         QCOMPARE(thrown_by([](const auto&) -> std::string {
                      std::raise(SIGKILL);
