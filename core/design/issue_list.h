@@ -17,6 +17,7 @@ struct IssueList {
 
     void add(Severity severity, std::string code, std::string where, std::string text)
     {
+        if (severity == Severity::error) ++errors_;
         issues.push_back({severity, std::move(code), std::move(where), std::move(text)});
     }
     void error(std::string code, std::string where, std::string text)
@@ -54,12 +55,10 @@ struct IssueList {
             error("duplicate_name", where, fmt::format("The name \"{}\" is taken; names must differ.", value));
     }
 
-    int errors() const
-    {
-        int count = 0;
-        for (const Issue& issue : issues) count += issue.severity == Severity::error;
-        return count;
-    }
+    int errors() const { return errors_; }
+
+private:
+    int errors_ = 0;
 };
 
 /// The parts of validate(), each in the order of the project file.

@@ -64,6 +64,7 @@ struct FibreSums {
     double mass = 0, volume = 0, flyaway = 0; ///< kg, m3, m3
     double highest = 0, lowest = 0;           ///< m, of what is no hair
     double seen = 1;                          ///< least share of a type's yarns whose flyaways were looked at
+    double points = 0;
 };
 
 double line_length(const std::vector<float>& line)
@@ -128,6 +129,7 @@ FibreSums sum_fibres(const Textile& textile)
                 for (int strand = 0; strand < fibres.strands(); ++strand) {
                     line.resize(3 * fibres.points(strand));
                     fibres.curve(strand, line.data());
+                    sums.points += static_cast<double>(fibres.points(strand));
                     const double radius = fibres.radius(strand);
                     if (!flyaways) {
                         const double volume = stands_for * line_length(line) * pi * radius * radius;
@@ -159,6 +161,7 @@ Strip strip_at(const Textile& textile, YarnKind kind, int yarn, int at, double o
 
 struct Cover {
     double warp = 0, weft = 0, both = 0;
+    double points = 0;
 };
 
 /// Shares of the fabric's area that lie under ends, under picks, under either.
@@ -198,7 +201,7 @@ Cover rasterize(const Textile& textile)
             cover.both += 1 - (1 - under_warp) * (1 - under_weft);
         }
     const double n = static_cast<double>(columns) * rows;
-    return {cover.warp / n, cover.weft / n, cover.both / n};
+    return {cover.warp / n, cover.weft / n, cover.both / n, n};
 }
 
 /// Every hole between two ends and two picks: its hydraulic radius, weighted by its area.
@@ -292,6 +295,7 @@ MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric, co
     m.ends = textile.ends();
     m.picks = textile.picks();
     m.flyaways_seen = sums.seen;
+    m.points = sums.points + cover.points;
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
         MeasuredYarn& yarn = kind == YarnKind::warp ? m.warp : m.weft;
         yarn.crimp_percent = mean_crimp_percent(textile, kind);

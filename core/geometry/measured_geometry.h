@@ -42,6 +42,7 @@ struct MeasuredGeometry {
     Permeability permeability;
     int ends = 0, picks = 0;  ///< that were measured
     double flyaways_seen = 1; ///< share of their loops and hairs that stands for all
+    double points = 0;        ///< that were looked at, of fibres and of the raster for cover: what it took
 };
 
 /// Makes the fibres of some repeats of weave and yarn order, of 240 ends and picks at most, and measures them; pores in yarns are those of

@@ -261,6 +261,27 @@ private Q_SLOTS:
         QVERIFY(page.contains("gone"));
         QVERIFY(!page.contains('\x1b') && !page.contains('\0'));
     }
+    void ofManyFabricsTheFirstOnesGeometryIsMeasured()
+    {
+        QJsonObject project = QJsonDocument::fromJson(contents(example("textile-F.hygro"))).object();
+        QJsonObject fabric = project["fabrics"].toArray()[0].toObject();
+        QJsonArray fabrics;
+        for (int i = 0; i < 100; ++i) {
+            fabric["name"] = QString("f%1").arg(i);
+            fabrics.append(fabric);
+        }
+        project["fabrics"] = fabrics;
+        const QString file = at("many.hygro");
+        write(file, QJsonDocument(project).toJson());
+        const QJsonArray checked = run_cli({"check", file, "--json", "-q"}).json()["fabrics"].toArray();
+        QCOMPARE(checked.size(), 100);
+        const auto measured = std::count_if(checked.begin(), checked.end(), [](const QJsonValue& f) { return !f["geometry"].isNull(); });
+        QVERIFY2(measured >= 5 && measured <= 40, qPrintable(QString::number(measured)));
+        QVERIFY(checked[measured - 1]["geometry"].isObject() && checked[measured]["derived"].isObject());
+        const QByteArray table = run_cli({"check", file, "-q"}).out, one = run_cli({"check", file, "-q", "--fabric", "f99"}).out;
+        QCOMPARE(table.count("Its geometry was not measured"), 100 - measured);
+        QVERIFY(one.contains("Geometry of 16 ends") && !one.contains("not measured"));
+    }
     void whatIsMeasuredIsNotOverwritten()
     {
         const QString recording = recorded("kept.hygrorec"), page = at("kept.html"), csv = at("kept.csv"), folder = at("kept"),
