@@ -6,6 +6,7 @@
 #include "core/garment/flat_mesh.h"
 #include "core/garment/readers.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -20,6 +21,32 @@ namespace hygroloom {
 namespace {
 
 constexpr int deepest_node = 200;
+
+/// What the mesh's file names, such as the buffers of glTF, is opened in its own folder only, as regular files, and all of them together
+/// may be as large as one may be.
+class OwnFolder : public Assimp::DefaultIOSystem {
+public:
+    explicit OwnFolder(const std::filesystem::path& file) : folder_(std::filesystem::weakly_canonical(file).parent_path()) {}
+    bool Exists(const char* file) const override { return is_within(file) && DefaultIOSystem::Exists(file); }
+    Assimp::IOStream* Open(const char* file, const char* mode) override
+    {
+        std::error_code failure;
+        if (!is_within(file) || !std::filesystem::is_regular_file(file, failure)) return nullptr;
+        opened_ += std::filesystem::file_size(file, failure);
+        return failure || opened_ > 2 * largest_mesh_bytes ? nullptr : DefaultIOSystem::Open(file, mode); // some are opened twice
+    }
+
+private:
+    bool is_within(const char* file) const
+    {
+        std::error_code failure;
+        const std::filesystem::path inside = std::filesystem::weakly_canonical(file, failure).lexically_relative(folder_);
+        return !failure && !inside.empty() && *inside.begin() != "..";
+    }
+
+    std::filesystem::path folder_;
+    std::uintmax_t opened_ = 0;
+};
 
 class SceneReader {
 public:
@@ -119,6 +146,7 @@ FlatMesh mesh_from_file(const std::filesystem::path& path)
     if (size > largest_mesh_bytes)
         throw FileError(fmt::format("{}: The file has {}; up to 537 MB are read.", name, bytes_text(static_cast<double>(size))));
     Assimp::Importer importer;
+    importer.SetIOHandler(new OwnFolder(path)); // which the importer deletes
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = nullptr;
     try {

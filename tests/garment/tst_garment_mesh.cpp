@@ -11,6 +11,7 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <functional>
 
 using namespace hygroloom;
@@ -352,6 +353,29 @@ private Q_SLOTS:
             QVERIFY2(!refusal_of([&] { read_pattern(from_file(name), at("")); }).empty(), name);
         }
         QVERIFY(!refusal_of([&] { read_pattern(from_file("none.glb"), at("")); }).empty());
+    }
+    /// A file of a stranger may name others, anywhere.
+    void buffersOutsideOfTheFolderAreNotOpened()
+    {
+        fs::create_directories(at("in"));
+        const std::array<float, 15> numbers{0, 0, 0, 0.3f, 0, 0, 0, 0.2f, 0, 0, 0, 1, 0, 0, 1};
+        const std::string bytes(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+        write_bytes(at("in/own.bin"), bytes);
+        write_bytes(at("outside.bin"), bytes);
+        fs::create_symlink(at("outside.bin"), at("in/link.bin"));
+        const auto refusal = [&](const std::string& uri) {
+            write_bytes(at("in/one.gltf"), fmt::format(R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[0]}}],
+                "nodes":[{{"mesh":0}}],"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0,"TEXCOORD_0":1}}}}]}}],
+                "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}},
+                {{"bufferView":1,"componentType":5126,"count":3,"type":"VEC2"}}],
+                "bufferViews":[{{"buffer":0,"byteOffset":0,"byteLength":36}},{{"buffer":0,"byteOffset":36,"byteLength":24}}],
+                "buffers":[{{"byteLength":60,"uri":"{}"}}]}})",
+                                                       uri));
+            return refusal_of([&] { read_pattern(from_file(at("in/one.gltf").string()), {}); });
+        };
+        QCOMPARE(refusal("own.bin"), std::string());
+        for (const char* uri : {"../outside.bin", "link.bin", "%2e%2e/outside.bin", "../in/../outside.bin"})
+            QVERIFY2(!refusal(uri).empty(), uri);
     }
     void changedBytesAreReadOrRefused()
     {
