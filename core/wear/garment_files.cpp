@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A garment's shape with its maps as textures, for other programs: OBJ with MTL, and GLB.
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/project/atomic_file.h"
 #include "core/wear/wear_map.h"
 
@@ -46,7 +47,9 @@ PanelMesh mesh_of(const WearLayout& layout, std::size_t panel)
     return mesh;
 }
 
-/// Panels' names as names of files, no two alike.
+constexpr const char* texture_ending = "_texture";
+
+/// Panels' names as names of files: no two alike, nor one like the name of another's texture.
 std::vector<std::string> file_names(const WearLayout& layout)
 {
     std::vector<std::string> names;
@@ -57,12 +60,10 @@ std::vector<std::string> file_names(const WearLayout& layout)
             const auto byte = static_cast<unsigned char>(letter);
             name += byte < 0x80 && !std::isalnum(byte) && letter != '-' ? '_' : letter;
         }
-        name = name.substr(0, 100);
+        name = name.empty() ? "panel" : cut_text(name, 100);
         std::string free = name;
-        for (int k = 2; name.empty() || !taken.insert(free).second; ++k) {
-            if (name.empty()) name = "panel";
-            free = fmt::format("{}_{}", name, k);
-        }
+        for (int k = 2; taken.contains(free) || taken.contains(free + texture_ending); ++k) free = fmt::format("{}_{}", name, k);
+        taken.insert({free, free + texture_ending});
         names.push_back(free);
     }
     return names;
@@ -160,10 +161,10 @@ std::vector<std::string> write_wear_map(const WearLayout& layout, const WearFram
     for (std::size_t panel = 0; panel < layout.panels.size(); ++panel) {
         const std::string texture = png_bytes(panel_texture(layout, map, panel));
         write(names[panel] + ".png", png_bytes(panel_picture(layout, map, panel, frame.time)));
-        write(names[panel] + "_texture.png", texture);
+        write(names[panel] + texture_ending + ".png", texture);
         const PanelMesh mesh = mesh_of(layout, panel);
         if (mesh.places.empty()) continue;
-        mtl += fmt::format("newmtl {0}\nKd 1 1 1\nmap_Kd {0}_texture.png\n", names[panel]);
+        mtl += fmt::format("newmtl {0}\nKd 1 1 1\nmap_Kd {0}{1}.png\n", names[panel], texture_ending);
         obj += fmt::format("o {0}\nusemtl {0}\n", names[panel]);
         for (const std::array<float, 3>& at : mesh.places) obj += fmt::format("v {:.6f} {:.6f} {:.6f}\n", at[0], at[1], at[2]);
         for (const std::array<float, 2>& at : mesh.texture) obj += fmt::format("vt {:.6f} {:.6f}\n", at[0], at[1]);

@@ -6,11 +6,13 @@
 #include "core/base/round_up.h"
 #include "tests/support/crafted_wear.h"
 
+#include <QDir>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
+#include <set>
 
 using namespace hygroloom;
 
@@ -105,6 +107,21 @@ private Q_SLOTS:
         QVERIFY(seen > 0);
         how.steps = WearSteps{1, 1, 1, 1, 1, 1, 1, 1};
         QVERIFY_THROWS_EXCEPTION(Error, wear_map(record.layout, frame, how));
+    }
+
+    /// A panel that is named as another's texture keeps a file of its own.
+    void no_file_is_written_twice()
+    {
+        WearRecord record = small_wear();
+        record.layout.panels[0].name = "x";
+        record.layout.panels[1].name = "x_texture";
+        const WearFrame frame = small_wear_frame(record.layout, 2);
+        const QString folder = folder_.filePath("twice");
+        QVERIFY(QDir().mkpath(folder));
+        const std::vector<std::string> files =
+            write_wear_map(record.layout, frame, wear_map(record.layout, frame, {}), folder.toStdString());
+        QCOMPARE(std::set<std::string>(files.begin(), files.end()).size(), files.size());
+        QCOMPARE(std::size_t(QDir(folder).entryList(QDir::Files).size()), files.size());
     }
 
     void the_page_holds_it_all()
