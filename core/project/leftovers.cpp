@@ -63,7 +63,10 @@ fs::path temporary_beside(const fs::path& target)
 {
     static std::atomic<unsigned> counter{0};
     auto path = target;
-    path.replace_filename(fmt::format("{}{}-{}{}", beginning_for(target), ::getpid(), counter++, target.extension().string()));
+    std::error_code ignored;
+    do // a process of the same number may have left one: in a container every program may be the first
+        path.replace_filename(fmt::format("{}{}-{}{}", beginning_for(target), ::getpid(), counter++, target.extension().string()));
+    while (fs::exists(fs::symlink_status(path, ignored)));
     return path;
 }
 

@@ -6,7 +6,7 @@
 
 namespace hygroloom {
 
-/// Beside the target, hidden, with its extension and the number of this process; another one each time.
+/// Beside the target, hidden, with its extension and the number of this process; another one each time, at which nothing lies.
 std::filesystem::path temporary_beside(const std::filesystem::path& target);
 
 /// Removes what processes that are gone left beside the target while they wrote it. What was written within the last minute stays, since

@@ -16,7 +16,7 @@ namespace hygroloom {
 
 OutputFile::OutputFile(const std::filesystem::path& path, std::string shown) : shown_(std::move(shown))
 {
-    file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file_ < 0) throw FileError(fmt::format("{}: The file cannot be written: {}.", shown_, std::strerror(errno)));
 }
 

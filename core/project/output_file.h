@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little, "Numbers go into files
 /// Throws FileError, which names the file as shown.
 class OutputFile {
 public:
-    /// Creates the file, or empties it.
+    /// Creates the file, or empties it. A link there is an error.
     OutputFile(const std::filesystem::path& path, std::string shown);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;

@@ -3,6 +3,8 @@
 #include "core/project/atomic_file.h"
 #include "tests/core/rich_project.h"
 
+#include <fmt/format.h>
+
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -71,6 +73,17 @@ private Q_SLOTS:
         write_project(rich(), dangling);
         QVERIFY(fs::is_symlink(dangling) && fs::is_regular_file(later));
         QVERIFY(read_project(file) == rich());
+    }
+    /// In a container a program often has the number of the one before, which may have been killed while it wrote.
+    void whatOneOfTheSameNumberLeftIsInNobodysWay()
+    {
+        const fs::path target = path("left.hygro");
+        const auto left = [&](unsigned count) { return path(fmt::format(".left.{}-{}.hygro", ::getpid(), count).c_str()); };
+        for (unsigned count = 0; count < 200; ++count) std::ofstream(left(count)) << "half a pro";
+        write_file(target, "whole");
+        QCOMPARE(read_file(target, 100), std::string("whole"));
+        for (unsigned count = 0; count < 200; ++count) QCOMPARE(fs::file_size(left(count)), std::uintmax_t(10));
+        for (unsigned count = 0; count < 200; ++count) fs::remove(left(count));
     }
     void aLoopOfLinksIsRefused()
     {
