@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 # The verdict of ThreadSanitizer: builds the tests that use threads with the preset tsan, proves that a race put in by hand is found, and runs them.
-# packaging/threads.sh    Takes some 20 minutes; exits with 1 where a race is found.
+# packaging/threads.sh    Takes some 30 minutes; exits with 1 where a race is found.
 set -eu
 cd "$(dirname "$0")/.."
-tests="tests_run/tst_side_by_side tests_solver/tst_liquid tests_solver/tst_touching tests_solver/tst_mixed_yarns"
+tests="tests_run/tst_side_by_side tests_run/tst_late_frames tests_run/tst_session tests_solver/tst_liquid tests_solver/tst_touching tests_solver/tst_mixed_yarns"
 
 cmake --preset tsan --log-level=NOTICE >/dev/null
 cmake --build --preset tsan --target thread_check hygroloom-cli tests_run tests_solver

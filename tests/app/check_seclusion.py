@@ -14,6 +14,8 @@ import tempfile
 SKIPPED = 77
 STUDY = """{"format": "hygroloom-study", "version": 1, "fabrics": ["Cotton plain"], "experiments": ["one drop"], "fidelity": "live",
   "factors": [{"path": "fabrics[0].contact_angle_deg", "values": [30, 50]}], "design": {"type": "grid"}}"""
+STRIP = "time_s,wick_height_mm,spread\n0.5,10.6,0.1\n1,14.7,0.1\n1.5,17.8,0.1\n"
+PANEL = "v 0 0 0\nv 0.1 0 0\nv 0.1 0.2 0\nv 0 0.2 0\nvt 0 0\nvt 0.5 0\nvt 0.5 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"
 NETWORK_LIBRARY = re.compile(r"curl|ssl|crypto|Qt\d?(Network|WebSockets|WebEngine|HttpServer)|nghttp|ldap|libssh|resolv|libzmq|libuv|gnutls")
 NETWORK_FUNCTION = re.compile(
     r"^(socket|socketpair|connect|bind|listen|accept4?|send(to|msg|mmsg)?|recv(from|msg|mmsg)?|getaddrinfo|gethostby\w+|res_\w+|curl_\w+|SSL_\w+)$")
@@ -44,6 +46,8 @@ def verbs(root):
     drop = ["--experiment", "one drop"]
     short = ["--fidelity", "draft", "--set", "experiments[0].duration_s=0.05", "--quiet"]
     one = [project, "--fabric", "Cotton plain"]
+    strip = [root / "resources/examples/laboratory.hygro", "--fabric", "Textile F", "--experiment", "vertical wicking", "--fidelity", "live",
+             "--set", "experiments[vertical wicking].duration_s=1.5", "--set", "experiments[vertical wicking].strip_mm=[3,30]"]
     return [
         (["check", project], []),
         (["plan", *one, *drop, "--fidelity", "draft"], []),
@@ -58,6 +62,12 @@ def verbs(root):
         (["compare", project, "--fabrics", "Cotton plain,Cotton twill", *drop, *short, "-o", "compared"], ["compared"]),
         (["tradeoff", *one, *drop, *short[2:], "--fidelities", "draft", "--knobs", "none", "--repeats", "1", "-o", "tradeoff"], ["tradeoff"]),
         (["sweep", project, "--study", "../study.json", "-o", "swept", "--set", "experiments[0].duration_s=0.05", "--quiet"], ["swept"]),
+        (["calibrate", *strip, "--measured", "../strip.csv", "--free", "contact_angle_deg", "--quiet", "-o", "fitted.hygro"], ["fitted.hygro"]),
+        (["garment", "import", "built-in:tee", "--fabric", "Poplin shirting", "-o", "tee.hygro"], ["tee.hygro"]),
+        (["garment", "import", "../panel.obj", "--fabric", "Poplin shirting", "-o", "panel.hygro"], ["panel.hygro"]),
+        (["garment", "plan", "tee.hygro", "--fidelity", "live"], []),
+        (["simulate", "tee.hygro", "--fidelity", "live", "--set", "experiments[0].duration_s=5", "--quiet", "-o", "worn.hygrorec"], ["worn.hygrorec"]),
+        (["garment", "map", "worn.hygrorec", "-o", "maps", "--report", "worn.html", "--quiet"], ["maps", "worn.html"]),
         (["verify", "washburn"], []),
         (["reference"], []),
     ]
@@ -98,7 +108,12 @@ def inside(root, cli, window, folder):
     home.mkdir()
     here.mkdir()
     environment = surroundings(home)
-    (folder / "study.json").write_text(STUDY)
+    for name, text in (("study.json", STUDY), ("strip.csv", STRIP), ("panel.obj", PANEL)):
+        (folder / name).write_text(text)
+    named_verbs = {str(arguments[0]) for arguments, _ in verbs(root)}
+    shown = subprocess.run([cli, "--help"], env=environment, capture_output=True, text=True, check=True).stdout
+    if missing := set(re.findall(r"^  ([a-z]+) ", shown.partition("Subcommands:")[2], re.MULTILINE)) - named_verbs:
+        faults.append(f"These verbs are not called: {sorted(missing)}")
     named = set()
     for arguments, writes in verbs(root):
         answer = subprocess.run([cli, *map(str, arguments)], cwd=here, env=environment, capture_output=True, text=True, timeout=120)
