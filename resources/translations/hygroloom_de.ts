@@ -6502,6 +6502,22 @@ Klicken zeigt diese Zeit.</translation>
         <source>&amp;Leave without It</source>
         <translation>&amp;Ohne ihn gehen</translation>
     </message>
+    <message>
+        <source>The file was changed</source>
+        <translation>Die Datei wurde geändert</translation>
+    </message>
+    <message>
+        <source>Replace %1, which another program changed after it was opened here?</source>
+        <translation>%1 ersetzen? Ein anderes Programm hat die Datei geändert, nachdem sie hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>The other program&apos;s version is then in %1~, until the project is saved again.</source>
+        <translation>Die Fassung des anderen Programms liegt dann in %1~, bis das Projekt wieder gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace the File</source>
+        <translation>Datei &amp;ersetzen</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::NameDialog</name>

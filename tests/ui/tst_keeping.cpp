@@ -54,6 +54,29 @@ private Q_SLOTS:
         QVERIFY(!window_->isWindowModified());
     }
 
+    void whatAnotherProgramWroteIsNotReplacedUnasked()
+    {
+        Design other = read_project(project().toStdString());
+        const Design before = other;
+        other.fabrics[0].picks_per_cm = 21;
+        write_project(other, project().toStdString());
+        type("Ends", "32");
+        const auto first = press("Cancel");
+        trigger("Save");
+        QVERIFY2(first->contains("another program changed"), qPrintable(*first));
+        QCOMPARE(read_project(project().toStdString()).fabrics[0].picks_per_cm, 21.0);
+        QVERIFY(window_->isWindowModified());
+        const auto second = press("Replace the File");
+        trigger("Save");
+        QVERIFY(!second->isEmpty());
+        QCOMPARE(read_project(project().toStdString()).fabrics[0].ends_per_cm, 32.0);
+        QCOMPARE(read_project(project().toStdString() + "~").fabrics[0].picks_per_cm, 21.0);
+        window_->document().history()->undo();
+        trigger("Save"); // nothing is asked when nobody else wrote
+        QVERIFY(read_project(project().toStdString()).fabrics[0].ends_per_cm != 32);
+        write_project(before, project().toStdString());
+    }
+
     void runningCommitsTheValueBeingEdited()
     {
         window_->setWorkspace(Workspace::simulate);

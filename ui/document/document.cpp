@@ -5,11 +5,25 @@
 #include "core/project/project_file.h"
 #include "ui/document/sources.h"
 
+#include <QCryptographicHash>
+#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
 
 namespace hygroloom {
+
+namespace {
+
+/// Empty where no file can be read.
+QByteArray hashOf(const QString& path)
+{
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result() : QByteArray();
+}
+
+} // namespace
 
 Document::Document(QObject* parent) : QObject(parent)
 {
@@ -155,6 +169,12 @@ bool Document::openUnsaved(const QString& file, const QString& path, const QStri
 
 bool Document::save() { return saveAs(path_); }
 
+bool Document::changedOnDisk() const
+{
+    const QByteArray now = hashOf(path_);
+    return !now.isEmpty() && now != saved_;
+}
+
 bool Document::saveAs(const QString& path)
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
@@ -166,6 +186,7 @@ bool Document::saveAs(const QString& path)
     }
     history_.setClean();
     endStroke();
+    saved_ = hashOf(absolute);
     if (absolute != path_) {
         path_ = absolute;
         if (state_.folder != folder()) { apply(state_); }
@@ -182,6 +203,7 @@ void Document::replace(Design design, const QString& path, const QString& title)
     endStroke();
     path_ = path;
     title_ = title;
+    saved_ = hashOf(path);
     apply({std::make_shared<const Design>(std::move(design)), 0, 0, folder()});
     Q_EMIT replaced();
     Q_EMIT pathChanged();

@@ -61,6 +61,8 @@ public:
     /// Opens recovered work of a project at origin. Saving writes to path, or opens a file dialog when path is empty.
     bool openUnsaved(const QString& file, const QString& path, const QString& title, const QString& origin = {});
     bool save();
+    /// Whether another program changed the project's file after it was opened or saved here. Reads the file.
+    bool changedOnDisk() const;
     /// The files that the design names from the project's folder are named from the new one, in every step of the history.
     bool saveAs(const QString& path);
     /// Takes over a design that comes from somewhere else, such as a recording.
@@ -87,6 +89,7 @@ private:
     int stroke_ = 0;
     QString path_;
     QString title_;
+    QByteArray saved_; ///< a hash of the file as it was opened or saved; empty without a file
 };
 
 } // namespace hygroloom

@@ -18,6 +18,7 @@ class QToolButton;
 
 namespace hygroloom {
 
+enum class Reply;
 class DesignWorkspace;
 class ExportDialog;
 class HelpWindow;
@@ -115,6 +116,7 @@ private:
     void offerRoom();
     void chooseFile();
     bool save();
+    Reply askAboutChangedFile();
     bool saveAs();
     void saveScreenshot();
     void chooseDraft();

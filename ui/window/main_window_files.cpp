@@ -147,7 +147,19 @@ void MainWindow::chooseFile()
 bool MainWindow::save()
 {
     commitTypedValue(*this);
-    return document_.path().isEmpty() ? saveAs() : document_.save();
+    if (document_.path().isEmpty()) { return saveAs(); }
+    const Reply answer = document_.changedOnDisk() ? askAboutChangedFile() : Reply::act;
+    return answer == Reply::save ? saveAs() : answer == Reply::act && document_.save();
+}
+
+Reply MainWindow::askAboutChangedFile()
+{
+    const QString name = QFileInfo(document_.path()).fileName();
+    return ask(this, {tr("The file was changed"),
+                      tr("Replace %1, which another program changed after it was opened here?").arg(name),
+                      tr("The other program's version is then in %1~, until the project is saved again.").arg(name),
+                      {{Reply::act, tr("&Replace the File")}, {Reply::save, tr("Save &As…")}, {Reply::cancel, tr("Cancel")}},
+                      Reply::save});
 }
 
 bool MainWindow::saveAs()
