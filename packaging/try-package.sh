@@ -14,7 +14,7 @@ listed=$(mktemp -d)
 end() {
   umount "$root/proc" 2>/dev/null || true
   rm -rf "$listed"
-  [ -n "${ROOT:-}" ] || rm -rf "$root"
+  [ -n "${ROOT:-}" ] || rm -rf --one-file-system "$root" # what could not be unmounted is not its own
 }
 trap end EXIT
 [ -e "$root/etc/debian_version" ] || debootstrap --variant=minbase "$suite" "$root" "${MIRROR:-http://deb.debian.org/debian}" >/dev/null
@@ -42,7 +42,8 @@ list_files before
 inside_apt install $(cd "$root" && ls tmp/*.deb | sed 's|^|/|')
 inside hygroloom --version
 inside hygroloom-cli --version
-inside hygroloom-cli simulate /usr/share/hygroloom/examples/one-drop-on-cotton.hygro --fidelity draft --quiet -o /tmp/drop.hygrorec | head -3
+inside hygroloom-cli simulate /usr/share/hygroloom/examples/one-drop-on-cotton.hygro --fidelity draft --quiet -o /tmp/drop.hygrorec > "$listed/said"
+head -3 "$listed/said"
 inside hygroloom-cli measure /tmp/drop.hygrorec --quiet >/dev/null
 inside python3 -c 'import hygroloom; print(hygroloom.measure("/tmp/drop.hygrorec").table.value)'
 inside timeout --preserve-status --signal=TERM 8 hygroloom >/dev/null 2>&1 && code=0 || code=$?

@@ -12,7 +12,7 @@ screen=""
 end() {
   [ -z "$screen" ] || kill "$screen"
   umount "$root/tmp/.X11-unix" "$root/proc" 2>/dev/null || true
-  [ -n "${ROOT:-}" ] || rm -rf "$root"
+  [ -n "${ROOT:-}" ] || rm -rf --one-file-system "$root" # what could not be unmounted is not its own
 }
 trap end EXIT
 [ -e "$root/etc/debian_version" ] || debootstrap --variant=minbase bookworm "$root" "${MIRROR:-http://deb.debian.org/debian}" >/dev/null
@@ -27,7 +27,8 @@ rm -rf "$root/opt/hygroloom"
 mkdir -p "$root/opt/hygroloom"
 tar --extract --file "$bundle" --directory "$root/opt/hygroloom" --strip-components 1
 
-inside /opt/hygroloom/bin/hygroloom-cli simulate /opt/hygroloom/share/hygroloom/examples/one-drop-on-cotton.hygro --fidelity draft --quiet | head -3
+inside /opt/hygroloom/bin/hygroloom-cli simulate /opt/hygroloom/share/hygroloom/examples/one-drop-on-cotton.hygro --fidelity draft --quiet > "$root/tmp/said"
+head -3 "$root/tmp/said"
 inside QT_QPA_PLATFORM=offscreen /opt/hygroloom/hygroloom --version
 number=77
 Xvfb ":$number" -screen 0 1280x1024x24 -nolisten tcp >/dev/null 2>&1 &
