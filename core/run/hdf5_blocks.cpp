@@ -75,19 +75,26 @@ bool BlockCheck::is_header(std::uint64_t at)
     found.go_on.push_back({at + prefix, size});
     std::set<std::uint64_t> places{at};
     for (std::size_t i = 0; i < found.go_on.size(); ++i) {
-        const Continuation part = found.go_on[i];
+        const Part part = found.go_on[i];
         if (i > 0 && (headers_.contains(part.at) || !places.insert(part.at).second)) return false;
         if (part.size > largest_block || found.go_on.size() > most_parts) return false;
         const Bytes block = bytes_at(part.at, part.size);
         if (block.size() != part.size || !are_messages(block, found)) return false;
         if (i > 0 && (block.empty() || block[0] == version)) return false; // it could be taken for a header
     }
-    if (!sizes_agree(found)) return false;
+    if (!sizes_agree(found) || !holds_whole(found)) return false;
     if (const auto& chunks = found.chunks;
         chunks && chunks->tree != UINT64_MAX && !note_chunk_tree(chunks->tree, {chunks->places, found.is_packed ? 0 : chunks->bytes}, at))
         return false;
     headers_.merge(places);
     return true;
+}
+
+/// The library makes room for as many bytes as the layout says.
+bool BlockCheck::holds_whole(const Messages& found) const
+{
+    if (!found.whole || found.whole->at == UINT64_MAX) return true;
+    return found.whole->at <= file_size_ && found.whole->size <= file_size_ - found.whole->at;
 }
 
 /// One tree has keys of one length, for chunks of one size, and is the child of one other, or of one set.

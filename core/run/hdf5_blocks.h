@@ -11,6 +11,8 @@
 
 namespace hygroloom::hdf5 {
 
+struct Messages;
+
 enum class BlockKind { superblock, header, tree, heap, data, other };
 
 class BlockCheck {
@@ -33,6 +35,7 @@ private:
     Bytes bytes_at(std::uint64_t at, std::uint64_t count) const; ///< empty where the file does not have them
     bool is_superblock() const;
     bool is_header(std::uint64_t at);
+    bool holds_whole(const Messages& found) const;
     bool is_tree_or_node(std::uint64_t at);
     bool is_tree(std::uint64_t at, const Bytes& head);
     bool are_whole(std::uint64_t at, const ChunkTree& tree, std::uint64_t entries);

@@ -14,16 +14,17 @@
 
 #include <cstring>
 #include <functional>
+#include <sys/resource.h>
 
 using namespace hygroloom;
 
-namespace tst_crafted_blocks {
+namespace {
 
 constexpr hsize_t columns = 3, chunk_rows = 100;
 constexpr std::uint64_t chunk_bytes = chunk_rows * columns * sizeof(double);
 
 /// The bytes of a file, to be changed.
-struct Bytes {
+struct FileBytes {
     QByteArray all;
 
     void put(qsizetype at, std::uint64_t number, std::size_t size = 8) { std::memcpy(all.data() + at, &number, size); }
@@ -62,6 +63,14 @@ struct Bytes {
     }
 };
 
+/// Of the process until now, bytes.
+double most_memory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
 /// Tables without values.
 void create_tables(const std::string& path, const std::vector<const char*>& names, hsize_t rows)
 {
@@ -76,8 +85,14 @@ void create_tables(const std::string& path, const std::vector<const char*>& name
     H5Fclose(file);
 }
 
+void create_text(const std::string& path, const std::string& text)
+{
+    const hdf5::Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "");
+    hdf5::write_text(file.get(), "text", text);
+}
+
 /// The sentence of the refusal; empty: what the file is read for is read.
-std::string refusal_of(const std::string& path, const std::function<void(hid_t)>& read)
+std::string refusal_when(const std::string& path, const std::function<void(hid_t)>& read)
 {
     try {
         RecordingSource source(path);
@@ -90,26 +105,24 @@ std::string refusal_of(const std::string& path, const std::function<void(hid_t)>
 
 constexpr const char* damaged = "\"table\" should have 6400 x 3 values, which the file does not hold.";
 
-} // namespace tst_crafted_blocks
-
-using namespace tst_crafted_blocks;
+} // namespace
 
 class TestCraftedBlocks : public QObject {
     Q_OBJECT
     QTemporaryDir folder_;
     std::string path_;
 
-    void change(const std::function<void(Bytes&)>& craft) const
+    void change(const std::function<void(FileBytes&)>& craft) const
     {
         QFile file(QString::fromStdString(path_));
         QVERIFY(file.open(QIODevice::ReadWrite));
-        Bytes bytes{file.readAll()};
+        FileBytes bytes{file.readAll()};
         craft(bytes);
         QVERIFY(file.seek(0) && file.write(bytes.all) == bytes.all.size());
     }
     std::string table_refusal(const char* name = "table") const
     {
-        return refusal_of(path_, [&](hid_t file) { hdf5::Table(file, name, columns, columns).read(0, 1); });
+        return refusal_when(path_, [&](hid_t file) { hdf5::Table(file, name, columns, columns).read(0, 1); });
     }
 
 private Q_SLOTS:
@@ -132,12 +145,12 @@ private Q_SLOTS:
             const hdf5::Table table(id, "table", columns, columns);
             for (int twice = 0; twice < 2; ++twice) QCOMPARE(table.read(0, rows), values);
         };
-        QCOMPARE(refusal_of(path_, read), std::string());
+        QCOMPARE(refusal_when(path_, read), std::string());
     }
     void chunksOfATreeThatIsWholeAreRead()
     {
         create_tables(path_, {"table"}, 64 * chunk_rows);
-        change([](Bytes& bytes) {
+        change([](FileBytes& bytes) {
             std::vector<std::uint64_t> chunks;
             for (int i = 0; i < 64; ++i) chunks.push_back(bytes.append(QByteArray(chunk_bytes, '\0')));
             bytes.set_tree(bytes.append_tree(0, chunks));
@@ -147,7 +160,7 @@ private Q_SLOTS:
     void aTreeHasOneParent()
     {
         create_tables(path_, {"table"}, 64 * 64 * 64 * chunk_rows);
-        change([](Bytes& bytes) {
+        change([](FileBytes& bytes) {
             std::vector<std::uint64_t> chunks;
             for (int i = 0; i < 64; ++i) chunks.push_back(bytes.append(QByteArray(chunk_bytes, '\0')));
             std::uint64_t tree = bytes.append_tree(0, chunks);
@@ -159,7 +172,7 @@ private Q_SLOTS:
     void aChunkIsNamedOnce()
     {
         create_tables(path_, {"table"}, 64 * chunk_rows);
-        change([](Bytes& bytes) {
+        change([](FileBytes& bytes) {
             const std::uint64_t chunk = bytes.append(QByteArray(64 * chunk_bytes, '\0'));
             bytes.set_tree(bytes.append_tree(0, std::vector(64, chunk)));
         });
@@ -168,7 +181,7 @@ private Q_SLOTS:
     void chunksTogetherFitTheFile()
     {
         create_tables(path_, {"table"}, 64 * chunk_rows);
-        change([](Bytes& bytes) {
+        change([](FileBytes& bytes) {
             const std::uint64_t chunk = bytes.append(QByteArray(2 * chunk_bytes, '\0'));
             std::vector<std::uint64_t> chunks;
             for (std::uint64_t i = 0; i < 64; ++i) chunks.push_back(chunk + 8 * i);
@@ -179,14 +192,39 @@ private Q_SLOTS:
     void twoSetsHaveTwoTrees()
     {
         create_tables(path_, {"other", "table"}, chunk_rows);
-        change([](Bytes& bytes) {
+        change([](FileBytes& bytes) {
             const std::uint64_t tree = bytes.append_tree(0, {bytes.append(QByteArray(chunk_bytes, '\0'))});
             for (int set = 0; set < 2; ++set) bytes.set_tree(tree);
         });
-        const std::string sentence = refusal_of(path_, [](hid_t file) {
+        const std::string sentence = refusal_when(path_, [](hid_t file) {
             for (const char* name : {"other", "table"}) hdf5::Table(file, name, columns, columns);
         });
         QCOMPARE(sentence, std::string("\"table\" cannot be read; it is damaged, or of a kind that recordings do not hold."));
+    }
+    void textsLieInTheFile_data()
+    {
+        QTest::addColumn<quint64>("claimed");
+        QTest::newRow("no more than it has") << quint64(500);
+        QTest::newRow("300 MB") << quint64(300'000'000);
+    }
+    void textsLieInTheFile()
+    {
+        QFETCH(quint64, claimed);
+        create_text(path_, std::string(500, 'x'));
+        change([&](FileBytes& bytes) {
+            const qsizetype type = bytes.all.indexOf(QByteArray("\x13\x10\0\0\xF4\1\0\0", 8)),
+                            layout = bytes.all.indexOf(QByteArray("\3\1", 2), type);
+            QVERIFY(type > 0 && layout > 0);
+            bytes.put(type + 4, claimed, 4);
+            bytes.put(layout + 10, claimed);
+        });
+        std::string text;
+        const double before = most_memory();
+        const std::string sentence = refusal_when(path_, [&](hid_t file) { text = hdf5::read_text(file, "text"); });
+        QVERIFY(most_memory() - before < 50e6);
+        const std::string damaged_text = "\"text\" cannot be read; it is damaged, or of a kind that recordings do not hold.";
+        QCOMPARE(sentence, claimed == 500 ? std::string() : damaged_text);
+        QCOMPARE(text, claimed == 500 ? std::string(500, 'x') : std::string());
     }
 };
 
