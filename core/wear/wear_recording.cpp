@@ -278,7 +278,7 @@ bool WearRecording::is_one(const std::filesystem::path& path)
         if (!file.source.begins_as_hdf5()) return false;
         file.file = h5::open_file(file.source, "");
         return h5::exists(file.file.get(), "format") && h5::read_text(file.file.get(), "format") == wear_format;
-    } catch (const Error&) {
+    } catch (const std::exception&) { // with too little memory for a text, too
         return false;
     }
 }
@@ -291,6 +291,8 @@ WearRecording::WearRecording(const std::filesystem::path& path)
         file_->open();
     } catch (const FileError& error) {
         throw FileError(path.string() + ": " + error.what());
+    } catch (const std::bad_alloc&) {
+        throw FileError(path.string() + ": the memory does not suffice to read it.");
     }
 }
 WearRecording::~WearRecording() = default;
