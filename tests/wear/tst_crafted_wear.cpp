@@ -3,6 +3,7 @@
 // up and drawn.
 #include "core/base/error.h"
 #include "core/run/recording.h"
+#include "core/run/recording_layout.h"
 #include "core/wear/wear_map.h"
 #include "tests/support/crafted_wear.h"
 
@@ -108,6 +109,28 @@ void put_long_text(const std::string& path, const char* name, std::size_t size)
     H5Fclose(file);
 }
 
+/// The rows take no room on the disk.
+void put_long_ledger(const std::string& path, hsize_t rows)
+{
+    const OpenFile file(path);
+    const hsize_t sizes[2] = {rows, std::size(ledger_columns)};
+    const hid_t space = H5Screate_simple(2, sizes, nullptr), properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
+    H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
+    H5Ldelete(file.id, "ledger", H5P_DEFAULT);
+    H5Dclose(H5Dcreate2(file.id, "ledger", H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+    H5Pclose(properties);
+    H5Sclose(space);
+}
+
+/// Of the process until now, bytes.
+double most_memory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
 /// Of the process, bytes.
 rlim_t taken_addresses()
 {
@@ -189,6 +212,16 @@ private Q_SLOTS:
         const std::string csv = wear_csv(record.layout, small_wear_frame(record.layout, 1));
         QVERIFY(csv.find("\n\"front, \"\"left\"\"\",0,0,") != std::string::npos);
         QVERIFY(csv.find("\nsleeve,0,0,") != std::string::npos);
+    }
+    /// Its rows would take 450 MB, which are a hole in the file.
+    void rowsWithoutFramesAreNotRead()
+    {
+        restore();
+        constexpr hsize_t rows = 4'000'000;
+        put_long_ledger(crafted_, rows);
+        const double before = most_memory();
+        QCOMPARE(refusal(), crafted_ + ": frame 3: \"frames/000003\" is missing; the recording is damaged or no recording.");
+        QVERIFY(most_memory() - before < 100e6);
     }
     /// Of a recording with a text of 400 MB that holds nothing, in a process that may take 200 MB more.
     void tooLittleMemoryIsSaid()
