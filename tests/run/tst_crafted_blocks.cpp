@@ -6,6 +6,7 @@
 #include "core/run/hdf5_reader.h"
 #include "core/run/recording_source.h"
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -91,6 +92,26 @@ void create_text(const std::string& path, const std::string& text)
     hdf5::write_text(file.get(), "text", text);
 }
 
+using Entries = std::vector<std::pair<std::uint64_t, std::string>>;
+
+/// Whole, whatever its entries are.
+std::string log_of(const Entries& entries)
+{
+    std::string log;
+    const auto put = [&](std::uint64_t number) { log.append(reinterpret_cast<const char*>(&number), sizeof number); };
+    for (const auto& [at, bytes] : entries) {
+        put(at);
+        put(bytes.size());
+        log += bytes;
+    }
+    std::uint64_t sum = 0xCBF29CE484222325; // FNV-1a
+    for (const char byte : log) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001B3;
+    const std::uint64_t length = log.size() + 32;
+    put(sum);
+    put(length);
+    return log + "hygroloom redo..";
+}
+
 /// The sentence of the refusal; empty: what the file is read for is read.
 std::string refusal_when(const std::string& path, const std::function<void(hid_t)>& read)
 {
@@ -106,6 +127,8 @@ std::string refusal_when(const std::string& path, const std::function<void(hid_t
 constexpr const char* damaged = "\"table\" should have 6400 x 3 values, which the file does not hold.";
 
 } // namespace
+
+Q_DECLARE_METATYPE(Entries)
 
 class TestCraftedBlocks : public QObject {
     Q_OBJECT
@@ -225,6 +248,45 @@ private Q_SLOTS:
         const std::string damaged_text = "\"text\" cannot be read; it is damaged, or of a kind that recordings do not hold.";
         QCOMPARE(sentence, claimed == 500 ? std::string() : damaged_text);
         QCOMPARE(text, claimed == 500 ? std::string(500, 'x') : std::string());
+    }
+    void logsWhoseChangesAreInOrderAreUsed_data()
+    {
+        QTest::addColumn<Entries>("entries");
+        QTest::addColumn<bool>("used");
+        QTest::newRow("in order") << Entries{{10, "bb"}, {20, "cc"}} << true;
+        QTest::newRow("up to each other and the end") << Entries{{10, "bb"}, {12, "cc"}, {998, "dd"}} << true;
+        QTest::newRow("out of order") << Entries{{20, "cc"}, {10, "bb"}} << false;
+        QTest::newRow("one over the other") << Entries{{10, "bb"}, {11, "cc"}} << false;
+        QTest::newRow("of nothing") << Entries{{10, "bb"}, {12, ""}} << false;
+        QTest::newRow("over the file's end") << Entries{{10, "bb"}, {999, "cc"}} << false;
+        QTest::newRow("far behind the file's end") << Entries{{10, "bb"}, {std::uint64_t(1) << 40, "cc"}} << false;
+    }
+    void logsWhoseChangesAreInOrderAreUsed()
+    {
+        QFETCH(Entries, entries);
+        QFETCH(bool, used);
+        QFile file(QString::fromStdString(path_));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray(1000, 'a') + QByteArray::fromStdString(log_of(entries)));
+        file.close();
+        RecordingSource source(path_);
+        std::string bytes(2, '\0');
+        QVERIFY(source.read(10, bytes.data(), bytes.size(), hdf5::BlockKind::data));
+        QCOMPARE(bytes, std::string(used ? "bb" : "aa"));
+    }
+    /// Each change was put over those before: 20 000 copies of 2 MB.
+    void aLogIsReadOnce()
+    {
+        Entries entries{{std::uint64_t(1) << 40, std::string(2'000'000, 'x')}};
+        entries.resize(20'000, {(std::uint64_t(1) << 40) + 1, ""});
+        QFile file(QString::fromStdString(path_));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(log_of(entries)));
+        file.close();
+        QElapsedTimer timer;
+        timer.start();
+        RecordingSource source(path_);
+        QVERIFY(timer.elapsed() < 500);
     }
 };
 
