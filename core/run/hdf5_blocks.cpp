@@ -75,23 +75,42 @@ bool BlockCheck::is_header(std::uint64_t at)
     found.go_on.push_back({at + prefix, size});
     std::set<std::uint64_t> places{at};
     for (std::size_t i = 0; i < found.go_on.size(); ++i) {
-        const Continuation part = found.go_on[i];
+        const Part part = found.go_on[i];
         if (i > 0 && (headers_.contains(part.at) || !places.insert(part.at).second)) return false;
         if (part.size > largest_block || found.go_on.size() > most_parts) return false;
         const Bytes block = bytes_at(part.at, part.size);
         if (block.size() != part.size || !are_messages(block, found)) return false;
         if (i > 0 && (block.empty() || block[0] == version)) return false; // it could be taken for a header
     }
-    if (!sizes_agree(found)) return false;
+    if (!sizes_agree(found) || !holds_whole(found)) return false;
     if (const auto& chunks = found.chunks;
-        chunks && chunks->tree != UINT64_MAX && !note_chunk_tree(chunks->tree, {chunks->places, found.is_packed ? 0 : chunks->bytes}))
+        chunks && chunks->tree != UINT64_MAX && !note_chunk_tree(chunks->tree, {chunks->places, found.is_packed ? 0 : chunks->bytes}, at))
         return false;
     headers_.merge(places);
     return true;
 }
 
-/// One tree has keys of one length, for chunks of one size.
-bool BlockCheck::note_chunk_tree(std::uint64_t at, const ChunkTree& tree) { return chunk_trees_.emplace(at, tree).first->second == tree; }
+/// The library makes room for as many bytes as the layout says.
+bool BlockCheck::holds_whole(const Messages& found) const
+{
+    if (!found.whole || found.whole->at == UINT64_MAX) return true;
+    return found.whole->at <= file_size_ && found.whole->size <= file_size_ - found.whole->at;
+}
+
+/// One tree has keys of one length, for chunks of one size, and is the child of one other, or of one set.
+bool BlockCheck::note_chunk_tree(std::uint64_t at, const ChunkTree& tree, std::uint64_t named_at)
+{
+    return is_named_once(at, named_at, 0) && chunk_trees_.emplace(at, tree).first->second == tree;
+}
+
+/// What is named twice would be walked twice, by trees of trees any number of times. All chunks together fit the file.
+bool BlockCheck::is_named_once(std::uint64_t at, std::uint64_t named_at, std::uint64_t bytes)
+{
+    const auto [known, is_new] = named_at_.emplace(at, named_at);
+    if (!is_new) return known->second == named_at;
+    chunk_bytes_ += bytes;
+    return chunk_bytes_ <= file_size_;
+}
 
 bool BlockCheck::is_tree_or_node(std::uint64_t at)
 {
@@ -112,7 +131,7 @@ bool BlockCheck::is_tree_or_node(std::uint64_t at)
 }
 
 /// The chunks of a tree's lowest level: the library makes room for as many bytes as a key says, and takes as many as the layout says.
-bool BlockCheck::are_whole(std::uint64_t at, const ChunkTree& tree, std::uint64_t entries) const
+bool BlockCheck::are_whole(std::uint64_t at, const ChunkTree& tree, std::uint64_t entries)
 {
     const std::uint64_t key = 8 + 8 * tree.places;
     const Bytes table = bytes_at(at, (key + 8) * entries);
@@ -121,7 +140,8 @@ bool BlockCheck::are_whole(std::uint64_t at, const ChunkTree& tree, std::uint64_
         const std::uint64_t size = cursor.number(4);
         cursor.take(key - 4);
         const std::uint64_t place = cursor.number(8);
-        if (place > file_size_ || size > file_size_ - place || (tree.bytes != 0 && size != tree.bytes)) return false;
+        if (size == 0 || place > file_size_ || size > file_size_ - place || (tree.bytes != 0 && size != tree.bytes)) return false;
+        if (!is_named_once(place, at + key + (key + 8) * i, size)) return false;
     }
     return cursor.held();
 }
@@ -138,14 +158,15 @@ bool BlockCheck::is_tree(std::uint64_t at, const Bytes& head)
     if (kind == of_chunks && level == 0) return are_whole(at + 24, tree->second, entries);
     const std::uint64_t key = kind == of_group ? 8 : 8 + 8 * tree->second.places;
     for (std::uint64_t i = 0; i < entries; ++i) {
-        const Bytes place = bytes_at(at + 24 + key + (key + 8) * i, 8);
+        const std::uint64_t named_at = at + 24 + key + (key + 8) * i;
+        const Bytes place = bytes_at(named_at, 8);
         Cursor cursor(place);
         const std::uint64_t child_at = cursor.number(8);
         const Bytes child = bytes_at(child_at, 8);
         if (!cursor.held() || child.empty()) return false;
         const bool is_below =
             level == 0 ? begins_with(child, "SNOD") : begins_with(child, "TREE") && child[4] == kind && child[5] + 1U == level;
-        if (!is_below || (kind == of_chunks && !note_chunk_tree(child_at, tree->second))) return false;
+        if (!is_below || (kind == of_chunks && !note_chunk_tree(child_at, tree->second, named_at))) return false;
     }
     return true;
 }

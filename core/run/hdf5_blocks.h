@@ -11,6 +11,8 @@
 
 namespace hygroloom::hdf5 {
 
+struct Messages;
+
 enum class BlockKind { superblock, header, tree, heap, data, other };
 
 class BlockCheck {
@@ -33,16 +35,20 @@ private:
     Bytes bytes_at(std::uint64_t at, std::uint64_t count) const; ///< empty where the file does not have them
     bool is_superblock() const;
     bool is_header(std::uint64_t at);
+    bool holds_whole(const Messages& found) const;
     bool is_tree_or_node(std::uint64_t at);
     bool is_tree(std::uint64_t at, const Bytes& head);
-    bool are_whole(std::uint64_t at, const ChunkTree& tree, std::uint64_t entries) const;
+    bool are_whole(std::uint64_t at, const ChunkTree& tree, std::uint64_t entries);
     bool is_heap(std::uint64_t at);
-    bool note_chunk_tree(std::uint64_t at, const ChunkTree& tree);
+    bool note_chunk_tree(std::uint64_t at, const ChunkTree& tree, std::uint64_t named_at);
+    bool is_named_once(std::uint64_t at, std::uint64_t named_at, std::uint64_t bytes);
 
     Read read_;
     std::uint64_t file_size_ = 0;
-    std::set<std::uint64_t> headers_, heaps_;        ///< that were checked, with where they go on
-    std::map<std::uint64_t, ChunkTree> chunk_trees_; ///< by their place
+    std::set<std::uint64_t> headers_, heaps_;         ///< that were checked, with where they go on
+    std::map<std::uint64_t, ChunkTree> chunk_trees_;  ///< by their place
+    std::map<std::uint64_t, std::uint64_t> named_at_; ///< of chunks and their trees: where the file has the number of their place
+    std::uint64_t chunk_bytes_ = 0;                   ///< of those that are named
 };
 
 } // namespace hygroloom::hdf5

@@ -80,7 +80,10 @@ bool is_layout(Block block, Messages& found)
     const std::uint64_t version = cursor.number(1), kind = cursor.number(1);
     if (version != 3 || kind > chunked) return false;
     if (kind == compact) cursor.take(cursor.number(2));
-    if (kind == contiguous) cursor.take(16);
+    if (kind == contiguous) {
+        const std::uint64_t at = cursor.number(8);
+        found.whole = {at, cursor.number(8)};
+    }
     if (kind == chunked) {
         const std::uint64_t rank = cursor.number(1); // one more than the set's
         if (rank < 2 || rank > most_rank + 1) return false;

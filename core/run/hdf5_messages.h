@@ -25,8 +25,8 @@ private:
     bool held_ = true;
 };
 
-/// Where the messages of a header go on.
-struct Continuation {
+/// A part of the file.
+struct Part {
     std::uint64_t at, size;
 };
 
@@ -40,11 +40,12 @@ struct Chunks {
 
 /// What the messages of one header say.
 struct Messages {
-    std::vector<Continuation> go_on;
+    std::vector<Part> go_on;       ///< where they go on
     std::set<std::uint64_t> kinds; ///< of those that a header has once
     std::optional<std::uint64_t> type_bytes;
     std::vector<std::uint64_t> fill_bytes; ///< sizes of the values that stand for what is not there
     std::optional<Chunks> chunks;
+    std::optional<Part> whole; ///< of a set that lies in one piece; at UINT64_MAX: there is none yet
     bool is_packed = false;
 };
 

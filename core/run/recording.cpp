@@ -302,6 +302,8 @@ try : file_(std::make_unique<File>(path)) {
     throw FileError(path.string() + ": " + e.what());
 } catch (const std::logic_error&) {
     throw FileError(path.string() + ": the recording is damaged.");
+} catch (const std::bad_alloc&) {
+    throw FileError(path.string() + ": the memory does not suffice to read it.");
 }
 
 Recording::~Recording() = default;

@@ -56,7 +56,7 @@ RecordingSource::RecordingSource(const std::filesystem::path& path) : file_(::op
     const std::uint64_t length = length_of_log(end);
     if (length == 0 || length > size_) return;
     end.resize(length);
-    if (read_all(file_, size_ - length, end.data(), length)) changes_ = changes_in_log(end);
+    if (read_all(file_, size_ - length, end.data(), length)) changes_ = changes_in_log(end, size_);
 }
 
 RecordingSource::~RecordingSource() { ::close(file_); }

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <sys/stat.h>
 #include <thread>
@@ -193,7 +194,10 @@ void RecordingTarget::write_changes(const Changes& changes)
         else
             keep(write_all(file_, at, bytes));
     }
-    if (!rest.empty()) keep(write_all(file_, end_, redo_log(rest)));
+    if (!rest.empty()) {
+        const auto& [last, bytes] = *rest.rbegin();
+        keep(write_all(file_, std::max({end_, committed_, last + bytes.size()}), redo_log(rest)));
+    }
     for (const auto& [at, bytes] : rest) {
         const int code = write_all(file_, at, bytes);
         if (code == 0) continue;

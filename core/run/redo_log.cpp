@@ -31,6 +31,7 @@ std::uint64_t checksum(std::string_view bytes)
 
 void stage(Changes& changes, std::uint64_t at, std::string_view bytes)
 {
+    if (bytes.empty()) return;
     std::uint64_t begin = at, end = at + bytes.size();
     auto first = changes.lower_bound(at);
     if (first != changes.begin())
@@ -77,7 +78,7 @@ std::uint64_t length_of_log(std::string_view foot)
     return length >= log_foot_bytes && length <= longest_log ? length : 0;
 }
 
-Changes changes_in_log(std::string_view end_of_file)
+Changes changes_in_log(std::string_view end_of_file, std::uint64_t file_size)
 {
     if (end_of_file.size() < log_foot_bytes) return {};
     const std::string_view foot = end_of_file.substr(end_of_file.size() - log_foot_bytes);
@@ -85,13 +86,16 @@ Changes changes_in_log(std::string_view end_of_file)
     if (length == 0 || length > end_of_file.size()) return {};
     std::string_view log = end_of_file.substr(end_of_file.size() - length, length - log_foot_bytes);
     if (checksum(log) != number_at(foot, 0)) return {};
+    const std::uint64_t most = file_size - length;
     Changes changes;
+    std::uint64_t end = 0; // of the last
     while (!log.empty()) {
         constexpr std::size_t head = 16;
         if (log.size() < head) return {};
         const std::uint64_t at = number_at(log, 0), count = number_at(log, 8);
-        if (count > log.size() - head || at > INT64_MAX - count) return {};
-        stage(changes, at, log.substr(head, count));
+        if (count == 0 || count > log.size() - head || at < end || at > most || count > most - at) return {};
+        changes.emplace_hint(changes.end(), at, log.substr(head, count));
+        end = at + count;
         log.remove_prefix(head + count);
     }
     return changes;

@@ -255,20 +255,35 @@ struct WearRecording::File {
         record.layout.cells = read_cells(id, record.layout);
         record.layout.shape = read_shape(id, record.layout.panels.size());
         if (h5::has_number(id, "wall_s")) wall = h5::read_number(id, "wall_s");
-        const h5::Table table(id, "ledger", std::size(ledger_columns), std::size(ledger_columns));
-        if (table.rows() == 0) throw FileError("it has no frame.");
-        const std::vector<double> rows = table.read(0, table.rows());
-        for (std::size_t k = 0; k < table.rows(); ++k) {
+        read_ledgers();
+    }
+    void read_ledgers();
+};
+
+/// Up to where there is no frame any more: what the ledger claims beyond is not read.
+void WearRecording::File::read_ledgers()
+{
+    constexpr hsize_t block = 256;
+    const h5::Handle groups = h5::open_group(file.get(), "frames");
+    const h5::Table table(file.get(), "ledger", std::size(ledger_columns), std::size(ledger_columns));
+    for (hsize_t first = 0; first < table.rows(); first += block) {
+        const hsize_t count = std::min(block, table.rows() - first);
+        bool some = false;
+        for (hsize_t k = first; k < first + count && !some; ++k) some = h5::exists(groups.get(), frame_name(static_cast<int>(k)));
+        if (!some) break;
+        const std::vector<double> rows = table.read(first, count);
+        for (hsize_t k = 0; k < count; ++k) {
             Ledger ledger;
             for (std::size_t c = 0; c < std::size(ledger_columns); ++c) {
                 const double value = rows[k * std::size(ledger_columns) + c];
-                if (!std::isfinite(value)) throw FileError(fmt::format("row {} of its ledger is not finite; it is damaged.", k));
+                if (!std::isfinite(value)) throw FileError(fmt::format("row {} of its ledger is not finite; it is damaged.", first + k));
                 ledger.*ledger_columns[c].value = value;
             }
             ledgers.push_back(ledger);
         }
     }
-};
+    if (ledgers.empty()) throw FileError("it has no frame.");
+}
 
 bool WearRecording::is_one(const std::filesystem::path& path)
 {
@@ -278,7 +293,7 @@ bool WearRecording::is_one(const std::filesystem::path& path)
         if (!file.source.begins_as_hdf5()) return false;
         file.file = h5::open_file(file.source, "");
         return h5::exists(file.file.get(), "format") && h5::read_text(file.file.get(), "format") == wear_format;
-    } catch (const Error&) {
+    } catch (const std::exception&) { // with too little memory for a text, too
         return false;
     }
 }
@@ -291,6 +306,8 @@ WearRecording::WearRecording(const std::filesystem::path& path)
         file_->open();
     } catch (const FileError& error) {
         throw FileError(path.string() + ": " + error.what());
+    } catch (const std::bad_alloc&) {
+        throw FileError(path.string() + ": the memory does not suffice to read it.");
     }
 }
 WearRecording::~WearRecording() = default;

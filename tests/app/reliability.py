@@ -8,11 +8,12 @@ import math
 import os
 import pathlib
 import random
-import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -50,6 +51,22 @@ class Bench:
         error = done.stderr.decode(errors="replace")
         demand(done.returncode in codes, f"{' '.join(map(str, arguments))} ended with {done.returncode}: {error[-400:]}")
         return done
+
+    def call_within(self, most, *arguments, codes=(0,), seconds=30):
+        """As call(); nor may the program take more memory, bytes."""
+        with tempfile.TemporaryFile() as said:
+            process = subprocess.Popen([self.cli, *map(str, arguments)], cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=said)
+            timer = threading.Timer(seconds, os.kill, (process.pid, signal.SIGKILL))
+            timer.start()
+            _, status, used = os.wait4(process.pid, 0)
+            in_time = timer.is_alive()
+            timer.cancel()
+            process.returncode = os.waitstatus_to_exitcode(status)
+            said.seek(0)
+            error = said.read().decode(errors="replace")
+        demand(in_time, f"{arguments[0]} took more than {seconds} s")
+        demand(process.returncode in codes, f"{' '.join(map(str, arguments))} ended with {process.returncode}: {error[-400:]}")
+        demand(1024 * used.ru_maxrss <= most, f"{' '.join(map(str, arguments))} took {1024e-6 * used.ru_maxrss:.0f} MB of memory; at most {1e-6 * most:.0f}")
 
     def start(self, *arguments):
         return subprocess.Popen([self.cli, *map(str, arguments)], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL)
@@ -228,20 +245,22 @@ def writers(bench):
 
 
 def crafted(bench):
-    seed = bench.dice.randrange(10**9)
-    how = bench.tool("trial_files", "recording", seed % 2**31, "crafted.hygrorec").strip()
+    seed, garment = bench.dice.randrange(2**31), bench.dice.random() < 0.4
+    kind = "garment recording" if garment else "recording"
+    how = bench.tool("trial_files", kind.split()[0], seed, "crafted.hygrorec").strip()
+    recording = bytearray((bench.folder / "crafted.hygrorec").read_bytes())
     if bench.dice.random() < 0.3:
-        recording = bytearray((bench.folder / "crafted.hygrorec").read_bytes())
         for _ in range(bench.dice.randint(1, 20)):
             recording[bench.dice.randrange(len(recording))] ^= 1 << bench.dice.randrange(8)
         (bench.folder / "crafted.hygrorec").write_bytes(recording)
         how += ", and bits flipped"
-    little = lambda: resource.setrlimit(resource.RLIMIT_AS, (3 << 30, 3 << 30))
+    most = 200 * 10**6 + 3 * len(recording)
+    shown = ["garment", "map", "crafted.hygrorec", "-q", "-o", "map"] if garment else ["measure", "crafted.hygrorec", "-q", "--report", "r.html", "--map", "top", "-o", "m.png"]
     try:
-        bench.call("measure", "crafted.hygrorec", "--json", codes=(0, 1, 3), seconds=30, preexec_fn=little)
-        bench.call("measure", "crafted.hygrorec", "-q", "--report", "r.html", "--map", "top", "-o", "m.png", codes=(0, 1, 3), seconds=30, preexec_fn=little)
+        for arguments in (["measure", "crafted.hygrorec", "--json"], shown):
+            bench.call_within(most, *arguments, codes=(0, 1, 3))
     except Broken as error:
-        raise Broken(f"recording {seed % 2**31} ({how}): {error}") from None
+        raise Broken(f"{kind} {seed} ({how}): {error}") from None
 
 
 def threads(bench):
@@ -269,7 +288,7 @@ def try_class(name, trial, seconds, seed, build, keep):
             shutil.rmtree(folder)
         except Skipped as reason:
             shutil.rmtree(folder)
-            return 0, [], str(reason)
+            return tried - 1, broken, str(reason)
         except Exception as error:  # a trial that fails by itself counts as broken, too
             broken.append(f"{name}, --seed {number}: {error} ({folder})")
     return tried, broken, skipped

@@ -2,6 +2,8 @@
 // Recordings of garments from strangers: whatever their objects are, they are refused with a sentence that names file and field, or summed
 // up and drawn.
 #include "core/base/error.h"
+#include "core/run/recording.h"
+#include "core/run/recording_layout.h"
 #include "core/wear/wear_map.h"
 #include "tests/support/crafted_wear.h"
 
@@ -12,6 +14,8 @@
 #include <hdf5.h>
 
 #include <random>
+#include <sys/resource.h>
+#include <unistd.h>
 
 using namespace hygroloom;
 
@@ -90,6 +94,50 @@ void put_value(const std::string& path, const char* name, float value)
     H5Dclose(set);
 }
 
+/// Takes no room on the disk.
+void put_long_text(const std::string& path, const char* name, std::size_t size)
+{
+    const hid_t file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t type = H5Tcopy(H5T_C_S1), space = H5Screate(H5S_SCALAR), properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Tset_size(type, size);
+    H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
+    H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
+    H5Dclose(H5Dcreate2(file, name, type, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+    H5Pclose(properties);
+    H5Sclose(space);
+    H5Tclose(type);
+    H5Fclose(file);
+}
+
+/// The rows take no room on the disk.
+void put_long_ledger(const std::string& path, hsize_t rows)
+{
+    const OpenFile file(path);
+    const hsize_t sizes[2] = {rows, std::size(ledger_columns)};
+    const hid_t space = H5Screate_simple(2, sizes, nullptr), properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
+    H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
+    H5Ldelete(file.id, "ledger", H5P_DEFAULT);
+    H5Dclose(H5Dcreate2(file.id, "ledger", H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+    H5Pclose(properties);
+    H5Sclose(space);
+}
+
+/// Of the process until now, bytes.
+double most_memory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+/// Of the process, bytes.
+rlim_t taken_addresses()
+{
+    QFile sizes("/proc/self/statm");
+    return sizes.open(QIODevice::ReadOnly) ? sizes.readAll().split(' ')[0].toULongLong() * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) : 0;
+}
+
 } // namespace
 
 class TestCraftedWear : public QObject {
@@ -164,6 +212,41 @@ private Q_SLOTS:
         const std::string csv = wear_csv(record.layout, small_wear_frame(record.layout, 1));
         QVERIFY(csv.find("\n\"front, \"\"left\"\"\",0,0,") != std::string::npos);
         QVERIFY(csv.find("\nsleeve,0,0,") != std::string::npos);
+    }
+    /// Its rows would take 450 MB, which are a hole in the file.
+    void rowsWithoutFramesAreNotRead()
+    {
+        restore();
+        constexpr hsize_t rows = 4'000'000;
+        put_long_ledger(crafted_, rows);
+        const double before = most_memory();
+        QCOMPARE(refusal(), crafted_ + ": frame 3: \"frames/000003\" is missing; the recording is damaged or no recording.");
+        QVERIFY(most_memory() - before < 100e6);
+    }
+    /// Of a recording with a text of 400 MB that holds nothing, in a process that may take 200 MB more.
+    void tooLittleMemoryIsSaid()
+    {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        QSKIP("a sanitizer ends the process instead");
+#endif
+        put_long_text(crafted_, "format", 400'000'000);
+        rlimit whole{};
+        QCOMPARE(getrlimit(RLIMIT_AS, &whole), 0);
+        const rlimit little{taken_addresses() + 200'000'000, whole.rlim_max};
+        QCOMPARE(setrlimit(RLIMIT_AS, &little), 0);
+        std::string wear, sample;
+        bool is_one = true;
+        try {
+            is_one = WearRecording::is_one(crafted_);
+            wear = refusal();
+            Recording recording(crafted_);
+        } catch (const std::exception& error) {
+            sample = error.what();
+        }
+        setrlimit(RLIMIT_AS, &whole);
+        QVERIFY(!is_one);
+        QCOMPARE(wear, crafted_ + ": the memory does not suffice to read it.");
+        QCOMPARE(sample, wear);
     }
 };
 

@@ -31,7 +31,7 @@ KeptRun listedRun(const QString& path)
         } else {
             kept.run = std::make_shared<const RunRecord>(Recording(path.toStdString()).run());
         }
-    } catch (const Error& error) {
+    } catch (const std::exception& error) {
         RunRecord unknown;
         unknown.fabric = QFileInfo(path).completeBaseName().toStdString();
         unknown.experiment = ProjectRuns::tr("cannot be read").toStdString();
@@ -62,7 +62,7 @@ bool isBeingWritten(const QString& recording)
     try {
         const std::string path = recording.toStdString();
         return WearRecording::is_one(path) ? WearRecording(path).is_being_written() : Recording(path).is_being_written();
-    } catch (const FileError&) { // none, or a damaged one
+    } catch (const std::exception&) { // none, or a damaged one
         return false;
     }
 }
