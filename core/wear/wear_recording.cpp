@@ -2,6 +2,7 @@
 #include "core/wear/wear_recording.h"
 
 #include "core/base/error.h"
+#include "core/base/utf8.h"
 #include "core/project/project_file.h"
 #include "core/run/hdf5_reader.h"
 #include "core/run/recording_layout.h"
@@ -251,7 +252,7 @@ struct WearRecording::File {
         const h5::Handle provenance = h5::open_group(id, "provenance");
         for (const auto& [name_of, text] :
              {std::pair{"fidelity", &record.fidelity}, {"backend", &record.backend}, {"device", &record.device}, {"date", &record.date}})
-            *text = h5::read_text(provenance.get(), name_of);
+            *text = in_one_line(h5::read_text(provenance.get(), name_of));
         record.layout.cells = read_cells(id, record.layout);
         record.layout.shape = read_shape(id, record.layout.panels.size());
         if (h5::has_number(id, "wall_s")) wall = h5::read_number(id, "wall_s");
