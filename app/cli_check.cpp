@@ -178,6 +178,20 @@ void print_stripes(const std::vector<StripeYarn>& stripes)
     }
 }
 
+void print_notes(const Fabric& fabric, const FabricQuantities& q, const std::optional<MeasuredGeometry>& geometry)
+{
+    if (fabric.measured != Measured{})
+        print_result("  The cloth that is drawn and simulated uses the laboratory's values; the columns of formula and geometry do not.\n");
+    if (geometry)
+        print_result("  Geometry of {} ends and {} picks.\n", geometry->ends, geometry->picks);
+    else
+        print_result("  Its geometry was not measured, for the project has many fabrics: add --fabric and its name.\n");
+    if (geometry && geometry->flyaways_seen < 1 && geometry->thickness_mm > geometry->yarn_layer_thickness_mm)
+        print_result("  Of its loops and hairs {} % were measured; the thickness by geometry may miss the highest.\n",
+                     text(100 * geometry->flyaways_seen));
+    for (const std::string& note : q.notes) print_result("  {}\n", note);
+}
+
 /// Without a measured geometry its columns are empty.
 void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::vector<StripeYarn>& stripes,
                   const std::optional<MeasuredGeometry>& geometry, const Formulas& f)
@@ -231,16 +245,7 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
         "above.\n"
         "  Share of air (porosity): of the fabric's volume, what is not fibre; less flyaways: without what loops and hairs take of "
         "the faces. Smoothness: 1 less the flyaways' share of the fabric's volume.\n");
-    if (fabric.measured != Measured{})
-        print_result("  The cloth that is drawn and simulated uses the laboratory's values; the columns of formula and geometry do not.\n");
-    if (geometry)
-        print_result("  Geometry of {} ends and {} picks.\n", m.ends, m.picks);
-    else
-        print_result("  Its geometry was not measured, for the project has many fabrics: add --fabric and its name.\n");
-    if (m.flyaways_seen < 1 && m.thickness_mm > m.yarn_layer_thickness_mm)
-        print_result("  Of its loops and hairs {} % were measured; the thickness by geometry may miss the highest.\n",
-                     text(100 * m.flyaways_seen));
-    for (const std::string& note : q.notes) print_result("  {}\n", note);
+    print_notes(fabric, q, geometry);
 }
 
 /// Each garment's panels and their areas; those that could be read.

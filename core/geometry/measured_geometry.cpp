@@ -256,6 +256,19 @@ double mean_crimp_percent(const Textile& textile, YarnKind kind)
     return 100 * (length / (textile.crossings() * textile.system(other_kind(kind)).pitch) - 1);
 }
 
+/// m, over the middle plane.
+double highest_of_yarns(const Textile& textile)
+{
+    double highest = 0;
+    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+        for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
+            for (int at = 0; at < (kind == YarnKind::warp ? textile.picks() : textile.ends()); ++at) {
+                const YarnPoint p = yarn_point(textile, kind, yarn, at, 0);
+                highest = std::max(highest, std::abs(p.centre.z) + p.half_height);
+            }
+    return highest;
+}
+
 /// Poiseuille flow through holes of mean squared radius r2 on a share of the area, beside yarns.
 double through(double open, double r2, double across) { return open * r2 / 8 + (1 - open) * across; }
 
@@ -305,14 +318,7 @@ MeasuredGeometry measure_geometry(const Design& design, const Fabric& fabric, co
     }
     m.cover_factor = cover.both;
     m.areal_density_g_m2 = 1e3 * sums.mass / area;
-    double layer = 0;
-    for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
-        for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
-            for (int at = 0; at < (kind == YarnKind::warp ? textile.picks() : textile.ends()); ++at) {
-                const YarnPoint p = yarn_point(textile, kind, yarn, at, 0);
-                layer = std::max(layer, std::abs(p.centre.z) + p.half_height);
-            }
-    m.yarn_layer_thickness_mm = mm_from_metre(2 * layer);
+    m.yarn_layer_thickness_mm = mm_from_metre(2 * highest_of_yarns(textile));
     m.thickness_mm = std::max(m.yarn_layer_thickness_mm, mm_from_metre(sums.highest - sums.lowest));
     m.porosity = 1 - sums.volume / (area * metre_from_mm(formula.thickness_mm));
     m.fibre_volume_fraction = sums.volume / (area * metre_from_mm(m.yarn_layer_thickness_mm));
