@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::uint64_t group_tree_half = 16, node_half = 4, chunk_tree_half = 32; // entries; what the library takes by default
 constexpr std::uint64_t largest_block = 1 << 20;                                   // bytes, of a header's part
-constexpr std::size_t most_parts = 64;                                             // of a header
+constexpr std::uint64_t largest_heap = 16 << 20; // bytes; of a million frames. The library keeps 32 MB at hand, and reads the rest anew
+constexpr std::size_t most_parts = 64;           // of a header
 
 bool begins_with(std::span<const unsigned char> bytes, std::string_view signature)
 {
@@ -81,12 +82,23 @@ bool BlockCheck::is_header(std::uint64_t at)
         const Bytes block = bytes_at(part.at, part.size);
         if (block.size() != part.size || !are_messages(block, found)) return false;
         if (i > 0 && (block.empty() || block[0] == version)) return false; // it could be taken for a header
+        if (!(i > 0 ? is_apart(part.at, part.size) : is_apart(at, prefix + size))) return false;
     }
     if (!sizes_agree(found) || !holds_whole(found)) return false;
     if (const auto& chunks = found.chunks;
         chunks && chunks->tree != UINT64_MAX && !note_chunk_tree(chunks->tree, {chunks->places, found.is_packed ? 0 : chunks->bytes}, at))
         return false;
     headers_.merge(places);
+    return true;
+}
+
+/// From the headers and heaps before it: what lies in many would be read as often.
+bool BlockCheck::is_apart(std::uint64_t at, std::uint64_t size)
+{
+    const auto next = taken_.lower_bound(at);
+    if (next != taken_.end() && next->first < at + size) return false;
+    if (next != taken_.begin() && std::prev(next)->second > at) return false;
+    taken_.emplace_hint(next, at, at + size);
     return true;
 }
 
@@ -182,6 +194,7 @@ bool BlockCheck::is_heap(std::uint64_t at)
     const std::uint64_t size = cursor.number(8);
     std::uint64_t free = cursor.number(8);
     const std::uint64_t names_at = cursor.number(8);
+    if (size > largest_heap) return false;
     const Bytes names = bytes_at(names_at, size);
     if (names.empty() || names.front() != 0 || names.back() != 0) return false;
     for (std::uint64_t steps = 0; free != none; ++steps) {
@@ -190,6 +203,7 @@ bool BlockCheck::is_heap(std::uint64_t at)
         free = room.number(8);
         if (room.number(8) > size) return false;
     }
+    if (!is_apart(at, head.size()) || !is_apart(names_at, size)) return false;
     heaps_.insert(at);
     heaps_.insert(names_at);
     return true;

@@ -35,6 +35,7 @@ private:
     Bytes bytes_at(std::uint64_t at, std::uint64_t count) const; ///< empty where the file does not have them
     bool is_superblock() const;
     bool is_header(std::uint64_t at);
+    bool is_apart(std::uint64_t at, std::uint64_t size);
     bool holds_whole(const Messages& found) const;
     bool is_tree_or_node(std::uint64_t at);
     bool is_tree(std::uint64_t at, const Bytes& head);
@@ -48,6 +49,7 @@ private:
     std::set<std::uint64_t> headers_, heaps_;         ///< that were checked, with where they go on
     std::map<std::uint64_t, ChunkTree> chunk_trees_;  ///< by their place
     std::map<std::uint64_t, std::uint64_t> named_at_; ///< of chunks and their trees: where the file has the number of their place
+    std::map<std::uint64_t, std::uint64_t> taken_;    ///< by headers and heaps: begin and end
     std::uint64_t chunk_bytes_ = 0;                   ///< of those that are named
 };
 

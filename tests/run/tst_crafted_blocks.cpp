@@ -64,6 +64,12 @@ struct FileBytes {
     }
 };
 
+void create_groups(const std::string& path, const std::vector<const char*>& names)
+{
+    const hdf5::Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "");
+    for (const char* name : names) hdf5::create_group(hdf5::create_group(file.get(), name).get(), "in it");
+}
+
 /// Of the process until now, bytes.
 double most_memory()
 {
@@ -223,6 +229,79 @@ private Q_SLOTS:
             for (const char* name : {"other", "table"}) hdf5::Table(file, name, columns, columns);
         });
         QCOMPARE(sentence, std::string("\"table\" cannot be read; it is damaged, or of a kind that recordings do not hold."));
+    }
+    void aHeapIsOfOneGroup_data()
+    {
+        QTest::addColumn<bool>("shared");
+        QTest::newRow("two heaps") << false;
+        QTest::newRow("the names of one for two") << true;
+    }
+    void aHeapIsOfOneGroup()
+    {
+        QFETCH(bool, shared);
+        create_groups(path_, {"one", "two"});
+        if (shared)
+            change([](FileBytes& bytes) {
+                std::vector<qsizetype> heaps; // of the root, of one, of what is in it, of two, of what is in it
+                for (qsizetype at = bytes.all.indexOf("HEAP"); at >= 0; at = bytes.all.indexOf("HEAP", at + 1)) heaps.push_back(at);
+                QCOMPARE(heaps.size(), std::size_t(5));
+                bytes.all.replace(heaps[3] + 24, 8, bytes.all.mid(heaps[1] + 24, 8));
+            });
+        int found = 0;
+        refusal_when(path_, [&](hid_t file) {
+            for (const char* name : {"one", "two"}) found += hdf5::exists(hdf5::open_group(file, name).get(), "in it") ? 1 : 0;
+        });
+        QCOMPARE(found, shared ? 1 : 2);
+    }
+    /// One of 40 MB was read anew for each name that was looked for.
+    void aHeapFitsWhatTheLibraryKeeps()
+    {
+        create_groups(path_, {"one"});
+        const auto lengthen = [&](std::uint64_t size) {
+            change([&](FileBytes& bytes) {
+                const qsizetype heap = bytes.all.indexOf("HEAP");
+                const std::uint64_t names = bytes.append(bytes.all.mid(heap + 32, 88) + QByteArray(qsizetype(size) - 88, '\0'));
+                bytes.put(heap + 8, size);
+                bytes.put(heap + 16, 1); // no free room
+                bytes.put(heap + 24, names);
+            });
+        };
+        const auto open = [](hid_t file) { hdf5::open_group(file, "one"); };
+        lengthen(15 << 20);
+        QCOMPARE(refusal_when(path_, open), std::string());
+        lengthen(17 << 20);
+        QCOMPARE(refusal_when(path_, open), std::string("\"one\" is missing; the recording is damaged or no recording."));
+    }
+    void partsOfAHeaderLieApart_data()
+    {
+        QTest::addColumn<quint64>("second");
+        QTest::newRow("one behind the other") << quint64(32);
+        QTest::newRow("one over the other") << quint64(8);
+    }
+    void partsOfAHeaderLieApart()
+    {
+        QFETCH(quint64, second);
+        create_groups(path_, {"one"});
+        change([&](FileBytes& bytes) {
+            constexpr qsizetype head = 16, message = 24, link = 8 + 8; // in a node of the group's tree
+            const qsizetype node = bytes.all.indexOf("SNOD");
+            std::uint64_t old = 0;
+            std::memcpy(&old, bytes.all.constData() + node + link, sizeof old);
+            const QByteArray heap_and_tree = bytes.all.mid(qsizetype(old) + head, message);
+            const std::uint64_t parts = bytes.append(QByteArray(64, '\0')); // messages of nothing, of 8 bytes each
+            const auto at = qsizetype(
+                bytes.append(QByteArray("\1\0\x0B\0\1\0\0\0\x48\0\0\0\0\0\0\0", head) + heap_and_tree + QByteArray(2 * message, '\0')));
+            for (int i = 0; i < 2; ++i) {
+                const qsizetype on = at + head + (1 + i) * message;
+                bytes.put(on, 0x10, 2);
+                bytes.put(on + 2, 16, 2);
+                bytes.put(on + 8, parts + (i == 0 ? 0 : second));
+                bytes.put(on + 16, 32);
+            }
+            bytes.put(node + link, std::uint64_t(at));
+        });
+        const std::string sentence = refusal_when(path_, [](hid_t file) { hdf5::open_group(file, "one"); });
+        QCOMPARE(sentence.empty(), second == 32);
     }
     void textsLieInTheFile_data()
     {
