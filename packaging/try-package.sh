@@ -19,10 +19,11 @@ end() {
 trap end EXIT
 [ -e "$root/etc/debian_version" ] || debootstrap --variant=minbase "$suite" "$root" "${MIRROR:-http://deb.debian.org/debian}" >/dev/null
 mount -t proc none "$root/proc"
-rm -f "$root"/tmp/*.deb
+rm -rf "$root"/tmp/*.deb "$root/tmp/home"
+mkdir "$root/tmp/home" # what lies there is the user's, not the packages'
 cp "$folder"/*.deb "$root/tmp/"
 rm -f "$root"/tmp/*-dbgsym_*.deb
-inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive QT_QPA_PLATFORM=offscreen "$@"; }
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/tmp/home LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive QT_QPA_PLATFORM=offscreen "$@"; }
 # apt-get, whose output is shown when it fails only.
 inside_apt() {
   inside apt-get -y -qq --no-install-recommends "$@" > "$listed/apt" 2>&1 || { cat "$listed/apt" >&2; exit 1; }
@@ -49,7 +50,6 @@ inside python3 -c 'import hygroloom; print(hygroloom.measure("/tmp/drop.hygrorec
 inside timeout --preserve-status --signal=TERM 8 hygroloom >/dev/null 2>&1 && code=0 || code=$?
 # 143: it ran until it was ended.
 [ "$code" -eq 143 ] || { echo "The window did not stay open; it ended with $code." >&2; exit 1; }
-rm -rf "$root/root/.config/hygroloom" "$root/root/.cache/hygroloom" "$root/root/.local/share/hygroloom"  # its user's, not its package's
 
 inside_apt purge hygroloom hygroloom-cli hygroloom-study hygroloom-data python3-hygroloom
 list_files after
