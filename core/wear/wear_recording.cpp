@@ -75,15 +75,26 @@ void write_shape(hid_t file, const GarmentShape& shape)
     write_values(group.get(), "corners", corners, "1");
 }
 
-GarmentShape read_shape(hid_t file, std::size_t panels)
+/// Throws FileError where the shape takes more memory than 120 MB and three times the file: what is packed may claim to be any size.
+GarmentShape read_shape(hid_t file, std::size_t panels, std::uint64_t file_bytes)
 {
     const h5::Handle group = h5::open_group(file, "shape");
     const long vertices = h5::read_count(group.get(), "vertices", 0, most_vertices),
                triangles = h5::read_count(group.get(), "triangles", 0, most_vertices);
+    constexpr std::uint64_t base_bytes = 120'000'000;
+    GarmentShape shape;
+    const std::uint64_t bytes = static_cast<std::uint64_t>(vertices) * (sizeof shape.places[0] + sizeof shape.flat[0]) +
+                                static_cast<std::uint64_t>(triangles) * (sizeof shape.triangles[0] + 5 * sizeof shape.panel[0]);
+    if (bytes > base_bytes + 3 * file_bytes)
+        throw FileError(
+            fmt::format("its shape of {} vertices and {} triangles is too large for the file; it is damaged.", vertices, triangles));
     const std::vector<float> places = h5::read_floats(group.get(), "places", static_cast<hsize_t>(3 * vertices)),
                              flat = h5::read_floats(group.get(), "flat", static_cast<hsize_t>(2 * vertices)),
                              corners = h5::read_floats(group.get(), "corners", static_cast<hsize_t>(4 * triangles));
-    GarmentShape shape;
+    shape.places.reserve(static_cast<std::size_t>(vertices));
+    shape.flat.reserve(static_cast<std::size_t>(vertices));
+    shape.triangles.reserve(static_cast<std::size_t>(triangles));
+    shape.panel.reserve(static_cast<std::size_t>(triangles));
     for (const std::vector<float>* all : {&places, &flat})
         if (std::any_of(all->begin(), all->end(), [](float at) { return !(std::abs(at) <= static_cast<float>(most_far)); }))
             throw FileError(fmt::format("its shape reaches farther than {:g} m; it is damaged.", most_far));
@@ -254,7 +265,7 @@ struct WearRecording::File {
              {std::pair{"fidelity", &record.fidelity}, {"backend", &record.backend}, {"device", &record.device}, {"date", &record.date}})
             *text = in_one_line(h5::read_text(provenance.get(), name_of));
         record.layout.cells = read_cells(id, record.layout);
-        record.layout.shape = read_shape(id, record.layout.panels.size());
+        record.layout.shape = read_shape(id, record.layout.panels.size(), source.size());
         if (h5::has_number(id, "wall_s")) wall = h5::read_number(id, "wall_s");
         read_ledgers();
     }

@@ -2,6 +2,8 @@
 // Recordings of garments from strangers: whatever their objects are, they are refused with a sentence that names file and field, or summed
 // up and drawn.
 #include "core/base/error.h"
+#include "core/run/hdf5_file.h"
+#include "core/run/hdf5_reader.h"
 #include "core/run/recording.h"
 #include "core/run/recording_layout.h"
 #include "core/wear/wear_map.h"
@@ -212,6 +214,17 @@ private Q_SLOTS:
         const std::string csv = wear_csv(record.layout, small_wear_frame(record.layout, 1));
         QVERIFY(csv.find("\n\"front, \"\"left\"\"\",0,0,") != std::string::npos);
         QVERIFY(csv.find("\nsleeve,0,0,") != std::string::npos);
+    }
+    /// Packed zeros take no room in the file, but would in memory.
+    void aShapeIsNotLargerThanItsFileCanBe()
+    {
+        restore();
+        {
+            const OpenFile file(crafted_);
+            hdf5::write_number(hdf5::open_group(file.id, "shape").get(), "vertices", 4e6);
+        }
+        const QString sentence = QString::fromStdString(refusal());
+        QVERIFY2(sentence.contains("its shape of 4000000 vertices") && sentence.contains("too large for the file"), qPrintable(sentence));
     }
     /// Its rows would take 450 MB, which are a hole in the file.
     void rowsWithoutFramesAreNotRead()
