@@ -16,11 +16,28 @@
 
 namespace hygroloom {
 
-RunBar::RunBar(bool quiet, std::size_t runs) : shown_(!quiet && isatty(STDERR_FILENO)), runs_(runs) {}
+RunBar::RunBar(bool quiet, std::size_t runs) : quiet_(quiet), shown_(!quiet && isatty(STDERR_FILENO)), runs_(runs) {}
+
+void RunBar::expect(double seconds)
+{
+    const std::lock_guard lock(mutex_);
+    expected_ = seconds;
+}
+
+void RunBar::say_if_late(double share, double wall)
+{
+    constexpr double least = 2; // s, below which nobody waits
+    if (expected_ <= 0 || wall < std::max(least, 3 * expected_)) return;
+    if (shown_) draw_line("");
+    const std::optional<double> to_go = time_left(share, wall);
+    print_note("This takes longer than the {} s that were expected{}.\n", rounded_text(expected_, 2),
+               to_go ? fmt::format("; by its progress, about {} s in all", rounded_text(wall + *to_go, 2)) : "");
+    expected_ = 0;
+}
 
 void RunBar::show(std::size_t run, const RunProgress& progress)
 {
-    if (!shown_) return;
+    if (quiet_) return;
     const std::lock_guard lock(mutex_);
     runs_[run] = progress;
     const auto now = std::chrono::steady_clock::now();
@@ -38,6 +55,8 @@ void RunBar::show(std::size_t run, const RunProgress& progress)
     constexpr int width = 30;
     const int full = static_cast<int>(share * width);
     const double wall = std::chrono::duration<double>(now - start_).count();
+    say_if_late(share, wall);
+    if (!shown_) return;
     const std::optional<double> to_go = time_left(share, wall);
     const std::string left = to_go ? fmt::format(", about {:.0f} s left", *to_go) : std::string();
     const int decimals = decimals_of_moments(progress.duration);

@@ -58,6 +58,8 @@ public:
     RunBar& operator=(const RunBar&) = delete;
 
     void show(std::size_t run, const RunProgress& progress);
+    /// What the runs were expected to take together, s; once they take three times as much, a sentence says so.
+    void expect(double seconds);
     /// Of a run that has ended, well or not.
     void end(std::size_t run);
     /// A sentence above the bar, which the next show() draws again.
@@ -65,7 +67,10 @@ public:
     void clear();
 
 private:
-    const bool shown_;
+    void say_if_late(double share, double wall);
+
+    const bool quiet_, shown_;
+    double expected_ = 0; ///< 0: not known, or it was said that they are late
     std::mutex mutex_;
     std::vector<RunProgress> runs_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), drawn_;

@@ -201,8 +201,10 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
     };
     try {
         RunBar bar(options.quiet, 1);
-        finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0, see,
-                                [&](const RunRecord& record) { so_far.start(record); });
+        finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0, see, [&](const RunRecord& record) {
+            so_far.start(record);
+            bar.expect(record.plan.expected_seconds);
+        });
     } catch (const Cancelled&) {
         return print_cancelled(so_far, options.json);
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What can go wrong around the program: streams that are closed or full, names that are hostile, files that are in use or left over.
+// What can go wrong around the program: streams that are closed or full, names that are hostile, files that are in use or left over, runs
+// that take long.
 #include "tests/app/command_line.h"
 #include "tests/support/crafted_recording.h"
 
@@ -281,6 +282,24 @@ private Q_SLOTS:
         const QByteArray table = run_cli({"check", file, "-q"}).out, one = run_cli({"check", file, "-q", "--fabric", "f99"}).out;
         QCOMPARE(table.count("Its geometry was not measured"), 100 - measured);
         QVERIFY(one.contains("Geometry of 16 ends") && !one.contains("not measured"));
+    }
+    /// A design of which plan expects 0.04 s; it takes more than a minute.
+    void aRunThatTakesMuchLongerThanExpectedSaysSo()
+    {
+        QProcess process;
+        auto environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("XDG_CACHE_HOME", "/dev/null");
+        process.setProcessEnvironment(environment);
+        process.start(HYGROLOOM_CLI, {"simulate", HYGROLOOM_SOURCE_DIR "/tests/data/longer_than_expected.hygro", "--fidelity", "draft",
+                                      "--backend", "cpu"});
+        process.setReadChannel(QProcess::StandardError);
+        QByteArray said;
+        while (!said.contains("takes longer than") && process.waitForReadyRead(60'000)) said += process.readAllStandardError();
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(60'000));
+        QVERIFY2(said.contains("This takes longer than the ") && said.contains(" s that were expected"), said);
+        said += process.readAllStandardError();
+        QCOMPARE(said.count("takes longer"), 1);
     }
     void whatIsMeasuredIsNotOverwritten()
     {
