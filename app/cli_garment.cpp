@@ -2,6 +2,7 @@
 // garment: what a garment's file holds, and a project with it.
 #include "app/cli_wear.h"
 
+#include "core/base/utf8.h"
 #include "core/base/words.h"
 #include "core/design/wear.h"
 #include "core/garment/pattern.h"
