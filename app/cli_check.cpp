@@ -15,6 +15,7 @@
 
 #include <filesystem>
 #include <iterator>
+#include <optional>
 
 namespace hygroloom {
 namespace {
