@@ -6263,8 +6263,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Zuletzt geändert am %1.</translation>
     </message>
     <message>
-        <source>The file %1 was saved later. The recovered copy opens separately and asks for a name when you save it.</source>
-        <translation>Die Datei %1 wurde später gespeichert. Die wiederhergestellte Kopie öffnet sich getrennt und fragt beim Speichern nach einem Namen.</translation>
+        <source>The file %1 was changed since. The recovered copy opens separately and asks for a name when you save it.</source>
+        <translation>Die Datei %1 wurde seither geändert. Die wiederhergestellte Kopie öffnet sich getrennt und fragt beim Speichern nach einem Namen.</translation>
     </message>
     <message>
         <source>1 run belongs to it.</source>
@@ -6511,8 +6511,12 @@ Klicken zeigt diese Zeit.</translation>
         <translation>%1 ersetzen? Ein anderes Programm hat die Datei geändert, nachdem sie hier geöffnet wurde.</translation>
     </message>
     <message>
-        <source>The other program&apos;s version is then in %1~, until the project is saved again.</source>
-        <translation>Die Fassung des anderen Programms liegt dann in %1~, bis das Projekt wieder gespeichert wird.</translation>
+        <source>The other program&apos;s version is then in %1~, until the project is saved again. Opening it loses what was changed here.</source>
+        <translation>Die Fassung des anderen Programms liegt dann in %1~, bis das Projekt wieder gespeichert wird. Wird sie geöffnet, geht verloren, was hier geändert wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Open the Other Version</source>
+        <translation>Andere Fassung ö&amp;ffnen</translation>
     </message>
     <message>
         <source>&amp;Replace the File</source>

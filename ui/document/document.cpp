@@ -13,17 +13,12 @@
 
 namespace hygroloom {
 
-namespace {
-
-/// Empty where no file can be read.
-QByteArray hashOf(const QString& path)
+QByteArray hashOfFile(const QString& path)
 {
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
     return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result() : QByteArray();
 }
-
-} // namespace
 
 Document::Document(QObject* parent) : QObject(parent)
 {
@@ -171,7 +166,7 @@ bool Document::save() { return saveAs(path_); }
 
 bool Document::changedOnDisk() const
 {
-    const QByteArray now = hashOf(path_);
+    const QByteArray now = hashOfFile(path_);
     return !now.isEmpty() && now != saved_;
 }
 
@@ -186,7 +181,7 @@ bool Document::saveAs(const QString& path)
     }
     history_.setClean();
     endStroke();
-    saved_ = hashOf(absolute);
+    saved_ = hashOfFile(absolute);
     if (absolute != path_) {
         path_ = absolute;
         if (state_.folder != folder()) { apply(state_); }
@@ -203,7 +198,7 @@ void Document::replace(Design design, const QString& path, const QString& title)
     endStroke();
     path_ = path;
     title_ = title;
-    saved_ = hashOf(path);
+    saved_ = hashOfFile(path);
     apply({std::make_shared<const Design>(std::move(design)), 0, 0, folder()});
     Q_EMIT replaced();
     Q_EMIT pathChanged();

@@ -12,6 +12,9 @@
 
 namespace hygroloom {
 
+/// Empty where no file can be read.
+QByteArray hashOfFile(const QString& path);
+
 class Document : public QObject {
     Q_OBJECT
 public:
@@ -63,6 +66,8 @@ public:
     bool save();
     /// Whether another program changed the project's file after it was opened or saved here. Reads the file.
     bool changedOnDisk() const;
+    /// Of the project's file as it was opened or saved here; empty without one.
+    const QByteArray& savedHash() const { return saved_; }
     /// The files that the design names from the project's folder are named from the new one, in every step of the history.
     bool saveAs(const QString& path);
     /// Takes over a design that comes from somewhere else, such as a recording.
@@ -89,7 +94,7 @@ private:
     int stroke_ = 0;
     QString path_;
     QString title_;
-    QByteArray saved_; ///< a hash of the file as it was opened or saved; empty without a file
+    QByteArray saved_; ///< hash
 };
 
 } // namespace hygroloom

@@ -91,7 +91,8 @@ void Recovery::keep()
         }
         lock_ = std::move(lock);
     }
-    const QString origin = document_.path() + "\n" + document_.title() + "\n" + (document_.modified() ? "" : "saved") + "\n";
+    const QString origin = document_.path() + "\n" + document_.title() + "\n" + (document_.modified() ? "" : "saved") + "\n" +
+                           document_.savedHash().toHex() + "\n";
     writer_->run([this, design = document_.design(), file = file_, origin](const NewestJob::Turn& turn) {
         try {
             write_file(originOf(file).toStdString(), origin.toStdString());
@@ -136,7 +137,9 @@ std::vector<LeftOver> Recovery::leftOver() const
             continue;
         }
         const QString path = lines.value(0);
-        const bool outdated = !path.isEmpty() && QFileInfo::exists(path) && QFileInfo(path).lastModified() > info.lastModified();
+        const QByteArray saved = QByteArray::fromHex(lines.value(3).toUtf8()); // none by older versions
+        const bool outdated = !path.isEmpty() && QFileInfo::exists(path) &&
+                              (QFileInfo(path).lastModified() > info.lastModified() || (!saved.isEmpty() && hashOfFile(path) != saved));
         found.push_back({file, path, lines.value(1), info.lastModified(), outdated, runFolderOf(file)});
     }
     return found;

@@ -21,7 +21,7 @@ struct LeftOver {
     QString path; ///< where the project was saved before; empty: nowhere
     QString title;
     QDateTime when;
-    bool outdated = false; ///< what is at its path was saved later
+    bool outdated = false; ///< what is at its path is not what it was made from, or was saved later
     QString runs;          ///< the folder with its runs; need not exist
 };
 

@@ -93,7 +93,7 @@ bool MainWindow::offer(const LeftOver& left)
     const QString name = left.title.isEmpty() ? tr("Untitled") : left.title;
     const QString when = tr("Last changed on %1.").arg(shortMoment(left.when));
     const QString later =
-        tr("The file %1 was saved later. The recovered copy opens separately and asks for a name when you save it.").arg(left.path);
+        tr("The file %1 was changed since. The recovered copy opens separately and asks for a name when you save it.").arg(left.path);
     const auto runs = recordingsIn(left.runs).size();
     const QString with = runs == 0 ? QString() : runs == 1 ? tr("1 run belongs to it.") : tr("%1 runs belong to it.").arg(runs);
     const Reply answer = ask(this, {tr("Unsaved work found"),
@@ -149,6 +149,7 @@ bool MainWindow::save()
     commitTypedValue(*this);
     if (document_.path().isEmpty()) { return saveAs(); }
     const Reply answer = document_.changedOnDisk() ? askAboutChangedFile() : Reply::act;
+    if (answer == Reply::lose) { document_.open(document_.path()); } // and nothing is saved
     return answer == Reply::save ? saveAs() : answer == Reply::act && document_.save();
 }
 
@@ -157,8 +158,13 @@ Reply MainWindow::askAboutChangedFile()
     const QString name = QFileInfo(document_.path()).fileName();
     return ask(this, {tr("The file was changed"),
                       tr("Replace %1, which another program changed after it was opened here?").arg(name),
-                      tr("The other program's version is then in %1~, until the project is saved again.").arg(name),
-                      {{Reply::act, tr("&Replace the File")}, {Reply::save, tr("Save &As…")}, {Reply::cancel, tr("Cancel")}},
+                      tr("The other program's version is then in %1~, until the project is saved again. Opening it loses what was "
+                         "changed here.")
+                          .arg(name),
+                      {{Reply::act, tr("&Replace the File")},
+                       {Reply::lose, tr("&Open the Other Version")},
+                       {Reply::save, tr("Save &As…")},
+                       {Reply::cancel, tr("Cancel")}},
                       Reply::save});
 }
 
