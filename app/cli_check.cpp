@@ -186,7 +186,8 @@ void print_notes(const Fabric& fabric, const FabricQuantities& q, const std::opt
     if (geometry)
         print_result("  Geometry of {} ends and {} picks.\n", geometry->ends, geometry->picks);
     else
-        print_result("  Its geometry was not measured, for the project has many fabrics: add --fabric and its name.\n");
+        print_result(
+            "  Its geometry was not computed; check does so for the first dozen or so fabrics of a project. Add --fabric and its name.\n");
     if (geometry && geometry->flyaways_seen < 1 && geometry->thickness_mm > geometry->yarn_layer_thickness_mm)
         print_result("  Of its loops and hairs {} % were measured; the thickness by geometry may miss the highest.\n",
                      text(100 * geometry->flyaways_seen));
@@ -281,8 +282,9 @@ int check(const ProjectOptions& options)
     GarmentCheck garments = check_garments(design, std::filesystem::absolute(options.project).parent_path(), validation.issues);
     std::vector<Issue> issues = validation.issues;
     std::move(garments.issues.begin(), garments.issues.end(), std::back_inserter(issues));
-    const bool is_sound = !has_error(validation.issues);         // what garments' files hold changes no fabric
-    if (!options.fabric.empty()) chosen_fabric(design, options); // throws when there is none of that name
+    const bool is_sound = !has_error(validation.issues); // what garments' files hold changes no fabric
+    std::string chosen_place;                            // throws when there is no fabric of that name
+    if (!options.fabric.empty()) chosen_place = fmt::format("fabrics[{}]", &chosen_fabric(design, options) - design.fabrics.data());
 
     constexpr const char* severities[] = {"note", "warning", "error"};
     Json json{{"format", "hygroloom-check"}, {"version", 1}, {"project", options.project}, {"valid", !has_error(issues)}};
@@ -292,7 +294,10 @@ int check(const ProjectOptions& options)
                                   {"code", issue.code},
                                   {"where", issue.where},
                                   {"text", issue.text}});
+        const bool of_another =
+            issue.severity != Severity::error && issue.where.starts_with("fabrics[") && !issue.where.starts_with(chosen_place);
         const bool in_table = issue.code == "sections" && !options.json; // printed below the numbers
+        if (!chosen_place.empty() && of_another) continue;
         if (issue.severity != Severity::note || (!options.quiet && !in_table)) print_issue(options.project, issue);
     }
     if (design.fabrics.empty() && !options.json && !options.quiet)

@@ -280,8 +280,8 @@ private Q_SLOTS:
         QVERIFY2(measured >= 5 && measured <= 40, qPrintable(QString::number(measured)));
         QVERIFY(checked[measured - 1]["geometry"].isObject() && checked[measured]["derived"].isObject());
         const QByteArray table = run_cli({"check", file, "-q"}).out, one = run_cli({"check", file, "-q", "--fabric", "f99"}).out;
-        QCOMPARE(table.count("Its geometry was not measured"), 100 - measured);
-        QVERIFY(one.contains("Geometry of 16 ends") && !one.contains("not measured"));
+        QCOMPARE(table.count("Its geometry was not computed"), 100 - measured);
+        QVERIFY(one.contains("Geometry of 16 ends") && !one.contains("not computed"));
     }
     /// A design of which plan expects 0.04 s; it takes more than a minute.
     void aRunThatTakesMuchLongerThanExpectedSaysSo()
