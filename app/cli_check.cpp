@@ -273,7 +273,8 @@ void show_garments(const Design& design, const GarmentCheck& garments, bool as_j
     }
 }
 
-constexpr double most_points = 2e7; ///< after which no further fabric's geometry is measured, so that a check stays short
+/// Of all fabrics, after which no further geometry is measured, so that a check stays short: a dozen everyday fabrics, 0.7 s on one core.
+constexpr double most_points_of_all = 2e7;
 
 int check(const ProjectOptions& options)
 {
@@ -283,7 +284,7 @@ int check(const ProjectOptions& options)
     std::vector<Issue> issues = validation.issues;
     std::move(garments.issues.begin(), garments.issues.end(), std::back_inserter(issues));
     const bool is_sound = !has_error(validation.issues); // what garments' files hold changes no fabric
-    std::string chosen_place;                            // throws when there is no fabric of that name
+    std::string chosen_place;
     if (!options.fabric.empty()) chosen_place = fmt::format("fabrics[{}]", &chosen_fabric(design, options) - design.fabrics.data());
 
     constexpr const char* severities[] = {"note", "warning", "error"};
@@ -294,10 +295,9 @@ int check(const ProjectOptions& options)
                                   {"code", issue.code},
                                   {"where", issue.where},
                                   {"text", issue.text}});
-        const bool of_another =
-            issue.severity != Severity::error && issue.where.starts_with("fabrics[") && !issue.where.starts_with(chosen_place);
+        const bool of_another = issue.where.starts_with("fabrics[") && !issue.where.starts_with(chosen_place);
         const bool in_table = issue.code == "sections" && !options.json; // printed below the numbers
-        if (!chosen_place.empty() && of_another) continue;
+        if (of_another && !chosen_place.empty() && issue.severity != Severity::error) continue;
         if (issue.severity != Severity::note || (!options.quiet && !in_table)) print_issue(options.project, issue);
     }
     if (design.fabrics.empty() && !options.json && !options.quiet)
@@ -311,7 +311,7 @@ int check(const ProjectOptions& options)
         const FabricQuantities& quantities = fitted.derived;
         const std::vector<StripeYarn>& stripes = fitted.stripes;
         std::optional<MeasuredGeometry> geometry;
-        if (points < most_points) geometry = measure_geometry(design, fabric, &fitted);
+        if (points < most_points_of_all) geometry = measure_geometry(design, fabric, &fitted);
         points += geometry ? geometry->points : 0;
         const Formulas formulas = formulas_of(quantities);
         json["fabrics"].push_back(fabric_json(fabric, quantities, stripes));

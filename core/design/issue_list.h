@@ -39,7 +39,7 @@ struct IssueList {
         return !value || range(where, what, *value, least, most, unit);
     }
 
-    /// A name in more lines than one could show, in a table, what a program did not say.
+    /// An error where a name has a line break: in a table it could pass for lines of the program.
     void one_line(const std::string& where, const std::string& name)
     {
         if (name.find_first_of("\n\r") != std::string::npos) error("line_break", where, "The name has a line break; write it in one line.");

@@ -26,7 +26,11 @@ constexpr int deepest_node = 200;
 /// may be as large as one may be.
 class OwnFolder : public Assimp::DefaultIOSystem {
 public:
-    explicit OwnFolder(const std::filesystem::path& file) : folder_(std::filesystem::weakly_canonical(file).parent_path()) {}
+    explicit OwnFolder(const std::filesystem::path& file)
+    {
+        std::error_code failure; // then nothing lies within
+        folder_ = std::filesystem::weakly_canonical(file, failure).parent_path();
+    }
     bool Exists(const char* file) const override { return is_within(file) && DefaultIOSystem::Exists(file); }
     Assimp::IOStream* Open(const char* file, const char* mode) override
     {

@@ -44,7 +44,7 @@ const char* why_single(const ModelPlan& plan, const Textile& textile, Experiment
 }
 
 /// Why frames cannot show cells of several yarns; empty: they can.
-const char* why_not_in_cells(const ModelPlan& plan, const Textile& textile, ExperimentType type)
+const char* why_not_in_cells(const Textile& textile, ExperimentType type)
 {
     if (textile.warp.types.size() + textile.weft.types.size() > 2) return "its yarns are of several types";
     if (is_strip(type)) return "how high a strip is wet is read on single yarns";
@@ -86,7 +86,7 @@ void decide_shown_cells(ModelPlan& plan, const Textile& textile, ExperimentType 
     const double wanted = std::min(most_yarns, side > 0 ? std::round(side / std::sqrt(textile.warp.pitch * textile.weft.pitch))
                                                         : std::ceil(std::sqrt(crossings / most_unasked)));
     if (wanted <= 1) return;
-    plan.not_in_cells = why_not_in_cells(plan, textile, type);
+    plan.not_in_cells = why_not_in_cells(textile, type);
     if (!plan.not_in_cells.empty()) return;
     const auto cells = [&](int yarns) {
         const int simulated = bundles_of(yarns, plan.crossings_per_cell).count;

@@ -112,8 +112,9 @@ def inside(root, cli, window, folder):
         (folder / name).write_text(text)
     named_verbs = {str(arguments[0]) for arguments, _ in verbs(root)}
     shown = subprocess.run([cli, "--help"], env=environment, capture_output=True, text=True, check=True).stdout
-    if missing := set(re.findall(r"^  ([a-z]+) ", shown.partition("Subcommands:")[2], re.MULTILINE)) - named_verbs:
-        faults.append(f"These verbs are not called: {sorted(missing)}")
+    listed = set(re.findall(r"^  ([a-z]+) ", shown.partition("Subcommands:")[2], re.MULTILINE))
+    if not {"check", "simulate", "verify"} <= listed or listed - named_verbs:
+        faults.append(f"--help lists {sorted(listed)}; of these are not called: {sorted(listed - named_verbs)}")
     named = set()
     for arguments, writes in verbs(root):
         answer = subprocess.run([cli, *map(str, arguments)], cwd=here, env=environment, capture_output=True, text=True, timeout=120)

@@ -283,7 +283,7 @@ private Q_SLOTS:
         QCOMPARE(table.count("Its geometry was not computed"), 100 - measured);
         QVERIFY(one.contains("Geometry of 16 ends") && !one.contains("not computed"));
     }
-    /// A design of which plan expects 0.04 s; it takes more than a minute.
+    /// A design of which plan expects 0.04 s; it takes more than 30 s on one core.
     void aRunThatTakesMuchLongerThanExpectedSaysSo()
     {
         QProcess process;

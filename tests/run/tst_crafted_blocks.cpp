@@ -5,6 +5,7 @@
 #include "core/run/hdf5_driver.h"
 #include "core/run/hdf5_reader.h"
 #include "core/run/recording_source.h"
+#include "tests/support/process_memory.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -15,7 +16,6 @@
 
 #include <cstring>
 #include <functional>
-#include <sys/resource.h>
 
 using namespace hygroloom;
 
@@ -68,14 +68,6 @@ void create_groups(const std::string& path, const std::vector<const char*>& name
 {
     const hdf5::Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, "");
     for (const char* name : names) hdf5::create_group(hdf5::create_group(file.get(), name).get(), "in it");
-}
-
-/// Of the process until now, bytes.
-double most_memory()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
 /// Tables without values.
@@ -321,9 +313,9 @@ private Q_SLOTS:
             bytes.put(layout + 10, claimed);
         });
         std::string text;
-        const double before = most_memory();
+        const double before = peak_memory();
         const std::string sentence = refusal_when(path_, [&](hid_t file) { text = hdf5::read_text(file, "text"); });
-        QVERIFY(most_memory() - before < 50e6);
+        QVERIFY(peak_memory() - before < 50e6);
         const std::string damaged_text = "\"text\" cannot be read; it is damaged, or of a kind that recordings do not hold.";
         QCOMPARE(sentence, claimed == 500 ? std::string() : damaged_text);
         QCOMPARE(text, claimed == 500 ? std::string(500, 'x') : std::string());

@@ -7,6 +7,7 @@
 #include "core/run/recording.h"
 #include "core/run/recording_source.h"
 #include "tests/support/crafted_recording.h"
+#include "tests/support/process_memory.h"
 
 #include <QFile>
 #include <QRegularExpression>
@@ -19,7 +20,6 @@
 #include <cstring>
 #include <limits>
 #include <random>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 using namespace hygroloom;
@@ -45,14 +45,6 @@ struct OpenFile {
     ~OpenFile() { H5Fclose(id); }
     hid_t id;
 };
-
-/// Of the process until now, bytes.
-double peak_memory()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1024.0 * static_cast<double>(usage.ru_maxrss);
-}
 
 void put_array(hid_t file, const char* group_name, const char* name, hid_t type, hsize_t count)
 {

@@ -8,6 +8,7 @@
 #include "core/run/recording_layout.h"
 #include "core/wear/wear_map.h"
 #include "tests/support/crafted_wear.h"
+#include "tests/support/process_memory.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -125,14 +126,6 @@ void put_long_ledger(const std::string& path, hsize_t rows)
     H5Sclose(space);
 }
 
-/// Of the process until now, bytes.
-double most_memory()
-{
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    return 1024.0 * static_cast<double>(usage.ru_maxrss);
-}
-
 /// Of the process, bytes.
 rlim_t taken_addresses()
 {
@@ -232,9 +225,9 @@ private Q_SLOTS:
         restore();
         constexpr hsize_t rows = 4'000'000;
         put_long_ledger(crafted_, rows);
-        const double before = most_memory();
+        const double before = peak_memory();
         QCOMPARE(refusal(), crafted_ + ": frame 3: \"frames/000003\" is missing; the recording is damaged or no recording.");
-        QVERIFY(most_memory() - before < 100e6);
+        QVERIFY(peak_memory() - before < 100e6);
     }
     /// Of a recording with a text of 400 MB that holds nothing, in a process that may take 200 MB more.
     void tooLittleMemoryIsSaid()
