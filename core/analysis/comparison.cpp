@@ -17,7 +17,7 @@ namespace hygroloom {
 namespace {
 
 /// Where both have the number, in the order of the replicates.
-struct Pairs {
+struct PairedValues {
     std::vector<double> values, baseline;
     std::vector<std::vector<double>> places; ///< of both's unknowns
 };
@@ -30,9 +30,9 @@ const double* number_of(const Candidate& candidate, std::size_t replicate, const
     return found == numbers.end() ? nullptr : &found->second;
 }
 
-Pairs pairs_of(const Candidate& candidate, const Candidate& baseline, const std::string& key)
+PairedValues pairs_of(const Candidate& candidate, const Candidate& baseline, const std::string& key)
 {
-    Pairs pairs;
+    PairedValues pairs;
     for (std::size_t i = 0; i < candidate.replicates.size(); ++i) {
         const double *a = number_of(candidate, i, key), *b = number_of(baseline, i, key);
         if (!a || !b) continue;
@@ -218,7 +218,7 @@ void add_replicate(Candidate& candidate, const Candidate& run, int number)
 
 std::optional<Compared> compared(const Candidate& candidate, const Candidate& baseline, const OutcomeInfo& criterion, int replicates)
 {
-    const Pairs pairs = pairs_of(candidate, baseline, criterion.key);
+    const PairedValues pairs = pairs_of(candidate, baseline, criterion.key);
     if (pairs.values.empty() || 2 * static_cast<int>(pairs.values.size()) < replicates) return {};
     const bool known = candidate.numerical.contains(criterion.key) && baseline.numerical.contains(criterion.key);
     if (pairs.values.size() == 1 && !known) return {};
