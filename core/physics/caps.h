@@ -2,7 +2,7 @@
 // Drops that stand on a face as caps: their shape, and how fast their contact line goes. Angles in radian, everything else SI.
 #pragma once
 
-#include "core/base/units.h"
+#include "core/physics/air.h"
 
 #include <cmath>
 
@@ -27,9 +27,6 @@ HL_FN double cap_angle(double volume, double base)
     const double height = 2.0 * std::sinh(std::asinh(3.0 * volume / (pi * base * base * base)) / 3.0);
     return 2.0 * std::atan(height);
 }
-
-/// Surface of a ball's cap to the air, m2.
-HL_FN double cap_surface(double base, double height) { return pi * (base * base + height * height); }
 
 /// How fast a contact line advances, m/s, by viscous loss in the wedge of liquid at it (Voinov 1976; Tanner 1979): the cube of its angle
 /// exceeds that at rest by 9 times the capillary number times the logarithm of the outer length over the inner one. That logarithm is
@@ -65,7 +62,24 @@ HL_FN bool splashes(double surface_tension, double viscosity, double density, do
     return std::sqrt(weber) * std::sqrt(std::sqrt(reynolds)) > 57.7;
 }
 
-/// kg/s of water that a cap on a face gives to the air over it; difference of vapour concentrations in kg/m3.
-HL_FN double evaporation_of_cap(double surface, double mass_transfer, double difference) { return surface * mass_transfer * difference; }
+/// What is integrated from 0 to infinity for the diffusion from a cap: the air's answer to a contact angle (below pi) at a place.
+/// evaporation_factor() is sin / (1 + cos) of the angle + 4 times the integral (Picknett and Bexon 1977; Popov 2005).
+HL_FN double evaporation_integrand(double contact_angle, double place)
+{
+    const double outer = pi - contact_angle;
+    const double over = 2.0 * std::exp(-2.0 * pi * place) + std::exp(-2.0 * outer * place) + std::exp(-2.0 * (pi + contact_angle) * place);
+    return over / -std::expm1(-4.0 * pi * place) * std::tanh(outer * place);
+}
+
+/// m3/s that still air takes from a cap for a difference of vapour concentrations of 1 kg/m3, with the factor of its contact angle; the
+/// same of heat (W/K) with a conductivity in place of the diffusivity.
+HL_FN double diffusion_from_cap(double base, double diffusivity, double factor) { return pi * base * diffusivity * factor; }
+
+/// By how much wind speeds this up: Froessling's law of a ball in a stream (1938), by its diameter. The Schmidt number in case of vapour,
+/// the Prandtl number in that of heat.
+HL_FN double drop_in_wind(double speed, double diameter, double schmidt)
+{
+    return 1.0 + 0.276 * std::sqrt(speed * diameter / air_kinematic_viscosity) * std::cbrt(schmidt);
+}
 
 } // namespace hygroloom

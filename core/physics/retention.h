@@ -57,6 +57,8 @@ struct Swollen {
     double pores;
     double grown; ///< by how much it is larger than when dry, into the room beside it
 };
+constexpr double each_takes_of_room = 0.25; // yarns that grow: both together take up to half of the room beside them; an assumption
+
 /// Bound water widens the fibres by its own volume. As long as its share of the room lasts, the yarn grows and stays as packed as it was;
 /// then the fibres grow into its pores, of which a twentieth always stays open.
 HL_FN Swollen swollen_yarn(double dry_pores, double dry_fibres, double bound, double share_of_room)

@@ -112,10 +112,10 @@ public:
             b_.condenses ? decide("vapour", true, "The air has more vapour than it can hold, which condenses on the cloth.", forced_)
             : new_climate && (sorption_ || b_.delivered <= 0)
                 ? decide("vapour", moist_ && sorption_, "What fibres exchange comes and goes as vapour.", forced_)
-                : decide_by(
-                      "vapour",
-                      {evaporated_, moist_ && evaporated_ > 0, "what would evaporate until the end wherever the cloth has really got wet"},
-                      share_reason("Evaporation from both faces of the area that can get wet takes", evaporated_), knobs_, forced_));
+                : decide_by("vapour",
+                            {evaporated_, (moist_ || wet_) && evaporated_ > 0,
+                             "what would evaporate until the end wherever the cloth has really got wet"},
+                            share_reason("Evaporation from both faces of the area that can get wet takes", evaporated_), knobs_, forced_));
     }
     void heat()
     {
@@ -127,7 +127,7 @@ public:
         const bool may_follow = std::any_of(plan_.parts.begin(), plan_.parts.end(), [](const PlannedPart& part) { return part.watched; });
         add(decide_by(
             "heat",
-            {effect, moist_ && (effect > 0 || may_follow),
+            {effect, (moist_ || wet_) && (effect > 0 || may_follow),
              "how far what fibres have really taken up and what evaporates change the temperature"},
             fmt::format("Sorption warms the wet area by at most {:.3g} K, {} it by at most {:.3g} K and the climate "
                         "changes by {:.3g} K. This changes the rates by {} (2 % per kelvin). Cooling prevents at most {:.3g} % of the "

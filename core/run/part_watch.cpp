@@ -88,7 +88,7 @@ PartWatch::WetCloth PartWatch::wet_cloth(const Frame& frame) const
         if (frame.saturation[i] <= 0) return;
         const double share = wet_share(static_cast<double>(frame.saturation[i]));
         wet.area += share * scene_.cloth.cell_area; // each of the two segments of a crossing has a face
-        wet.thirst += share * thirst_[type] * dry_mass(scene_.cloth.yarns[type], scene_.cloth.length[i]);
+        wet.thirst += share * thirst_[type] * dry_mass(scene_.cloth.yarns[type], scene_.cloth.fibre_length(i, scene_.cloth.yarns[type]));
     });
     return wet;
 }
@@ -118,7 +118,7 @@ double PartWatch::warming(const Frame& frame) const
     double most = 0;
     each_segment(scene_, [&](std::size_t i, std::size_t type) {
         const YarnParameters& yarn = scene_.cloth.yarns[type];
-        const double liquid = static_cast<double>(frame.liquid[i]) / dry_mass(yarn, scene_.cloth.length[i]);
+        const double liquid = static_cast<double>(frame.liquid[i]) / dry_mass(yarn, scene_.cloth.fibre_length(i, yarn));
         const WaterOnFibre water{static_cast<double>(frame.regain[i]), liquid, wet_share(static_cast<double>(frame.saturation[i])),
                                  thirst_[type]};
         most = std::max(most, warming_of(water, yarn, scene_.climate.humidity, latent));

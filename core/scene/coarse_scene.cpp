@@ -218,7 +218,7 @@ void add_up_faces(Frame& frame, const Scene& scene)
                    crossed = is_warp ? picks : static_cast<std::size_t>(scene.cloth.ends);
         for (std::size_t i = 0; i < crossed; ++i, ++segment) {
             const std::size_t crossing = is_warp ? segment : i * picks + line - static_cast<std::size_t>(scene.cloth.ends);
-            const double fibres = scene.cloth.length[segment] * yarn.fibre_area * yarn.fibre_density;
+            const double fibres = scene.cloth.fibre_length(segment, yarn) * yarn.fibre_area * yarn.fibre_density;
             const double gained =
                 static_cast<double>(frame.liquid[segment]) + fibres * (static_cast<double>(frame.regain[segment]) - start);
             ((scene.cloth.warp_up[crossing] != 0) == is_warp ? frame.water_top : frame.water_bottom) += gained;

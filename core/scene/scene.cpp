@@ -7,6 +7,7 @@
 #include "core/physics/wicking.h"
 #include "core/scene/pool_base.h"
 #include "core/scene/unevenness.h"
+#include "core/scene/wet_cloth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +23,12 @@ AirMoment scene_climate(const Climate& climate, double time, double reference, d
     const double temperature = kelvin_from_celsius(climate.temperature_c);
     const double convection = convective_heat_transfer(climate.air_speed_m_s, sample);
     const auto behind = [&](double outside, double inside) { return 1.0 / (1.0 / outside + hair / inside); };
-    return {time, temperature - reference, climate.relative_humidity,
+    return {time,
+            temperature - reference,
+            climate.relative_humidity,
             behind(convection + radiative_heat_transfer(temperature), air_conductivity),
-            behind(mass_transfer(convection, temperature), vapour_diffusivity(temperature))};
+            behind(mass_transfer(convection, temperature), vapour_diffusivity(temperature)),
+            climate.air_speed_m_s};
 }
 
 void add_climate(Scene& scene, const Textile& textile, const Liquid& liquid, const Experiment& experiment)
@@ -37,6 +41,8 @@ void add_climate(Scene& scene, const Textile& textile, const Liquid& liquid, con
     climate.vapour = climate.humidity * saturation_concentration(climate.temperature);
     climate.heat_transfer = start.heat_transfer;
     climate.mass_transfer = start.mass_transfer;
+    climate.air_speed = start.air_speed;
+    climate.radiation = radiative_heat_transfer(climate.temperature);
     if (!experiment.climates.empty()) scene.climate.course.push_back(start);
     for (const ClimateMoment& moment : experiment.climates) scene.climate.course.push_back(at(moment.climate, moment.time_s));
 
@@ -260,38 +266,6 @@ void hang_in_liquid(Scene& scene, const Textile& textile, const Experiment& expe
     (experiment.along_weft ? scene.cloth.gravity_along_weft : scene.cloth.gravity_along_warp) = gravity_acceleration;
 }
 
-/// The water of a drying test: the fibres bind first, the rest fills all pores alike, up to what they hold.
-void wet_evenly(Scene& scene, double water_per_area)
-{
-    const double water = water_per_area * scene.cloth.cell_area * scene.cloth.crossings();
-    double wanted = 0, pores = 0;
-    const auto yarn_of = [&](std::size_t i) -> std::size_t {
-        const auto crossings = static_cast<std::size_t>(scene.cloth.crossings());
-        const std::size_t line =
-            i < crossings ? i / static_cast<std::size_t>(scene.cloth.picks)
-                          : static_cast<std::size_t>(scene.cloth.ends) + (i - crossings) / static_cast<std::size_t>(scene.cloth.ends);
-        return scene.cloth.type[line];
-    };
-    std::vector<double> bindable; // regain each type can still bind
-    for (const YarnParameters& yarn : scene.cloth.yarns)
-        bindable.push_back(scene.rules.sorption ? equilibrium_regain(yarn.isotherm, 1.0, scene.climate.temperature) - yarn.initial_regain
-                                                : 0.0);
-    const auto segments = static_cast<std::size_t>(scene.cloth.segments());
-    for (std::size_t i = 0; i < segments; ++i) {
-        const YarnParameters& yarn = scene.cloth.yarns[yarn_of(i)];
-        wanted += bindable[yarn_of(i)] * yarn.fibre_area * yarn.fibre_density * scene.cloth.length[i];
-        pores += yarn.pore_area * scene.cloth.length[i];
-    }
-    const double bound = wanted > 0 ? std::min(1.0, water / wanted) : 0.0;
-    const double saturation = std::clamp((water - bound * wanted) / (scene.climate.density * pores), 0.0, 1.0);
-    scene.cloth.start.bound = bound * wanted;
-    for (std::size_t type = 0; type < scene.cloth.yarns.size(); ++type) scene.cloth.yarns[type].initial_regain += bound * bindable[type];
-    scene.cloth.start.liquid.resize(segments);
-    for (std::size_t i = 0; i < segments; ++i)
-        scene.cloth.start.liquid[i] = saturation * scene.climate.density * scene.cloth.yarns[yarn_of(i)].pore_area * scene.cloth.length[i];
-    scene.cloth.start.humidity = water > 0 ? 1.0 : -1.0;
-}
-
 /// In equilibrium with another climate.
 void start_in(Scene& scene, const Climate& initial)
 {
@@ -364,7 +338,8 @@ AirMoment air_of(const Climate& air, double time, const Textile& textile, const 
 
 AirMoment air_at(const SceneClimate& climate, double time)
 {
-    if (climate.course.empty()) return {time, climate.air_warmth, climate.humidity, climate.heat_transfer, climate.mass_transfer};
+    if (climate.course.empty())
+        return {time, climate.air_warmth, climate.humidity, climate.heat_transfer, climate.mass_transfer, climate.air_speed};
     const auto after = std::upper_bound(climate.course.begin(), climate.course.end(), time,
                                         [](double at, const AirMoment& moment) { return at < moment.time; });
     const AirMoment& last = *(after - 1);
@@ -376,6 +351,7 @@ AirMoment air_at(const SceneClimate& climate, double time)
     between(&AirMoment::humidity);
     between(&AirMoment::heat_transfer);
     between(&AirMoment::mass_transfer);
+    between(&AirMoment::air_speed);
     return now;
 }
 
@@ -418,12 +394,13 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     }
     scene.rules.particles_per_droplet = plan.particles_per_droplet;
     set_parts(scene, plan);
+    scene.cloth.swelling = experiment.swelling ? 1e-3 : 0.0; // m3 per kg: bound water takes as much room as liquid
     set_up(scene, textile, experiment, plan);
     turn_lattices(scene.supply.droplets, seed);
-    if (!scene.rules.heat) scene.cloth.start.warmth = 0;     // as warm as the air from the start
-    scene.cloth.swelling = experiment.swelling ? 1e-3 : 0.0; // m3 per kg: bound water takes as much room as liquid
+    if (!scene.rules.heat) scene.cloth.start.warmth = 0; // as warm as the air from the start
     scene.rules.network_step = plan.knobs.network_step_limit;
-    scene.rules.calm_network_step = experiment.duration_s;
+    constexpr double longest_calm_step = 3600; // s, far longer than any step's error allows while something happens
+    scene.rules.calm_network_step = longest_calm_step;
     scene.rules.step_error = plan.knobs.step_error;
     scene.rules.rest_tolerance = plan.rest_tolerance;
     scene.rules.saturation_change = plan.knobs.saturation_change;

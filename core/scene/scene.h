@@ -60,6 +60,8 @@ struct ClimateParameters {
     double humidity = 0;        ///< 0..1
     double heat_transfer = 0;   ///< W/(m2 K), radiation included
     double mass_transfer = 0;   ///< m/s
+    double air_speed = 0;       ///< m/s
+    double radiation = 0;       ///< W/(m2 K), the part of heat_transfer that drops exchange, too
     FlowOfWarmLiquid flow;      ///< counted from temperature
     double surface_tension = 0; ///< N/m
     double viscosity = 0;       ///< Pa s
@@ -78,6 +80,7 @@ struct FaceAir {
 struct ClothStart {
     std::vector<double> liquid;  ///< kg per segment; empty: dry
     std::vector<double> between; ///< kg in the room of each crossing; empty: dry
+    double film = 0;             ///< kg that stand on both faces, evenly
     double bound = 0;            ///< kg of the fibres' water at the start that was added for the experiment
     double warmth = 0;           ///< K, of the sample over the climate's temperature
     double humidity = -1;        ///< of its pores; less than 0: the climate's
@@ -129,12 +132,16 @@ struct ClothSeams {
     std::vector<int> group_ends; ///< past the last joint of each group
 };
 
-/// Two crossings of layers that lie on each other. Half passes from warp to warp, half from weft to weft.
+/// Two crossings of layers that lie on each other. What passes between yarns passes half from warp to warp, half from weft to weft; what
+/// passes from a room into yarns, half into each.
 struct LayerJoint {
     int a = 0, b = 0;
-    double yarns = 0;  ///< m3/(Pa s), where they touch
-    double heat = 0;   ///< W/K
-    double vapour = 0; ///< m3/s
+    double yarns = 0;     ///< m3/(Pa s), where they touch
+    double rooms = 0;     ///< m3/(Pa s), between the rooms of both
+    double a_room_to = 0; ///< m3/(Pa s), from the room of a into the yarns of b
+    double b_room_to = 0; ///< m3/(Pa s), from the room of b into the yarns of a
+    double heat = 0;      ///< W/K
+    double vapour = 0;    ///< m3/s
 };
 
 /// Layers in groups in which no crossing comes twice: those of a group act at once.
@@ -176,6 +183,11 @@ struct Cloth {
 
     int crossings() const { return ends * picks; }
     int segments() const { return 2 * crossings(); }
+    /// m of a yarn of mean thickness that has as much fibre as a segment of it.
+    double fibre_length(std::size_t segment, const YarnParameters& yarn) const
+    {
+        return pores.empty() ? length[segment] : pores[segment] / yarn.pore_area;
+    }
     int weft_types() const { return static_cast<int>(yarns.size()) - warp_types; }
 };
 
@@ -186,6 +198,7 @@ struct AirMoment {
     double humidity = 0;      ///< 0..1
     double heat_transfer = 0; ///< W/(m2 K)
     double mass_transfer = 0; ///< m/s
+    double air_speed = 0;     ///< m/s
 };
 
 /// Air and liquid at the start, and how the air changes.

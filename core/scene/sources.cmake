@@ -9,4 +9,5 @@ target_sources(hygroloom_core PRIVATE
   scene/skin.cpp
   scene/suction.cpp
   scene/unevenness.cpp
+  scene/wet_cloth.cpp
 )

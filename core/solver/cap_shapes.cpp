@@ -13,9 +13,9 @@ namespace hygroloom {
 namespace {
 
 constexpr double smallest = 1e-4; // volume in cubed capillary lengths
-constexpr int volumes = 49, per_decade = 8;
-constexpr int angles = 44;
-constexpr double first_angle = pi / 45, angle_step = pi / 45; // 4 to 176 degrees
+constexpr int volumes = 97, per_decade = 16;
+constexpr int angles = 87;
+constexpr double first_angle = pi / 45, angle_step = pi / 90; // 4 to 176 degrees
 
 double angle_of(int k) { return first_angle + k * angle_step; }
 double volume_of(int k) { return smallest * std::pow(10.0, double(k) / per_decade); }
@@ -35,7 +35,7 @@ Spot spot_of(double steps, int count)
 /// Outlines of all the drops that the table may need, from the flattest top to the most curved.
 std::vector<std::vector<DropOnPlate>> outlines()
 {
-    constexpr double flattest = 1e-10, ratio = 1.2, most_curved = 1e2; // over the capillary length
+    constexpr double flattest = 1e-10, ratio = 1.1, most_curved = 1e2; // over the capillary length
     std::array<double, angles> wanted{};
     for (int k = 0; k < angles; ++k) wanted[static_cast<std::size_t>(k)] = angle_of(k);
     std::vector<std::vector<DropOnPlate>> found;

@@ -18,7 +18,7 @@ struct CapShape {
 /// water 2 nl to 2 ml) and angles from 5 to 160 degrees; bases within 6 % up to 175 degrees.
 class CapShapes {
 public:
-    /// The only one; the first call makes it, in some 10 ms.
+    /// The only one; the first call makes it, in some 30 ms.
     static const CapShapes& table();
 
     /// m, radius of the base; volume in m3, angle in rad, weight as in drop_of_top(), over 0.

@@ -2,7 +2,7 @@
 #include "core/solver/caps.h"
 
 #include "core/physics/caps.h"
-#include "core/physics/heat_moisture.h"
+#include "core/solver/cap_air.h"
 #include "core/solver/cap_shapes.h"
 
 #include <algorithm>
@@ -112,21 +112,15 @@ void Caps::join()
     std::erase_if(caps_, [](const Cap& cap) { return cap.water == 0; });
 }
 
-std::int64_t Caps::evaporate(const ClimateParameters& climate, double dt)
+void expose(CapOnFace& cap, const ClimateParameters& climate)
 {
     const double temperature = climate.temperature + climate.air_warmth;
-    const double slowed = 1.0 - cooling_slows_evaporation(climate.heat_transfer, climate.mass_transfer, temperature);
-    const double difference = std::max(0.0, saturation_concentration(temperature) - climate.vapour);
-    std::int64_t all = 0;
-    for (Cap& cap : caps_) {
-        if (!cap.stands()) continue;
-        const double height = CapShapes::table().shape(volume(cap), cap.base, weight_).height;
-        const double rate = slowed * evaporation_of_cap(cap_surface(cap.base, height), climate.mass_transfer, difference);
-        const auto quanta = std::min(cap.water, static_cast<std::int64_t>(rate * dt / water_quantum));
-        cap.water -= quanta;
-        all += quanta;
-    }
-    return all;
+    const double diffusivity = vapour_diffusivity(temperature), factor = evaporation_factor(cap.angle);
+    const double widest = cap.angle > 0.5 * pi ? cap.base / std::sin(cap.angle) : cap.base;
+    const double height = cap.base * cap_steepness(cap.angle), surface = pi * (cap.base * cap.base + height * height);
+    const auto in_wind = [&](double schmidt) { return drop_in_wind(climate.air_speed, 2.0 * widest, schmidt); };
+    cap.vapour = diffusion_from_cap(cap.base, diffusivity, factor) * in_wind(air_kinematic_viscosity / diffusivity);
+    cap.heat = diffusion_from_cap(cap.base, air_conductivity, factor) * in_wind(air_prandtl) + surface * climate.radiation;
 }
 
 void Caps::take(const std::vector<CapSums>& sums)
@@ -144,7 +138,7 @@ std::vector<CapOnFace> Caps::on_face(double time)
         on_face_.push_back(k);
         const CapShape shape = CapShapes::table().shape(volume(cap), cap.base, weight_);
         const double pressure = scene_->climate.surface_tension * (2.0 * shape.curvature + weight_ * shape.height);
-        standing.push_back({cap.x, cap.y, cap.base, pressure, cap.water});
+        standing.push_back({cap.x, cap.y, cap.base, pressure, cap.water, shape.angle});
     }
     return standing;
 }

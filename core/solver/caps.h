@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Drops that stand on the upper face as caps with a contact line, instead of as particles: where they are, how they spread, and what they
-// lose to the air. What yarns draw from them is found by stages: see core/solver/steps/cap_supply.h.
+// Drops that stand on the upper face as caps with a contact line, instead of as particles: where they are, how they spread, and what
+// is left of them. What yarns draw from them, and the air, is found by stages: see core/solver/steps/cap_supply.h and standing.h.
 #pragma once
 
 #include "core/scene/frame.h"
@@ -28,12 +28,19 @@ struct CapOnFace {
     double x = 0, y = 0, base = 0; ///< m
     double pressure = 0;           ///< Pa over the air's, at the face
     std::int64_t water = 0;        ///< quanta
+    double angle = 0;              ///< rad, that it shows
+    double vapour = 0;             ///< m3/s, to the air: times the difference of concentrations
+    double heat = 0;               ///< W/K, from the air
 };
 
-/// What stages count of each in a step of the yarns, in quanta.
+/// What stages count of each in a step of the yarns, in quanta but for the places.
 struct CapSums {
-    std::int64_t wanted = 0, drawn = 0;
+    std::int64_t wanted = 0, drawn = 0, evaporated = 0;
+    std::int64_t places = 0; ///< that it covers: see FedFace
 };
+
+/// Finds what a drop of this base and angle exchanges with the air.
+void expose(CapOnFace& cap, const ClimateParameters& climate);
 
 /// Lines of contact go by viscosity or inertia, whichever is slower, until a drop shows its advancing angle, by inertia alone where an
 /// impact throws them farther; they stay until it shows its receding one, at which they go back at once. Caps that touch become one of
@@ -48,12 +55,12 @@ public:
     std::int64_t release(double time);
     /// Lands those that are due and lets lines of contact go on for dt, s. Returns whether any landed, or is released now.
     bool spread(double time, double dt);
-    /// Quanta that go to the air in dt, s.
-    std::int64_t evaporate(const ClimateParameters& climate, double dt);
     /// Those that stood before the step that ends at a time, in order; what lands at its end gives nothing in it.
     std::vector<CapOnFace> on_face(double time);
     /// What yarns have drawn of each of those.
     void take(const std::vector<CapSums>& sums);
+    /// Quanta of one of those.
+    std::int64_t& water_of(std::size_t on_face) { return caps_[on_face_[on_face]].water; }
     /// Those that stand leave the cloth; returns their water, quanta.
     std::int64_t wipe_off();
     std::vector<FrameCap> shown(double time) const;

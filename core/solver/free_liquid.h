@@ -2,6 +2,7 @@
 // The free liquid: its particles, the drops that release them, and its steps up to the time at which it meets the yarns.
 #pragma once
 
+#include "core/physics/caps.h"
 #include "core/solver/droplet.h"
 #include "core/solver/host_cloth.h"
 #include "core/solver/liquid_start.h"
@@ -58,6 +59,11 @@ public:
     bool offer(double time, const WaterAbsorbed& absorbed);
     void take_payment(const Segments& segments); ///< of what they drew in their step
 
+    /// Drops that have landed, for the air: each shares in the liquid and in the face that is touched by what it brought.
+    std::vector<CapOnFace> standing(double time);
+    /// Takes quanta off that the air has taken from them.
+    void evaporate(std::int64_t quanta);
+
     /// Of what swollen yarns give back, by how many particles at most and from what surplus (kg) on.
     double least_given_back() const
     {
@@ -75,6 +81,7 @@ public:
 
 private:
     std::size_t count_of(ParticleCount count) const;
+    double falls_for(const SceneDroplet& drop) const;
     void take_off(const SceneDroplet& drop, double landed, bool alone);
     void fall(double& time, double until);
     void make_room();
@@ -108,7 +115,10 @@ private:
     ParticleFields<Buffer> particles_;
     SortedFields<Buffer> sorted_;
     Buffer<int> key_, order_, cell_start_;
-    Buffer<int> from_; ///< segments that give back liquid
+    Buffer<int> from_;              ///< segments that give back liquid
+    Buffer<std::int64_t> touched_;  ///< see SumTouching: water, width
+    std::int64_t in_particles_ = 0; ///< quanta, of standing()
+    ManyQuanta evaporated_;
 
     TextileShape textile_; ///< its numbers; the pointers come with shape()
     Buffer<YarnShape> shapes_;
@@ -140,6 +150,8 @@ template <typename Executor> void FreeLiquid<Executor>::load(const Scene& scene)
     next_droplet_ = 0;
     flow_ = {};
     rules_ = {};
+    evaporated_ = {};
+    touched_.resize(2);
     start_ = liquid_start(scene);
     if (start_.room == 0) return;
     rules_ = liquid_rules(scene, start_);
@@ -250,15 +262,20 @@ template <typename Executor> double FreeLiquid<Executor>::release_drop()
     content.back() += water % parts;
     add_particles(rounded(places), std::vector<Vec3>(n, Vec3{0, 0, static_cast<Real>(-drop.speed)}), content);
 
-    const double fall = drop.centre.z - radius - scene_->cloth.half_thickness;
-    const double landed =
-        (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
+    const double landed = falls_for(drop);
     take_off(drop, landed, alone);
     flow_.landing = std::max(flow_.landing, drop.time + landed);
     flow_.settling = std::max(flow_.settling, rules_.capillary_time(drop.volume));
     count_drop(flow_, water);
     flow_.longest_dt = std::min(next_droplet_ == 1 ? rules_.longest_step() : flow_.longest_dt, rules_.advective_step(drop.speed));
     return static_cast<double>(water) * water_quantum;
+}
+
+/// s, from its release to the cloth.
+template <typename Executor> double FreeLiquid<Executor>::falls_for(const SceneDroplet& drop) const
+{
+    const double radius = std::cbrt(drop.volume * 3.0 / (4.0 * pi)), fall = drop.centre.z - radius - scene_->cloth.half_thickness;
+    return (std::sqrt(drop.speed * drop.speed + 2.0 * gravity_acceleration * std::max(0.0, fall)) - drop.speed) / gravity_acceleration;
 }
 
 /// A drop that was released into the air after so long a flight to come (s) that its particles need not be followed from its start. Drops
@@ -327,6 +344,48 @@ template <typename Executor> void FreeLiquid<Executor>::take_payment(const Segme
     exec_.for_each("close", flow_.count, CloseAccounts{offered, &control->absorbed, &control->left, &control->above});
     flow_ = control_.read(0);
     if (flow_.left == 0) flow_.count = 0;
+}
+
+template <typename Executor> std::vector<CapOnFace> FreeLiquid<Executor>::standing(double time)
+{
+    std::vector<CapOnFace> drops;
+    if (!scene_->rules.vapour || flow_.count == 0 || time < flow_.flight_end) return drops;
+    double released = 0; // m3
+    std::vector<const SceneDroplet*> landed;
+    for (std::size_t k = 0; k < next_droplet_; ++k) {
+        const SceneDroplet& drop = scene_->supply.droplets[k];
+        released += drop.volume;
+        if (drop.time + falls_for(drop) < time) landed.push_back(&drop);
+    }
+    if (landed.empty()) return drops;
+    touched_.fill(0);
+    exec_.for_each("touching", flow_.count, SumTouching{particle_views(), touched_.data(), touched_.data() + 1});
+    in_particles_ = touched_.read(0);
+    const double spacing = static_cast<double>(start_.spacing), area = 1e-6 * static_cast<double>(touched_.read(1)) * spacing * spacing;
+    double faces = 0; // of like drops, as the square of their width
+    for (const SceneDroplet* drop : landed) faces += std::pow(drop->volume, 2.0 / 3.0);
+    for (const SceneDroplet* drop : landed) {
+        const double part = std::pow(drop->volume, 2.0 / 3.0) / faces, base = std::sqrt(area * part / pi);
+        const auto water = static_cast<std::int64_t>(static_cast<double>(in_particles_) * (drop->volume / released));
+        if (!(base > 0) || water <= 0) continue; // nothing touches the cloth just now
+        const double volume = static_cast<double>(water) * water_quantum / scene_->climate.density;
+        drops.push_back({drop->centre.x, drop->centre.y, base, 0, water, cap_angle(volume, base)});
+    }
+    return drops;
+}
+
+template <typename Executor> void FreeLiquid<Executor>::evaporate(std::int64_t quanta)
+{
+    if (quanta <= 0 || in_particles_ <= 0) return; // what condenses on particles stays in the air
+    touched_.fill(0);
+    const double share = static_cast<double>(quanta) / static_cast<double>(in_particles_);
+    exec_.for_each("shrink", flow_.count, ShrinkInAir{particle_views(), share, touched_.data()});
+    const std::int64_t lost = touched_.read(0);
+    evaporated_.add(lost);
+    flow_.above -= static_cast<std::int64_t>(share * static_cast<double>(flow_.above));
+    flow_.absorbed += lost; // it changes the shape of what sleeps
+    flow_.left -= lost;
+    if (flow_.left <= 0) flow_.count = 0;
 }
 
 template <typename Executor> LiquidFlow FreeLiquid<Executor>::liquid_flow(const WaterAbsorbed& absorbed)
@@ -412,6 +471,7 @@ template <typename Executor> TextileShape FreeLiquid<Executor>::shape(const Segm
 template <typename Executor> void FreeLiquid<Executor>::take_stock(Stock& stock)
 {
     stock.dripped += static_cast<double>(flow_.dripped) * water_quantum;
+    stock.evaporated += evaporated_.mass();
     if (!scene_->rules.shows_pressure) return;
     stock.stress = particles_.stress.download();
     stock.stressed = stock.time - stress_since_;
@@ -430,6 +490,7 @@ template <typename Executor> template <typename Archive> void FreeLiquid<Executo
 {
     archive.value(next_droplet_);
     archive.value(stress_since_);
+    archive.value(evaporated_);
     LiquidControl flow = flow_;
     archive.value(flow);
     Real mass = start_.mass;

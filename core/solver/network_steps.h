@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hygroloom::inline HL_PRECISION {
 
@@ -67,12 +68,15 @@ public:
         scene_ = &scene;
         sweat_rate_ = sweat_rate(scene);
         at_stake_ = at_stake;
+        standing_dt_ = std::numeric_limits<double>::infinity();
         forget_rates();
     }
-    double longest() const { return std::min(network_dt_, exchange_dt_); }
-    bool exchange_is_due(double since_last) const { return since_last >= 0.999 * exchange_dt_; }
+    double longest() const { return std::min(network_dt_, exchange_step()); }
+    bool exchange_is_due(double since_last) const { return since_last >= 0.999 * exchange_step(); }
     const RateWatch& wicking() const { return wicking_; }
     const RateWatch& exchange() const { return exchange_; }
+    /// Until further notice what stands on the cloth changes little in so long, s.
+    void follow_standing(double lasts) { standing_dt_ = lasts; }
     void forget_rates() { wicking_ = exchange_ = {}; }
 
     /// Short steps again: something sudden has happened.
@@ -117,11 +121,13 @@ public:
     {
         archive.value(network_dt_);
         archive.value(exchange_dt_);
+        archive.value(standing_dt_);
         archive.value(wicking_);
         archive.value(exchange_);
     }
 
 private:
+    double exchange_step() const { return std::min(exchange_dt_, standing_dt_); }
     bool takes_short_steps(bool drops_about) const { return drops_about || scene_->rules.calm_network_step <= 0; }
     /// flows: whether the cloth's liquid moved; a drop may lie on cloth that takes nothing in.
     double step_limit(bool drops_about, bool flows = true) const
@@ -140,7 +146,8 @@ private:
     const Scene* scene_ = nullptr;
     double sweat_rate_ = 0; ///< kg/s
     AtStake at_stake_;
-    double network_dt_ = 0, exchange_dt_ = 0; ///< s
+    double network_dt_ = 0, exchange_dt_ = 0;                      ///< s
+    double standing_dt_ = std::numeric_limits<double>::infinity(); ///< s, see follow_standing()
     RateWatch wicking_, exchange_;
 };
 

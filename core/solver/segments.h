@@ -240,7 +240,7 @@ enum class SegmentCount {
     takers,            ///< all that free liquid passes into: segments, and behind them each crossing's room where liquid flows by suction
     offered_takers,    ///< the same, where a pool, caps or particles feed cloth in which liquid flows by suction, else none
     promised_takers,   ///< the same, where particles feed it, else none
-    cap_crossings,     ///< all crossings, where caps stand, else none
+    cap_crossings,     ///< all crossings, where drops or pools come, else none
     uneven_segments,   ///< all, where yarns are uneven along their length, else none
     touching_segments, ///< all, where liquid flows by suction and neighbours touch, else none
     sucking_segments,  ///< all, where liquid flows by suction, else none
@@ -273,7 +273,7 @@ template <template <typename> typename Array> struct SegmentFields {
     Array<std::int64_t> on_skin{};              ///< quanta that the skin under a crossing holds
     Array<std::int64_t> offered{};              ///< quanta of a pool, cap or drop that each taker may still draw in this step
     Array<std::int64_t> promised{}, paid{};     ///< by particles: quanta offered in this step, and what they have paid of those drawn
-    Array<int> cap_over{};                      ///< place among those that stand of the cap over a crossing; -1: none
+    Array<int> cap_over{};                      ///< place among those that stand of the cap, drop or pool over a crossing; -1: none
     Array<std::int64_t> absorbed{};             ///< quanta taken from particles and pools since the last network step
     Array<int> contact{};                       ///< note of the particle that touches, or none: see note_of()
     Array<double> uptake{};                     ///< how much more water fibres took in the last exchange per kg/m3 more of pore vapour
@@ -343,9 +343,16 @@ template <template <typename> typename Array> struct SegmentFields {
 
 /// The segments as stages see them; arrays that the scene does not have are null.
 struct Segments : Yarns, SegmentFields<Pointer> {
-    int shells = 0;             ///< of each segment's fibres
-    double swelling = 0;        ///< m3 of fibre per kg of water bound
-    bool narrows = false;       ///< segments' pores differ from their type's, where they swell or yarns are uneven
+    int shells = 0;                                                       ///< of each segment's fibres
+    double swelling = 0;                                                  ///< m3 of fibre per kg of water bound
+    bool narrows = false;                                                 ///< whether fibres swell
+    HL_FN bool varies() const { return narrows || dry_pores != nullptr; } ///< whether pores differ from their type's
+
+    /// m of a yarn of mean thickness that has as much fibre: a thick place has more fibres and more pores, as closely packed.
+    HL_FN double fibre_length(int i, const YarnParameters& yarn) const
+    {
+        return dry_pores != nullptr ? dry_pores[i] * plain_inverse(yarn.pore_area) : length[i];
+    }
     bool room_with_warp = true; ///< whose temperature the liquid between yarns has
 
     HL_FN int warp_of(int end, int pick) const { return end * picks + pick; }

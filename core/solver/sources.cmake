@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-target_sources(hygroloom_core PRIVATE solver/cap_shapes.cpp solver/caps.cpp solver/cpu_backend.cpp solver/drop_shapes.cpp)
+target_sources(hygroloom_core PRIVATE solver/cap_air.cpp solver/cap_shapes.cpp solver/caps.cpp solver/cpu_backend.cpp solver/drop_shapes.cpp)
 
 # What depends on the particles' number type, in single and once more in double precision.
 set(solver_sources
@@ -18,5 +18,5 @@ target_link_libraries(hygroloom_core_double PRIVATE hygroloom_common Eigen3::Eig
 target_sources(hygroloom_core PRIVATE $<TARGET_OBJECTS:hygroloom_core_double>)
 
 # Compiled alone whatever HYGROLOOM_UNITY says: what is inlined into stages decides which products are added unrounded.
-set_source_files_properties(solver/cap_shapes.cpp solver/caps.cpp solver/cpu_backend.cpp solver/drop_shapes.cpp ${solver_sources}
+set_source_files_properties(solver/cap_air.cpp solver/cap_shapes.cpp solver/caps.cpp solver/cpu_backend.cpp solver/drop_shapes.cpp ${solver_sources}
   PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")

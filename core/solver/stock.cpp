@@ -118,7 +118,7 @@ void show_segment(const Stock& stock, const Scene& scene, const Yarns& yarns, co
     const bool warp_up = scene.cloth.warp_up[crossing] != 0, on_top = warp_up == line.is_warp;
     const double fibre_mass = line.yarn.fibre_area * line.yarn.fibre_density;
     const SegmentNow now{scene,
-                         scene.cloth.length[i] * fibre_mass,
+                         scene.cloth.fibre_length(i, line.yarn) * fibre_mass,
                          s.liquid[i],
                          s.bound[i],
                          s.pores[i],

@@ -32,9 +32,9 @@ struct Stock {
     double initial = 0;        ///< kg, in fibres and pores before the first drop
     double initial_energy = 0; ///< J
     double delivered = 0;      ///< kg, but for what is supplied
-    std::int64_t standing = 0; ///< quanta, in pools and caps
+    std::int64_t standing = 0; ///< quanta, in pools, caps and films
     std::vector<FrameCap> caps;
-    double evaporated = 0;     ///< kg, from caps
+    double evaporated = 0;     ///< kg, from what stood on the cloth
     double dripped = 0;        ///< kg, fallen or run off
     double free_until = 0;     ///< s, when liquid last stood on the cloth
     double unsolved_lines = 0; ///< see Frame

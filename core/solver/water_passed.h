@@ -2,6 +2,7 @@
 // Water that passes between free liquid, pools and yarns.
 #pragma once
 
+#include "core/solver/caps.h"
 #include "core/solver/steps/supply.h"
 #include "core/solver/stock.h"
 
@@ -19,6 +20,12 @@ struct WaterAbsorbed {
 /// Water that swollen yarns have no room for: a particle's from each of these segments, its surplus in work0.
 struct WaterGivenBack {
     std::vector<int> segments;
+};
+
+/// What stands on the cloth, and where its water is kept in quanta: null of drops of particles.
+struct StandingOnFace {
+    std::vector<CapOnFace> caps;
+    std::vector<std::int64_t*> water;
 };
 
 /// Liquid that comes without drops, in quanta. A pool is a cap on the base of a half ball of its volume, but never of less than a drop's.

@@ -33,7 +33,7 @@ public:
     void load(const Scene& scene);
     Segments segments();
     int visited_segments() { return yarns().visited_segments(); }
-    bool pool_feeds() const { return pools_.feeds() || caps_.feed(); }
+    bool pool_feeds() const { return pools_.feeds() || caps_.feed() || film_ > 0; }
     bool pool_was_fed() const { return pools_.came; }
     double longest_step() const { return steps_.longest(); }
     /// The next time after this at which something begins or ends; steps end there.
@@ -45,6 +45,9 @@ public:
     /// From now on, until the next step, free liquid may come to the yarns.
     void expect_liquid() { may_have_absorbed_ = true; }
     void draw_from_particles(bool offered) { particles_offer_ = offered; } ///< what they offer, in the next step
+    /// Drops of particles that stand on the cloth, until the next step is over.
+    void stand(std::vector<CapOnFace> drops) { drops_on_face_ = std::move(drops); }
+    std::int64_t evaporated_from_drops() const { return evaporated_from_drops_; } ///< quanta, in the last step
     WaterAbsorbed absorbed() { return {segments(), reach_.data()}; }
 
     // A step, in this order; between the first two swell() may give water back.
@@ -103,6 +106,14 @@ private:
     }
     void take_drops(double time, double dt);
     void offer_caps(double dt);
+    double widest_cell() const { return std::max(scene_->cloth.warp_pitch, scene_->cloth.weft_pitch); } ///< m
+    void cover_a_cell(std::vector<CapOnFace>& caps) const;
+    FindCap find_cap(int count);
+    void visit_standing();
+    StandingOnFace standing(double time);
+    StandingLiquid find_standing(const StandingOnFace& standing);
+    void take_evaporated(const StandingOnFace& standing);
+    double standing_lasts(double time);
     StandingPool standing_pool();
     double lift(bool along_warp) const;
     void flow_by_suction(double dt, bool of_warp);
@@ -128,9 +139,12 @@ private:
     VisitedRegion region_;
     Pools pools_;
     Caps caps_;
-    std::vector<CapOnFace> caps_on_face_; ///< in this step
-    bool cap_landed_ = false;             ///< in this step
-    ManyQuanta evaporated_from_caps_;
+    std::vector<CapOnFace> caps_on_face_;    ///< in this step
+    bool cap_landed_ = false;                ///< in this step
+    std::vector<CapOnFace> drops_on_face_;   ///< of particles, in this step
+    std::int64_t evaporated_from_drops_ = 0; ///< in this step
+    std::int64_t film_ = 0;                  ///< quanta that stand on both faces
+    ManyQuanta evaporated_from_standing_;
     double exchange_time_ = 0;       ///< s, of the last one
     bool warp_first_ = true;         ///< in the next step by suction
     double unsolved_lines_ = 0;      ///< since the start
@@ -164,7 +178,7 @@ template <typename Executor> Segments YarnNetwork<Executor>::segments()
     static_cast<Yarns&>(s) = yarns();
     s.shells = scene_->rules.fibre_shells;
     s.swelling = scene_->cloth.swelling;
-    s.narrows = scene_->cloth.swelling > 0 || !scene_->cloth.pores.empty();
+    s.narrows = scene_->cloth.swelling > 0;
     Segments::each([](const auto&, auto& buffer, auto& pointer) { pointer = buffer.size() > 0 ? buffer.data() : nullptr; }, fields_, s);
     return s;
 }
@@ -182,7 +196,10 @@ template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene
     caps_.load(scene);
     caps_on_face_.clear();
     cap_landed_ = false;
-    evaporated_from_caps_ = {};
+    drops_on_face_.clear();
+    evaporated_from_drops_ = 0;
+    film_ = std::llround(scene.cloth.start.film / water_quantum);
+    evaporated_from_standing_ = {};
     region_.load(scene);
     Segments::each(
         [&](const auto& field, auto& buffer) {
@@ -275,6 +292,7 @@ template <typename Executor> NetworkStep YarnNetwork<Executor>::begin_step(doubl
     set_climate(time);
     include_absorbed();
     supply(time, dt);
+    visit_standing();
     totals_.write(0, {});
     const double exchange_dt = time - exchange_time_;
     const bool is_due = frame_due || steps_.exchange_is_due(exchange_dt);
@@ -338,6 +356,7 @@ template <typename Executor> WaterGivenBack YarnNetwork<Executor>::swell(double 
 /// With fibres and air.
 template <typename Executor> void YarnNetwork<Executor>::exchange(const NetworkStep& step)
 {
+    evaporated_from_drops_ = 0;
     if (!step.exchange_is_due) return;
     exchange_time_ = step.time;
     if (!exchanges_in(step)) return;
@@ -349,8 +368,11 @@ template <typename Executor> void YarnNetwork<Executor>::exchange(const NetworkS
         each_crossing("cross vapour", DiffuseAtCrossing{segments(), dt});
     }
     pass_between_layers(dt);
-    each_segment("exchange", ExchangeInSegment{segments(), climate_, scene_->cloth.cell_area, dt, scene_->rules.sorption,
-                                               scene_->rules.vapour, scene_->rules.heat});
+    const StandingOnFace stands = scene_->rules.vapour ? standing(step.time) : StandingOnFace();
+    each_segment("exchange", ExchangeInSegment{{segments(), climate_, scene_->cloth.cell_area, dt, scene_->rules.sorption,
+                                                scene_->rules.vapour, scene_->rules.heat},
+                                               find_standing(stands)});
+    take_evaporated(stands);
     if (scene_->rules.step_error <= 0) return;
     const RateWatch& watch = steps_.exchange();
     each_line("exchange error", EstimateExchange{segments(),
@@ -372,6 +394,7 @@ template <typename Executor> void YarnNetwork<Executor>::end_step(const NetworkS
     steps_.choose_network_step(step.dt, step.signs, found, drops_about, delivered);
     if (wakes) steps_.begin_anew(drops_about);
     if (step.exchange_is_due) steps_.choose_exchange_step(step.exchange_dt, found, drops_about, delivered);
+    steps_.follow_standing(standing_lasts(step.time));
     region_.include_reached(found.reach);
     const auto changes_now = [&](const ScenePool& pool) { return pool.next_change(step.time - step.dt) == step.time; };
     const bool changes = cap_landed_ || std::any_of(scene_->supply.pools.begin(), scene_->supply.pools.end(), changes_now) ||
@@ -389,7 +412,8 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
     archive.value(pools_.ran_off);
     archive.values(pools_.standing, "standing in pools");
     caps_.pass_state(archive);
-    archive.value(evaporated_from_caps_);
+    archive.value(film_);
+    archive.value(evaporated_from_standing_);
     archive.value(region_.unvisited());
     if (Archive::reads) cells_were_seen_ = false;
     if (Archive::reads && !scene_->climate.course.empty()) region_.unvisited() = {}; // the air may have been constant so far

@@ -16,9 +16,9 @@ template <typename Executor> void YarnNetwork<Executor>::take_stock(Stock& stock
     }
     if (shows_cells()) see_shown();
     stock.delivered += pools_.pumped.mass();
-    stock.standing = std::accumulate(pools_.standing.begin(), pools_.standing.end(), caps_.water());
+    stock.standing = std::accumulate(pools_.standing.begin(), pools_.standing.end(), caps_.water() + film_);
     stock.caps = caps_.shown(stock.time);
-    stock.evaporated = evaporated_from_caps_.mass();
+    stock.evaporated += evaporated_from_standing_.mass();
     stock.dripped += pools_.ran_off.mass();
     stock.unsolved_lines = unsolved_lines_;
     stock.unvisited = region_.unvisited();

@@ -73,21 +73,119 @@ template <typename Executor> void YarnNetwork<Executor>::squeeze(double share)
     pools_.ran_off.add(totals_.read(0).pressed_out);
     pools_.ran_off.add(caps_.wipe_off());
     for (std::int64_t& standing : pools_.standing) pools_.ran_off.add(std::exchange(standing, 0));
+    pools_.ran_off.add(std::exchange(film_, 0));
 }
 
-/// Drops fall, land and spread in the last dt, as caps, and give to the air.
+/// Drops fall, land and spread in the last dt, as caps.
 template <typename Executor> void YarnNetwork<Executor>::take_drops(double time, double dt)
 {
     pools_.pumped.add(caps_.release(time));
-    if (scene_->rules.vapour) evaporated_from_caps_.add(caps_.evaporate(climate_, dt));
     cap_landed_ = caps_.spread(time, dt);
     caps_on_face_ = caps_.on_face(time);
-    const double cell = std::max(scene_->cloth.warp_pitch, scene_->cloth.weft_pitch);
-    constexpr double least = 0.75; // of a cell's side: the least circle that covers one of the places looked at
-    for (CapOnFace& cap : caps_on_face_) {
-        cap.base = std::max(cap.base, least * cell);
-        region_.include_disc(cap.x, cap.y, cap.base + cell);
+    cover_a_cell(caps_on_face_);
+}
+
+/// Each covers one of the places looked at, at least.
+template <typename Executor> void YarnNetwork<Executor>::cover_a_cell(std::vector<CapOnFace>& caps) const
+{
+    constexpr double least = 0.75; // of a cell's side
+    for (CapOnFace& cap : caps) cap.base = std::max(cap.base, least * widest_cell());
+}
+
+template <typename Executor> FindCap YarnNetwork<Executor>::find_cap(int count)
+{
+    const Cloth& cloth = scene_->cloth;
+    return {segments(), cap_views_.data(), count, {true, 0, cloth.warp_pitch, cloth.weft_pitch, std::max(2, cloth.threads_per_cell)}};
+}
+
+/// Before any stage of a step.
+template <typename Executor> void YarnNetwork<Executor>::visit_standing()
+{
+    for (const std::vector<CapOnFace>* caps : {&caps_on_face_, &drops_on_face_})
+        for (const CapOnFace& cap : *caps) region_.include_disc(cap.x, cap.y, std::max(cap.base, widest_cell()) + widest_cell());
+    for (std::size_t k = 0; k < pools_.standing.size() && scene_->rules.vapour; ++k)
+        if (pools_.standing[k] > 0) face_under(k);
+}
+
+/// All that stands on the cloth, with what it exchanges with the air.
+template <typename Executor> StandingOnFace YarnNetwork<Executor>::standing(double time)
+{
+    StandingOnFace found;
+    const auto add = [&](const CapOnFace& cap, std::int64_t* water) {
+        found.caps.push_back(cap);
+        found.water.push_back(water);
+    };
+    const auto add_face = [&](std::int64_t& water, double radius, double area) {
+        if (water > 0) add({0, 0, radius, 0, water, 0, area * climate_.mass_transfer, area * climate_.heat_transfer}, &water);
+    };
+    for (std::size_t k = 0; k < pools_.standing.size(); ++k) {
+        if (pools_.standing[k] <= 0) continue;
+        const double radius = face_under(k).radius;
+        add_face(pools_.standing[k], radius, pi * radius * radius);
     }
+    add_face(film_, -1.0, scene_->cloth.cell_area * scene_->cloth.segments());
+    const std::vector<CapOnFace> drops = scene_->caps.on ? caps_.on_face(time) : drops_on_face_;
+    for (std::size_t k = 0; k < drops.size(); ++k) {
+        CapOnFace drop = drops[k];
+        expose(drop, climate_);
+        add(drop, scene_->caps.on ? &caps_.water_of(k) : nullptr);
+    }
+    cover_a_cell(found.caps);
+    return found;
+}
+
+template <typename Executor> StandingLiquid YarnNetwork<Executor>::find_standing(const StandingOnFace& standing)
+{
+    if (standing.caps.empty()) return {};
+    cap_views_.upload(standing.caps);
+    cap_sums_.upload(std::vector<CapSums>(standing.caps.size()));
+    if (film_ > 0) return {cap_views_.data(), cap_sums_.data(), {}, scene_->cloth.segments()}; // it covers what else there is
+    const FindCap find = find_cap(static_cast<int>(standing.caps.size()));
+    each_crossing("find standing", find);
+    each_crossing("count covered", CountCovered{find, cap_sums_.data()});
+    return {cap_views_.data(), cap_sums_.data(), find.face};
+}
+
+template <typename Executor> void YarnNetwork<Executor>::take_evaporated(const StandingOnFace& standing)
+{
+    if (standing.caps.empty()) return;
+    const std::vector<CapSums> sums = cap_sums_.download();
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+        if (standing.water[k] == nullptr) {
+            evaporated_from_drops_ += sums[k].evaporated;
+            continue;
+        }
+        std::int64_t& water = *standing.water[k];
+        const bool scraps = water - sums[k].evaporated < scene_->cloth.segments(); // quanta that cannot be shared out any more
+        const std::int64_t gone = scraps ? std::exchange(water, 0) : sums[k].evaporated;
+        if (!scraps) water -= gone;
+        evaporated_from_standing_.add(gone);
+    }
+}
+
+/// kg that come to stand on the cloth in all.
+inline double brought_to_stand(const Scene& scene)
+{
+    double volume = 0; // m3
+    for (const SceneDroplet& drop : scene.supply.droplets) volume += drop.volume;
+    for (const ScenePool& pool : scene.supply.pools) volume += pool.rate * (pool.end - pool.start);
+    return scene.climate.density * volume + scene.cloth.start.film;
+}
+
+/// s, in which none of what stands shrinks by more than a fiftieth, or a film, which stays as wide as it is, by half; of little that is
+/// left, by a little of all that came. The air takes it as if it were as warm as the air.
+template <typename Executor> double YarnNetwork<Executor>::standing_lasts(double time)
+{
+    constexpr double shrinks = 0.02, film_shrinks = 0.5, little = 2e-4;
+    double longest = std::numeric_limits<double>::infinity();
+    const double dryness = saturation_concentration(climate_.temperature + climate_.air_warmth) - climate_.vapour; // kg/m3
+    if (!scene_->rules.vapour || !(dryness > 0)) return longest;
+    const double least = little * brought_to_stand(*scene_);
+    for (const CapOnFace& cap : standing(time).caps) {
+        const double water = static_cast<double>(cap.water) * water_quantum;
+        longest = std::min(longest, std::max((cap.base < 0 ? film_shrinks : shrinks) * water, least) / (cap.vapour * dryness));
+    }
+    return longest;
 }
 
 /// To what lies under them, as much of each as it would draw.
@@ -95,11 +193,7 @@ template <typename Executor> void YarnNetwork<Executor>::offer_caps(double dt)
 {
     cap_views_.upload(caps_on_face_);
     cap_sums_.upload(std::vector<CapSums>(caps_on_face_.size()));
-    const Cloth& cloth = scene_->cloth;
-    const FindCap find{segments(),
-                       cap_views_.data(),
-                       static_cast<int>(caps_on_face_.size()),
-                       {true, 0, cloth.warp_pitch, cloth.weft_pitch, std::max(2, cloth.threads_per_cell)}};
+    const FindCap find = find_cap(static_cast<int>(caps_on_face_.size()));
     const WeighCaps weigh{find, climate_.density, dt, cap_sums_.data()};
     each_crossing("find cap", find);
     each_segment("weigh cap", weigh);

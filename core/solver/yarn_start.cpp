@@ -19,10 +19,10 @@ double largest_change(const Scene& scene, const YarnParameters& yarn)
 /// Adds water that is still to come, or the first drops would have to be followed exactly. pores: m3, of all segments.
 void add_water_to_come(double& water, const Scene& scene, double pores)
 {
-    constexpr double filled = 0.2; // of the pores, by a bath
+    constexpr double filled = 0.2; // of the pores, by a bath or sweat
     if (!scene.supply.fed.empty()) water += filled * scene.climate.density * pores;
     for (const ScenePool& pool : scene.supply.pools) water += pool.rate * (pool.end - pool.start) * scene.climate.density;
-    water += sweat_rate(scene) * scene.rules.calm_network_step;
+    if (sweat_rate(scene) > 0) water += filled * scene.climate.density * pores;
 }
 
 /// kg/m3 in the pores.
@@ -57,7 +57,7 @@ Segments swelling_segments(const Scene& scene, YarnStart& start, std::vector<dou
     s.room = start.room.empty() ? nullptr : start.room.data();
     for (std::size_t i = 0; i < bound.size(); ++i) {
         const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
-        bound[i] = yarn.initial_regain * scene.cloth.length[i] * yarn.fibre_area * yarn.fibre_density;
+        bound[i] = yarn.initial_regain * scene.cloth.fibre_length(i, yarn) * yarn.fibre_area * yarn.fibre_density;
     }
     s.bound = bound.data();
     return s;
@@ -114,7 +114,8 @@ std::size_t count_of(SegmentCount count, const Scene& scene)
     case SegmentCount::offered_takers:
         return (sucks && (!scene.supply.pools.empty() || scene.caps.on)) || particles_offer(scene) ? 3 * segments / 2 : 0;
     case SegmentCount::promised_takers: return particles_offer(scene) ? 3 * segments / 2 : 0;
-    case SegmentCount::cap_crossings: return scene.caps.on ? segments / 2 : 0;
+    case SegmentCount::cap_crossings:
+        return scene.caps.on || !scene.supply.droplets.empty() || !scene.supply.pools.empty() ? segments / 2 : 0;
     case SegmentCount::uneven_segments: return scene.cloth.pores.size();
     case SegmentCount::touching_segments: return sucks ? scene.cloth.touching.size() : 0;
     case SegmentCount::sucking_segments: return sucks ? segments : 0;
@@ -141,12 +142,12 @@ YarnStart yarn_start(const Scene& scene)
         if (!there[i]) continue;
         const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
         const double liquid = scene.cloth.start.liquid.empty() ? 0.0 : scene.cloth.start.liquid[i];
-        const double fibres = scene.cloth.length[i] * yarn.fibre_area * yarn.fibre_density;
+        const double fibres = scene.cloth.fibre_length(i, yarn) * yarn.fibre_area * yarn.fibre_density;
         start.pores[i] = std::max(liquid / density, FindPores{s, density}.swollen(static_cast<int>(i)).pores);
         start.vapour[i] = vapour * pore_air(start.pores[i], liquid, density);
         std::fill_n(start.regain.begin() + static_cast<std::ptrdiff_t>(i * shells), shells, yarn.initial_regain);
         if (scene.rules.sorption) start.at_stake.water += fibres * std::max(least_change, largest_change(scene, yarn));
-        start.at_stake.heat += temperature_change * heat_capacity(yarn, scene.cloth.length[i], liquid);
+        start.at_stake.heat += temperature_change * heat_capacity(yarn, scene.cloth.fibre_length(i, yarn), liquid);
     }
     add_water_to_come(start.at_stake.water, scene, std::accumulate(start.pores.begin(), start.pores.end(), 0.0));
     if (scene.cloth.by_suction) add_suctions(start, scene, s);
@@ -159,12 +160,13 @@ FibreStart fibre_start(const Scene& scene, std::vector<double>& regain, const st
     static_cast<Yarns&>(s) = yarns_of(scene);
     s.shells = scene.rules.fibre_shells;
     s.length = scene.cloth.length.data();
+    s.dry_pores = scene.cloth.pores.empty() ? nullptr : scene.cloth.pores.data();
     s.regain = regain.data();
     FibreStart start{std::vector<double>(liquid.size()), std::vector<double>(liquid.size())};
     for (std::size_t i = 0; i < liquid.size(); ++i) {
         const YarnParameters& yarn = s.yarn_of(static_cast<int>(i));
         start.bound[i] = bound_water(s, yarn, static_cast<int>(i));
-        start.heat[i] = heat_capacity(yarn, s.length[i], liquid[i] + start.bound[i]) * scene.cloth.start.warmth;
+        start.heat[i] = heat_capacity(yarn, scene.cloth.fibre_length(i, yarn), liquid[i] + start.bound[i]) * scene.cloth.start.warmth;
     }
     return start;
 }
@@ -179,6 +181,7 @@ ClimateParameters climate_at(const Scene& scene, double time)
     climate.vapour = now.humidity * saturation_concentration(climate.temperature + now.air_warmth);
     climate.heat_transfer = now.heat_transfer;
     climate.mass_transfer = now.mass_transfer;
+    climate.air_speed = now.air_speed;
     return climate;
 }
 

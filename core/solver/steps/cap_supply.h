@@ -7,6 +7,15 @@
 
 namespace hygroloom::inline HL_PRECISION {
 
+/// Where a cap covers a face.
+HL_FN FedFace under_cap(FedFace face, const CapOnFace& cap)
+{
+    face.x = cap.x;
+    face.y = cap.y;
+    face.radius = cap.base;
+    return face;
+}
+
 /// Finds which cap lies over each crossing: of several the one that covers most of it.
 struct FindCap {
     Segments s;
@@ -14,14 +23,7 @@ struct FindCap {
     int count;
     FedFace face; ///< its circle is set for each cap
 
-    HL_FN FedFace under(int cap) const
-    {
-        FedFace circle = face;
-        circle.x = caps[cap].x;
-        circle.y = caps[cap].y;
-        circle.radius = caps[cap].base;
-        return circle;
-    }
+    HL_FN FedFace under(int cap) const { return under_cap(face, caps[cap]); }
     HL_FN void operator()(int index) const
     {
         const int crossing = s.visited_crossing(index);

@@ -43,7 +43,7 @@ struct ExchangeAtCrossing {
     HL_FN bool take_warmth(int i, const YarnParameters& yarn, Side& side) const
     {
         side.warmth = s.warmth[i];
-        side.capacity = heat_capacity(yarn, s.length[i], s.warm_water(i));
+        side.capacity = heat_capacity(yarn, s.fibre_length(i, yarn), s.warm_water(i));
         return side.warmth != 0;
     }
 
@@ -110,7 +110,7 @@ struct HandRoomOver {
         const int warp = s.warp_of(end, pick), weft = s.weft_of(end, pick), to = to_weft ? weft : warp, from = to_weft ? warp : weft;
         const double handed = water_specific_heat * s.between[warp];
         if (handed == 0 || s.warmth[to] == s.warmth[from]) return;
-        const double own = heat_capacity(s.yarn_of(to), s.length[to], s.liquid[to] + s.bound[to]);
+        const double own = heat_capacity(s.yarn_of(to), s.fibre_length(to, s.yarn_of(to)), s.liquid[to] + s.bound[to]);
         s.warmth[to] = (own * s.warmth[to] + handed * s.warmth[from]) * plain_inverse(own + handed);
     }
 };

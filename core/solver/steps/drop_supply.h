@@ -97,4 +97,35 @@ struct CloseAccounts {
     }
 };
 
+/// What particles lie on the cloth with, in millionths of one that is full: each touches with the square of its width.
+struct SumTouching {
+    Particles p;
+    std::int64_t* water; ///< quanta of all particles
+    std::int64_t* total;
+
+    HL_FN std::int64_t operator()(int i) const
+    {
+        if (!p.alive[i]) return 0;
+        atomic_add(water, p.content[i]);
+        const double width = std::cbrt(static_cast<double>(p.size(i)));
+        return p.wall_distance[i] <= p.spacing ? static_cast<std::int64_t>(1e6 * width * width) : 0;
+    }
+};
+
+/// Each particle loses the same share of its content to the air.
+struct ShrinkInAir {
+    Particles p;
+    double share;
+    std::int64_t* total; ///< quanta that they lose
+
+    HL_FN std::int64_t operator()(int i) const
+    {
+        if (!p.alive[i]) return 0;
+        const auto lost = static_cast<std::int64_t>(share * static_cast<double>(p.content[i]));
+        p.content[i] -= lost < p.content[i] ? lost : p.content[i];
+        if (p.content[i] == 0) p.alive[i] = 0;
+        return lost;
+    }
+};
+
 } // namespace hygroloom::inline HL_PRECISION

@@ -37,7 +37,7 @@ HL_FN Fibre prepare_fibre(const Segments& s, int i, const YarnParameters& yarn, 
 {
     const int n = s.shells;
     const double* regain = s.regain + i * n;
-    const double dry_mass = s.length[i] * yarn.fibre_area * yarn.fibre_density;
+    const double dry_mass = s.fibre_length(i, yarn) * yarn.fibre_area * yarn.fibre_density;
     Fibre fibre{dry_mass, s.bound[i], 0, 0, plain_inverse(dry_mass), regain_law(yarn.isotherm)};
     const double scale = dt * plain_inverse(yarn.fibre_radius * yarn.fibre_radius);
     const bool constant = yarn.diffusivity.law == DiffusionLaw::constant;

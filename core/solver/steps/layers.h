@@ -18,16 +18,37 @@ struct FacingSegments {
     }
 };
 
-/// Liquid where yarns touch.
+/// Liquid where layers touch: from yarns into yarns, from the room between yarns of one layer into yarns of the other and back, and from
+/// room into room. A full layer so hands on what its rooms hold, too.
 struct WickBetweenLayers : PairFlow {
     const LayerJoint* joints;
 
     HL_FN void operator()(int index) const
     {
+        const LayerJoint& joint = joints[index];
+        if (is_dry(joint.a) && is_dry(joint.b)) return;
+        flow(room_side(joint.a), room_side(joint.b), {joint.rooms, of_room, 0});
         for (bool is_warp : {true, false}) {
-            const FacingSegments facing(s, joints[index], is_warp);
-            if (s.liquid[facing.a] > 0 || s.liquid[facing.b] > 0) flow(side(facing.a), side(facing.b), {0.5 * joints[index].yarns, 7, 0});
+            const FacingSegments facing(s, joint, is_warp);
+            flow(side(facing.a), side(facing.b), {0.5 * joint.yarns, of_yarn, 0});
+            with_room(joint.a, facing.b, 0.5 * joint.a_room_to);
+            with_room(joint.b, facing.a, 0.5 * joint.b_room_to);
         }
+    }
+
+private:
+    static constexpr int of_yarn = 7, of_room = 8; ///< see Way::twice_power
+    static constexpr int of_face = 2;              ///< of a room's liquid the yarn touches as large a part as it fills
+
+    HL_FN bool is_dry(int crossing) const
+    {
+        const int weft = s.weft_of(crossing / s.picks, crossing % s.picks);
+        return s.liquid[crossing] <= 0 && s.liquid[weft] <= 0 && s.between[crossing] <= 0;
+    }
+    HL_FN void with_room(int crossing, int segment, double conductance) const
+    {
+        const Side room = room_side(crossing), yarn = side(segment);
+        flow(room, yarn, {conductance, yarn.suction() > room.suction() ? of_face : of_yarn, 0});
     }
 };
 
@@ -98,7 +119,8 @@ struct SeeLayers {
         if (heat) {
             const double latent = heat_of_evaporation(climate.temperature + s.warmth[i]);
             const double humidity = vapour < saturated.concentration ? vapour * plain_inverse(saturated.concentration) : 1.0;
-            const double capacity = heat_capacity(yarn, s.length[i], s.warm_water(i)) + dt * s.air_over(i).heat_transfer * s.cell_area(i);
+            const double capacity =
+                heat_capacity(yarn, s.fibre_length(i, yarn), s.warm_water(i)) + dt * s.air_over(i).heat_transfer * s.cell_area(i);
             const double taken = uptake(i, humidity * saturated.slope * latent * plain_inverse(capacity));
             const double given = saturated.slope * (humidity * taken + fed); // kg/K
             const double mass_by_vapour = still + taken + fed, heat_by_warmth = capacity + latent * given;

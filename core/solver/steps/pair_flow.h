@@ -103,7 +103,8 @@ private:
         if (to.fed) {
             s.lost[from.segment] += carried * warmth;
         } else if (warmth != s.warmth[to.segment]) {
-            const double heat = heat_capacity(s.yarn_of(to.segment), s.length[to.segment], s.warm_water(to.segment));
+            const double heat =
+                heat_capacity(s.yarn_of(to.segment), s.fibre_length(to.segment, s.yarn_of(to.segment)), s.warm_water(to.segment));
             s.warmth[to.segment] = (heat * s.warmth[to.segment] + carried * warmth) * plain_inverse(heat + carried);
         }
         settle(from, -mass);

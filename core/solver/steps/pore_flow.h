@@ -82,7 +82,8 @@ struct FlowAlongLines : PoreRounds {
         double in = 0, from_before = 0, from_next = 0; // kg
         if (last != none) (seam_before ? from_before : in) += flux_after(line, last);
         if (next != none) (seam_after ? from_next : in) -= flux_after(line, i);
-        const double now = heat_capacity(s.yarn_of(own), s.length[own], s.warm_water(own)) - water_specific_heat * in; // J/K
+        const double now =
+            heat_capacity(s.yarn_of(own), s.fibre_length(own, s.yarn_of(own)), s.warm_water(own)) - water_specific_heat * in; // J/K
         double heat = 0, came = 0;
         const auto add = [&](double mass, int from) {
             if (mass <= 0) return;
@@ -161,8 +162,9 @@ struct FlowAlongLines : PoreRounds {
         const double mass = static_cast<double>(quanta) * water_quantum;
         const int segment = which == crossed_pores ? p.crossed : p.own;
         if (s.warmth[segment] != 0) {
-            const double heat =
-                heat_capacity(yarn_of(p, which == crossed_pores ? crossed_pores : own_pores), s.length[segment], s.warm_water(segment));
+            const double heat = heat_capacity(yarn_of(p, which == crossed_pores ? crossed_pores : own_pores),
+                                              s.fibre_length(segment, yarn_of(p, which == crossed_pores ? crossed_pores : own_pores)),
+                                              s.warm_water(segment));
             if (quanta > 0)
                 s.warmth[segment] *= heat * plain_inverse(heat + water_specific_heat * mass);
             else
@@ -200,7 +202,7 @@ struct FlowAlongLines : PoreRounds {
         if (s.warmth[p.own] == 0 && s.warmth[p.crossed] == 0) return;
         const double carried = water_specific_heat * (came > 0 ? came : -came);
         const int to = came > 0 ? p.own : p.crossed, from = came > 0 ? p.crossed : p.own;
-        const double heat = heat_capacity(yarn(p, came > 0), s.length[to], s.warm_water(to));
+        const double heat = heat_capacity(yarn(p, came > 0), s.fibre_length(to, yarn(p, came > 0)), s.warm_water(to));
         s.warmth[to] = (heat * s.warmth[to] + carried * s.warmth[from]) * plain_inverse(heat + carried);
     }
     template <typename Team> HL_FN void settle(const Line<Team>& line, int i) const

@@ -290,7 +290,7 @@ struct PoreLines {
     HL_FN double along_yarn(const YarnParameters& yarn, int i, int next) const // m3/(s Pa), between neighbours
     {
         double flows = yarn.flow_along * 2.0 * plain_inverse(s.length[i] + s.length[next]);
-        if (s.narrows) flows *= 0.5 * (find().permeability(i, yarn) + find().permeability(next, yarn));
+        if (s.varies()) flows *= 0.5 * (find().permeability(i, yarn) + find().permeability(next, yarn));
         if (s.warmth[i] == 0 && s.warmth[next] == 0) return flows;
         return flows * 0.5 * (flow_factor(climate.flow, s.warmth[i]) + flow_factor(climate.flow, s.warmth[next]));
     }

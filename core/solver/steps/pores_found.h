@@ -28,20 +28,19 @@ struct FindPores {
     }
     HL_FN double dry_fibres(int i, const YarnParameters& yarn) const // m3
     {
-        return (yarn.pore_area + yarn.fibre_area) * s.length[i] - dry_pores(i, yarn);
+        return yarn.fibre_area * s.fibre_length(i, yarn);
     }
     HL_FN Swollen swollen(int i) const
     {
         const YarnParameters& yarn = s.yarn_of(i);
         double share_of_room = 0;
         if (s.room != nullptr) {
-            constexpr double each = 0.25; // both yarns together take up to half of it; an assumption
             const int crossing = s.crossing_of(i);
-            share_of_room = each * s.crossing_at(crossing / s.picks, crossing % s.picks).between.volume;
+            share_of_room = each_takes_of_room * s.crossing_at(crossing / s.picks, crossing % s.picks).between.volume;
         }
         return swollen_yarn(dry_pores(i, yarn), dry_fibres(i, yarn), s.swelling * s.bound[i], share_of_room);
     }
-    /// How much finer pores are that swell, or have more fibres than their type: the ratio of fibres to pores over that of dry ones.
+    /// How much finer pores are whose fibres have swollen: the ratio of fibres to pores over that of dry ones.
     HL_FN double tightness(int i, const YarnParameters& yarn) const
     {
         const double fibres = dry_fibres(i, yarn) + (s.swelling > 0 ? s.swelling * s.bound[i] : 0.0);
@@ -62,9 +61,11 @@ struct FindPores {
     /// Permeability over that of dry pores: pores^3 / fibres^2 (Gebart 1992).
     HL_FN double permeability(int i, const YarnParameters& yarn) const
     {
-        if (!s.narrows) return 1.0;
+        if (!s.varies()) return 1.0;
+        const double wide = s.pores[i] * plain_inverse(yarn.pore_area * s.length[i]);
+        if (!s.narrows) return wide;
         const double finer = tightness(i, yarn);
-        return s.pores[i] * plain_inverse(yarn.pore_area * s.length[i]) * plain_inverse(finer * finer);
+        return wide * plain_inverse(finer * finer);
     }
     HL_FN PoresFound segment(int i, const YarnParameters& yarn, int face) const
     {

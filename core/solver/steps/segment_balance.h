@@ -4,6 +4,7 @@
 
 #include "core/solver/steps/bracket.h"
 #include "core/solver/steps/fibre_exchange.h"
+#include "core/solver/steps/standing.h"
 
 namespace hygroloom::inline HL_PRECISION {
 
@@ -16,6 +17,7 @@ struct SegmentBalance {
     bool sorption;
     bool vapour;
     bool heat;
+    OverSegment over{}; ///< what stands on it
 
     /// What one trial of temperature and pore vapour leads to.
     struct Outcome {
@@ -50,7 +52,7 @@ struct SegmentBalance {
     HL_FN Fibre fibre_of(int i, const YarnParameters& yarn, ShellRows& rows) const
     {
         if (sorption) return prepare_fibre(s, i, yarn, climate.temperature + s.warmth[i], dt, rows);
-        const double dry_mass = s.length[i] * yarn.fibre_area * yarn.fibre_density;
+        const double dry_mass = s.fibre_length(i, yarn) * yarn.fibre_area * yarn.fibre_density;
         return {dry_mass, s.bound[i], s.bound[i], 0, plain_inverse(dry_mass), regain_law(yarn.isotherm)};
     }
     HL_FN Start start_of(int i, const YarnParameters& yarn, double air, ShellRows& rows) const
@@ -66,11 +68,11 @@ struct SegmentBalance {
                 air,
                 wet,
                 full - s.liquid[i],
-                heat_capacity(yarn, s.length[i], s.warm_water(i)),
+                heat_capacity(yarn, s.fibre_length(i, yarn), s.warm_water(i)),
                 condensing,
                 condensing * wet_share(wet),
-                dt * climate.mass_transfer * face_area,
-                dt * climate.heat_transfer * face_area,
+                dt * climate.mass_transfer * face_area * (1.0 - over.covered),
+                dt * (climate.heat_transfer * face_area * (1.0 - over.covered) + over.heat),
                 came_to(i)};
     }
     HL_FN double came_to(int i) const { return s.came != nullptr ? s.came[i] : 0.0; }
@@ -191,6 +193,13 @@ struct SegmentBalance {
         return {start.yarn.sorption_heat_scale * held.heat, start.yarn.sorption_heat_scale * held.slope * humidity.slope * middle};
     }
 
+    /// kg that what stands on the segment gives to the air, and its slope with the temperature, kg/K; where the air gives, less than 0.
+    HL_FN WithSlope standing_gives(const Warm& now) const
+    {
+        const double reaches = dt * over.vapour, gives = reaches * (now.saturated.concentration - climate.vapour);
+        return gives < over.water ? WithSlope{gives, reaches * now.saturated.slope} : WithSlope{over.water, 0};
+    }
+
     /// Heat released by the outcome, J.
     HL_FN double phase_heat(const Start& start, const Outcome& o, double temperature) const
     {
@@ -200,7 +209,7 @@ struct SegmentBalance {
     HL_FN double surplus(const Start& start, const Outcome& o, const Warm& now) const
     {
         return start.capacity * (now.warmth - start.warmth) + start.to_air_heat * (now.warmth - climate.air_warmth) - start.came -
-               phase_heat(start, o, now.temperature);
+               phase_heat(start, o, now.temperature) + heat_of_evaporation(now.temperature) * standing_gives(now).value;
     }
     /// Heat that is left over where the pores are balanced at a warmth, J.
     HL_FN double surplus_at(const Start& start, double warmth) const

@@ -9,11 +9,13 @@ namespace hygroloom::inline HL_PRECISION {
 /// A segment's fibres, pores and face, solved together: sorption into the fibre on annuli, evaporation or condensation in the
 /// pores, vapour and heat to the air. Both balances rise monotonically, so a bracketed search always ends.
 struct ExchangeInSegment : SegmentBalance {
+    StandingLiquid stands{};
+
     HL_FN void operator()(int index) const
     {
         const int i = s.visited_segment(index);
         if (s.whole()) {
-            exchange(i);
+            under_standing(i);
             return;
         }
         ExchangeInSegment here = *this;
@@ -23,6 +25,17 @@ struct ExchangeInSegment : SegmentBalance {
         here.climate.vapour = over.vapour;
         here.climate.heat_transfer = over.heat_transfer;
         here.climate.mass_transfer = over.mass_transfer;
+        here.exchange(i);
+    }
+    HL_FN void under_standing(int i) const
+    {
+        const OverSegment there = stands.sums != nullptr ? stands.over(s, i) : OverSegment{};
+        if (!(there.covered > 0)) {
+            exchange(i);
+            return;
+        }
+        ExchangeInSegment here = *this;
+        here.over = there;
         here.exchange(i);
     }
     HL_FN void exchange(int i) const
@@ -58,7 +71,7 @@ struct ExchangeInSegment : SegmentBalance {
 
     HL_FN bool at_rest(int i, const YarnParameters& yarn, double air) const
     {
-        if (climate.humidity > 1 || came_to(i) != 0) return false; // what its air cannot hold condenses
+        if (climate.humidity > 1 || came_to(i) != 0 || over.covered > 0) return false; // what its air cannot hold condenses
         const double off = s.vapour[i] - climate.vapour * air, little = 1e-8 * (climate.vapour + 1e-6) * air;
         const double warmer = s.warmth[i] - climate.air_warmth;
         const double skin = s.regain[i * s.shells + s.shells - 1] - yarn.resting_regain;
@@ -139,9 +152,11 @@ struct ExchangeInSegment : SegmentBalance {
         const double latent = heat_of_evaporation(now.temperature), taken = o.bound - start.fibre.bound;
         const double given = o.heat + taken * l.heat_taken.slope;
         const double mass_t = -l.vapour_t + l.bound_t - l.liquid_t;
+        const WithSlope standing = standing_gives(now);
         const double joules_p = -given * l.bound_p - latent * (l.bound_p - l.liquid_p - l.vapour_p);
         const double joules_t = start.capacity + start.to_air_heat - given * l.bound_t - latent * (l.bound_t - l.liquid_t - l.vapour_t) +
-                                2361.0 * (taken - o.from_liquid - o.evaporated); // the latent heat falls with temperature
+                                latent * standing.slope +
+                                2361.0 * (taken - o.from_liquid - o.evaporated - standing.value); // the latent heat falls with temperature
         const double determinant = l.mass_p * joules_t - mass_t * joules_p;
         if (!(determinant > 0)) return false;
         const double scale = near_inverse(determinant);
@@ -338,6 +353,15 @@ struct ExchangeInSegment : SegmentBalance {
         b.warmth += latent * condensed * per_capacity;
     }
 
+    /// kg, in whole quanta.
+    HL_FN double take_from_standing(const Warm& now) const
+    {
+        if (over.evaporated == nullptr) return 0;
+        const auto quanta = static_cast<std::int64_t>(standing_gives(now).value / water_quantum);
+        if (quanta != 0) atomic_add(over.evaporated, quanta);
+        return static_cast<double>(quanta) * water_quantum;
+    }
+
     /// Writes the outcome.
     HL_FN void accept(int i, const Start& start, const ShellRows& rows, const Warm& now, const Outcome& o) const
     {
@@ -347,7 +371,8 @@ struct ExchangeInSegment : SegmentBalance {
         final.bound = start.fibre.bound + taken;
         final.from_liquid = b.from_liquid;
         final.evaporated = b.evaporated;
-        b.released = heat ? phase_heat(start, final, now.temperature) : 0.0;
+        const double stood = take_from_standing(now);
+        b.released = heat ? phase_heat(start, final, now.temperature) - heat_of_evaporation(now.temperature) * stood : 0.0;
         const double lost = heat ? start.to_air_heat * (now.warmth - climate.air_warmth) : 0.0;
         const double per_capacity = plain_inverse(start.capacity);
         b.warmth = start.warmth + (b.released - lost + start.came) * per_capacity;

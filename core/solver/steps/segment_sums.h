@@ -23,7 +23,7 @@ struct TakeAbsorbed {
         if (s.absorbed[taker] == 0) return;
         const YarnParameters& yarn = s.yarn_of(i);
         const double added = static_cast<double>(s.absorbed[taker]) * water_quantum;
-        const double capacity = heat_capacity(yarn, s.length[i], s.warm_water(i));
+        const double capacity = heat_capacity(yarn, s.fibre_length(i, yarn), s.warm_water(i));
         s.warmth[i] *= capacity / (capacity + water_specific_heat * added);
         liquid += added;
         s.absorbed[taker] = 0;
@@ -36,7 +36,7 @@ struct TakeStock {
     HL_FN void operator()(int index) const
     {
         const int i = s.visited_segment(index);
-        s.stored[i] = heat_capacity(s.yarn_of(i), s.length[i], s.warm_water(i)) * s.warmth[i];
+        s.stored[i] = heat_capacity(s.yarn_of(i), s.fibre_length(i, s.yarn_of(i)), s.warm_water(i)) * s.warmth[i];
     }
 };
 
@@ -70,7 +70,7 @@ struct SeeCells {
             sums.vapour += s.vapour[i];
             sums.evaporated += s.evaporated[i];
             sums.warmth += s.warmth[i];
-            sums.stored += heat_capacity(s.yarn_of(i), s.length[i], s.warm_water(i)) * s.warmth[i];
+            sums.stored += heat_capacity(s.yarn_of(i), s.fibre_length(i, s.yarn_of(i)), s.warm_water(i)) * s.warmth[i];
             sums.released += s.released[i];
             sums.lost += s.lost[i];
         }
@@ -79,7 +79,7 @@ struct SeeCells {
     HL_FN double gained(int i) const
     {
         const YarnParameters& yarn = s.yarn_of(i);
-        return s.liquid[i] + (s.bound[i] - yarn.initial_regain * s.length[i] * yarn.fibre_area * yarn.fibre_density);
+        return s.liquid[i] + (s.bound[i] - yarn.initial_regain * s.fibre_length(i, yarn) * yarn.fibre_area * yarn.fibre_density);
     }
 };
 

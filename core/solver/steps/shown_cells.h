@@ -93,7 +93,7 @@ private:
     {
         const int crossing = end * s.picks + pick, i = is_warp ? crossing : s.weft_of(end, pick);
         const YarnParameters& yarn = s.yarn_of(i);
-        const double fibres = s.length[i] * yarn.fibre_area * yarn.fibre_density;
+        const double fibres = s.fibre_length(i, yarn) * yarn.fibre_area * yarn.fibre_density;
         double between = 0;
         if (s.between != nullptr) {
             const double on_warp = s.crossing_at(end, pick).between.on_warp[s.warp_up[crossing] != 0];

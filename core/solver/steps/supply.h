@@ -17,7 +17,7 @@ struct KeepFed {
         const int i = s.visited_segment(index);
         if (s.fed[i] == 0) return;
         const YarnParameters& yarn = s.yarn_of(i);
-        s.lost[i] += heat_capacity(yarn, s.length[i], s.warm_water(i)) * s.warmth[i];
+        s.lost[i] += heat_capacity(yarn, s.fibre_length(i, yarn), s.warm_water(i)) * s.warmth[i];
         s.warmth[i] = 0;
         s.supplied[i] += density * s.pores[i] - s.liquid[i];
         s.liquid[i] = density * s.pores[i];
@@ -345,7 +345,7 @@ struct EstimateExchange {
         std::int64_t water = 0, joules = 0;
         team.each(line.first, line.last, [&](int i) {
             const double bound_now = s.bound[i];
-            const double heat_now = heat_capacity(line.yarn, s.length[i], s.warm_water(i)) * s.warmth[i];
+            const double heat_now = heat_capacity(line.yarn, s.fibre_length(i, line.yarn), s.warm_water(i)) * s.warmth[i];
             water += static_cast<std::int64_t>(bound_history.error(i, bound_now - bound[i]) / water_quantum);
             const bool bath_warm = s.fed != nullptr && s.fed[i] != 0; // its temperature is set, not found
             if (!bath_warm) joules += static_cast<std::int64_t>(heat_history.error(i, heat_now - heat[i]) / heat_quantum);

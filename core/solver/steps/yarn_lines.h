@@ -202,7 +202,7 @@ HL_FN double bound_water(const Segments& s, const YarnParameters& yarn, int segm
     ShellWalk walk = from_the_middle(s.shells);
     double regain = 0;
     for (int k = 0; k < s.shells; ++k) regain += s.regain[segment * s.shells + k] * walk.outwards();
-    return regain * s.length[segment] * yarn.fibre_area * yarn.fibre_density;
+    return regain * s.fibre_length(segment, yarn) * yarn.fibre_area * yarn.fibre_density;
 }
 
 /// Lines from one on.
@@ -279,7 +279,7 @@ struct ConductAlongYarn {
         const double out = s.flux[i];
         const double before_joint = first ? 0.0 : joint(line, i - 1), next_joint = last ? 0.0 : joint(line, i);
         const double came = (in > 0 ? in : 0.0) - (out < 0 ? out : 0.0);
-        const double now = s.length[i] * line.dry + s.warm_water(i) * water_specific_heat;
+        const double now = s.fibre_length(i, line.at.yarn) * line.dry + s.warm_water(i) * water_specific_heat;
         const double then = now - water_specific_heat * (in - out);
         const double ends = (first && line.at.starts ? line.end : 0.0) + (last && line.at.stops ? line.end : 0.0);
         return {-before_joint - water_specific_heat * (in > 0 ? in : 0.0),
@@ -430,7 +430,8 @@ struct DiffuseVapourAlongYarn {
         if (evaporated == 0) return;
         if (heat) {
             const double released = -heat_of_evaporation(temperature) * evaporated;
-            const double warmth = s.warmth[i] + released * plain_inverse(heat_capacity(line.yarn, s.length[i], s.warm_water(i)));
+            const double warmth =
+                s.warmth[i] + released * plain_inverse(heat_capacity(line.yarn, s.fibre_length(i, line.yarn), s.warm_water(i)));
             s.warmth[i] = warmth;
             s.released[i] += released;
             s.lost[i] += water_specific_heat * evaporated * warmth;
