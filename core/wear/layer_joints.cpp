@@ -8,15 +8,22 @@
 namespace hygroloom {
 namespace {
 
-/// m3/(Pa s) per m2 of cloth, from a yarn into the one that it crosses.
-double conductance_where_yarns_cross(const GarmentScene& garment, const GarmentCell& cell)
+/// How readily a cloth takes or gives liquid where another lies on it, m3/(Pa s) per m2 of cloth.
+struct FaceOfCloth {
+    double yarns = 0;      ///< from a yarn into the one that it crosses
+    double into_yarns = 0; ///< from liquid on the face; half of all segments lie there
+    double into_room = 0;  ///< the same into the room between the yarns
+};
+FaceOfCloth face_of(const GarmentScene& garment, const GarmentCell& cell)
 {
     const FabricCells& fabric = garment.fabrics[static_cast<std::size_t>(garment.fabric[static_cast<std::size_t>(cell.panel)])];
     const Cloth& tile = fabric.tile.cloth;
     const std::size_t warp = tile.type[static_cast<std::size_t>(cell.end % fabric.ends)],
                       weft = tile.type[static_cast<std::size_t>(tile.ends + cell.pick % fabric.picks)];
     const std::size_t at = warp * static_cast<std::size_t>(tile.weft_types()) + weft - static_cast<std::size_t>(tile.warp_types);
-    return tile.crossing[at].between.yarns / cell.area;
+    const BetweenParameters& between = tile.crossing[at].between;
+    const double into_yarns = 0.5 * (tile.yarns[warp].face_conductance + tile.yarns[weft].face_conductance);
+    return {between.yarns / cell.area, into_yarns / cell.area, between.face / cell.area};
 }
 
 /// Which cells of the inner layer lie under a cell, and on how much of it, m2.
@@ -58,8 +65,11 @@ void lay_on_each_other(GarmentScene& garment, const GarmentPattern& pattern)
         const PanelGrid& inner = garment.grids[found->second];
         for (const auto& [under, area] : shared_areas(cell, garment.grids[static_cast<std::size_t>(cell.panel)], inner)) {
             const GarmentCell& other = *at_crossing.at(under[0] * cloth.picks + inner.first_pick + under[1]);
-            const double yarns = 2 * in_series(conductance_where_yarns_cross(garment, cell), conductance_where_yarns_cross(garment, other));
-            joints.push_back({cell.crossing, other.crossing, touching_crowns * area * yarns, area * air_conductivity / contact_gap,
+            const FaceOfCloth a = face_of(garment, cell), b = face_of(garment, other);
+            const double touching = touching_crowns * area;
+            joints.push_back({cell.crossing, other.crossing, touching * 2 * in_series(a.yarns, b.yarns),
+                              touching * in_series(a.into_room, b.into_room), touching * in_series(a.into_room, b.into_yarns),
+                              touching * in_series(b.into_room, a.into_yarns), area * air_conductivity / contact_gap,
                               area * diffusivity / contact_gap});
         }
     }
