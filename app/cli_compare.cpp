@@ -84,8 +84,8 @@ FinishedRun run_with_maps(const Design& design, const std::string& fabric, const
     return finished;
 }
 
-/// Each job on one of the backends. The numbers are written after every run, the maps of the first replicates kept where those are the
-/// cloths as given. Throws what writing threw.
+/// Each job on one of the backends. The numbers are written after every run, the maps of the first replicates, which are the
+/// cloths as given, kept. Throws what writing threw.
 void run_candidates(const Design& design, const std::vector<Job>& jobs, const std::vector<std::string>& fabrics,
                     const CompareOptions& options, RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends,
                     Comparison& comparison, std::vector<std::optional<CandidateMaps>>& maps)
@@ -96,46 +96,14 @@ void run_candidates(const Design& design, const std::vector<Job>& jobs, const st
         const Job& job = jobs[i];
         RunOptions how = job.how;
         how.one_on_cpu = &one_on_cpu;
-        const bool given = i < fabrics.size() && (options.replicates == 1 || first_is_as_given(design, job.fabric, comparison.experiment));
         FinishedRun finished = run_with_maps(job.drawn.design, job.fabric, comparison.experiment, how, backend, control, bar, i,
-                                             given && wants_maps(options) ? &maps[i] : nullptr);
+                                             i < fabrics.size() && wants_maps(options) ? &maps[i] : nullptr);
         if (backends.size() == 1 && finished.device_failure.empty()) learn_time(finished.run);
         return candidate_of(job, std::move(finished));
     };
     run_comparison(comparison, fabrics, backends, control, run, [&](std::size_t i) {
         bar.end(i);
         write_numbers(comparison, options.output);
-    });
-}
-
-/// The maps that the first replicates did not give, as their yarns are more uneven than those of the cloths as given: a run more of each
-/// such cloth. One that fails has none.
-void run_as_given(const Design& design, const std::vector<Textile>& textiles, const std::vector<std::string>& fabrics,
-                  const CompareOptions& options, const RunOptions& how, RunControl& control,
-                  const std::vector<std::unique_ptr<Backend>>& backends, const Comparison& comparison,
-                  std::vector<std::optional<CandidateMaps>>& maps)
-{
-    std::vector<std::size_t> wanted;
-    for (std::size_t i = 0; i < fabrics.size(); ++i)
-        if (!maps[i] && !first_is_as_given(design, fabrics[i], comparison.experiment)) wanted.push_back(i);
-    std::mutex one_on_cpu;
-    RunBar bar(options.quiet, wanted.size());
-    run_side_by_side(backends, wanted.size(), control, [&](std::size_t i, Backend& backend) {
-        RunOptions own = how;
-        own.one_on_cpu = &one_on_cpu;
-        own.textile = std::make_shared<const Textile>(textiles[wanted[i]]);
-        bool device_failed = false;
-        try {
-            const std::string& fabric = fabrics[wanted[i]];
-            device_failed = !run_with_maps(design, fabric, comparison.experiment, own, backend, control, bar, i, &maps[wanted[i]])
-                                 .device_failure.empty();
-        } catch (const Cancelled&) {
-            throw;
-        } catch (const Error& error) {
-            bar.say(fmt::format("{} as given has no map: {}", fabrics[wanted[i]], error.what()));
-        }
-        bar.end(i);
-        return device_failed;
     });
 }
 
@@ -249,8 +217,6 @@ int compare(CompareOptions options)
     std::vector<std::optional<CandidateMaps>> maps(fabrics.size());
     const std::vector<Job> jobs = jobs_of(design, fabrics, experiment.name, textiles, how, options.replicates);
     run_candidates(design, jobs, fabrics, options, control, backends, comparison, maps);
-    if (options.replicates > 1 && wants_maps(options) && comparison.complete)
-        run_as_given(design, textiles, fabrics, options, how, control, backends, comparison, maps);
     if (why && comparison.complete) find_why(comparison, *why, design, how, options.quiet, backends, control);
     give_results(options, comparison, choice, maps, fabrics);
     if (control.cancel && comparison.complete) {

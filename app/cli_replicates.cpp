@@ -8,7 +8,7 @@ void add_replicates_option(CLI::App& verb, int& replicates, const std::string& w
     verb.add_option(
             "--replicates", replicates,
             "Runs" + whose +
-                "; 1: the cloth as given. Of more all have yarns as uneven as is typical, and all but the first inputs drawn within "
+                "; 1: the cloth as given. Of more the first is that, and the others have inputs drawn within "
                 "what is not known of them")
         ->check(CLI::Range(1, 1000));
 }

@@ -98,7 +98,7 @@ void add_machine_options(CLI::App& verb, RunVerbOptions& options)
     verb.add_option("--backend", options.backend, "Backend: auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
     verb.add_option("--threads", options.threads, "CPU threads; 0: all. Results do not depend on it")->check(CLI::Range(0, 1024));
     verb.add_option("--seed", options.seed,
-                    "Seed of what is random: the unevenness of yarns (irregularity_cv) and how the particles of a falling drop lie. "
+                    "Seed of what is random: the unevenness of yarns and how the particles of a falling drop lie. "
                     "Nothing else depends on it")
         ->check(seed_validator());
 }

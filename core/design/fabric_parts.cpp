@@ -60,7 +60,7 @@ std::string words(const std::vector<Yarn>& yarns, const char*, const NumberText&
         if (yarn.filament_count) text += ", " + words(yarn.filament_count, " filaments", number);
         text += fmt::format(", {:.4g} turns/m", yarn.twist_per_m);
         if (yarn.plies > 1) text += fmt::format(", {} plies of {:.4g} turns/m", yarn.plies, yarn.ply_twist_per_m);
-        if (yarn.irregularity_cv > 0) text += ", unevenness " + words(yarn.irregularity_cv, "", number);
+        if (yarn.irregularity_cv) text += ", unevenness " + words(yarn.irregularity_cv, "", number);
     }
     return text.empty() ? "none" : text;
 }

@@ -6,6 +6,7 @@ target_sources(hygroloom_core PRIVATE
   design/design.cpp
   design/draft.cpp
   design/drawdown.cpp
+  design/evenness.cpp
   design/experiment.cpp
   design/fabric_parts.cpp
   design/fabric_quantities.cpp
@@ -13,6 +14,7 @@ target_sources(hygroloom_core PRIVATE
   design/free_inputs.cpp
   design/flyaway.cpp
   design/garment.cpp
+  design/holes.cpp
   design/interlacing.cpp
   design/jam.cpp
   design/liquid.cpp

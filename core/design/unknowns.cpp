@@ -185,17 +185,6 @@ std::vector<UnknownInput> unknown_inputs(const Design& design, const Fabric& fab
     return all;
 }
 
-double typical_irregularity(const Design& design, const Yarn& yarn)
-{
-    if (yarn.filament_count) return 0;
-    const Material fibre = blended_material(design, yarn.material);
-    const double fibre_tex = 1e6 * fibre.density_kg_m3 * pi * std::pow(metre_from_um(fibre.fibre_radius_um), 2);
-    const double covering = yarn.core ? 1 - yarn.core->share : 1;
-    const double fibres =
-        std::max(1.0, covering * free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3).linear_density_tex / fibre_tex);
-    return std::min(0.4, 1.3 * 1.06 / std::sqrt(fibres));
-}
-
 double place_in_range(const Replicate& replicate, const std::string& name)
 {
     if (replicate.number == 0) return 0.5;
@@ -221,8 +210,6 @@ Drawn drawn(const Design& design, const std::string& fabric, const std::string& 
         drawn.places.push_back(place_in_range(replicate, input.name));
     }
     Design& other = drawn.design;
-    for (Yarn* yarn : yarns_of(other.fabrics[at]))
-        if (yarn->irregularity_cv == 0) yarn->irregularity_cv = typical_irregularity(design, *yarn);
     if (replicate.number == 0) return drawn;
     const Value value = [&](const UnknownInput& input) { return value_at(input, place_in_range(replicate, input.name)); };
     draw_angles(other, other.fabrics[at], value);
@@ -230,12 +217,6 @@ Drawn drawn(const Design& design, const std::string& fabric, const std::string& 
     draw_places(other.experiments[static_cast<std::size_t>(find_experiment(design, experiment) - design.experiments.data())],
                 design.fabrics[at], replicate);
     return drawn;
-}
-
-bool first_is_as_given(const Design& design, const std::string& fabric, const std::string& experiment)
-{
-    const Experiment* test = find_experiment(design, experiment);
-    return test->closure != Closure::pores || drawn(design, fabric, experiment, {1, 0, 2}).design == design;
 }
 
 } // namespace hygroloom

@@ -21,10 +21,6 @@ struct UnknownInput {
 /// Of a fabric, those with a width; one row for each fibre and each yarn. Precondition: validate() found no error.
 std::vector<UnknownInput> unknown_inputs(const Design& design, const Fabric& fabric);
 
-/// Variation of the linear density along a yarn that has none given, as a fraction: of staple yarn 1.3 (an assumption) times what fibres at
-/// random have, 106 % / root of their number (Martindale 1945, cotton); of filaments 0. At most 0.4.
-double typical_irregularity(const Design& design, const Yarn& yarn);
-
 /// One of the cloths that the descriptions leave open.
 struct Replicate {
     std::uint64_t seed = 1;
@@ -44,12 +40,8 @@ struct Drawn {
     std::vector<double> places;     ///< of each, see place_in_range()
 };
 
-/// Every unknown of the fabric at its place, yarns as uneven as given or as is typical, and the drops moved by up to half a repeat of the
-/// weave. A packing that does not fit the weave stays as given. Of several, number 0 has the inputs and the drops as given; one alone is
-/// the design itself.
+/// Every unknown of the fabric at its place, and the drops moved by up to half a repeat of the weave. A packing that does not fit the weave
+/// stays as given. Of several, number 0 has the inputs and the drops as given; one alone is the design itself.
 Drawn drawn(const Design& design, const std::string& fabric, const std::string& experiment, const Replicate& replicate);
-
-/// Whether the first of several replicates is the run of the design as it is: yarns keep their evenness, or it changes nothing.
-bool first_is_as_given(const Design& design, const std::string& fabric, const std::string& experiment);
 
 } // namespace hygroloom

@@ -70,7 +70,7 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
     list.range(where + ".plies", "number of plies", yarn.plies, 1, most_plies);
     list.range(where + ".ply_twist_per_m", "twist of the plies", yarn.ply_twist_per_m, 0, 5000, "turns per metre");
-    list.range(where + ".irregularity_cv", "coefficient of variation of the linear density", yarn.irregularity_cv, 0, 0.4);
+    list.range_if_given(where + ".irregularity_cv", "coefficient of variation of the linear density", yarn.irregularity_cv, 0, 0.4);
     if (yarn.plies > yarn.fibres_per_yarn)
         list.error("range", where + ".fibres_per_yarn",
                    fmt::format("{} drawn fibres do not fill {} plies; give at least one for each.", yarn.fibres_per_yarn, yarn.plies));

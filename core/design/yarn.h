@@ -40,8 +40,8 @@ struct Yarn {
     int plies = 1;
     double ply_twist_per_m = 400; ///< of two plies or more round each other
     TwistDirection ply_twist_direction = TwistDirection::s;
-    double irregularity_cv = 0; ///< coefficient of variation of the linear density along the yarn, 0 .. 0.4
-    std::optional<Color> color; ///< without it, the undyed fibre's
+    std::optional<double> irregularity_cv; ///< coefficient of variation of the linear density along the yarn, 0 .. 0.4; see evenness.h
+    std::optional<Color> color;            ///< without it, the undyed fibre's
     bool operator==(const Yarn&) const = default;
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/design/design.h"
+#include "core/design/evenness.h"
 #include "core/design/interlacing.h"
 
 #include <cstdint>
@@ -50,6 +51,7 @@ struct FittedYarn {
     double receding_angle_deg = 0; ///< of the fibres, or of the fabric's finish over them
     Section section;               ///< mm, in the fabric
     double packing_factor = 0;     ///< in the fabric
+    Unevenness unevenness;         ///< as given, or typical
     bool flattened = false;        ///< by the thickness, the crimp or the neighbours
     bool narrowed = false;         ///< by the neighbours
 

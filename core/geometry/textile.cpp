@@ -99,7 +99,7 @@ YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fit
         fabric.measured.tortuosity.value_or(helix_tortuosity(yarn, fitted.free.diameter, fitted.free.packing_factor * fitted.core));
     type.receding_angle = radian_from_degree(fitted.receding_angle_deg);
     type.perimeter_factor = type.fibre.cross_section.perimeter_factor;
-    type.irregularity_cv = yarn.irregularity_cv;
+    type.unevenness = fitted.unevenness;
     type.fibres = yarn.fibres_per_yarn;
     type.plies = yarn.plies;
     type.twist = yarn.twist_direction == TwistDirection::z ? yarn.twist_per_m : -yarn.twist_per_m;

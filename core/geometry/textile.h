@@ -33,7 +33,7 @@ struct YarnType {
     double contact_angle = 0;    ///< radian, advancing
     double receding_angle = 0;   ///< radian, at most the contact angle
     double perimeter_factor = 1; ///< of a fibre's section: perimeter over that of a circle of the same area
-    double irregularity_cv = 0;  ///< coefficient of variation of the linear density along the yarn
+    Unevenness unevenness;       ///< of the linear density along the yarn
     Material fibre;              ///< the yarn's mean substance, see yarn_substance()
     int fibres = 30;             ///< drawn
     int plies = 1;

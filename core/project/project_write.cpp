@@ -76,7 +76,7 @@ ProjectJson write_yarn(const Yarn& yarn)
         json["ply_twist_per_m"] = yarn.ply_twist_per_m;
         json["ply_twist_direction"] = letter(yarn.ply_twist_direction);
     }
-    if (yarn.irregularity_cv != 0) json["irregularity_cv"] = yarn.irregularity_cv;
+    if (yarn.irregularity_cv) json["irregularity_cv"] = *yarn.irregularity_cv;
     if (yarn.color) json["color"] = fmt::format("#{:02x}{:02x}{:02x}", yarn.color->red, yarn.color->green, yarn.color->blue);
     return json;
 }

@@ -91,8 +91,7 @@ private Q_SLOTS:
         const std::string fabric = design.fabrics[0].name, experiment = design.experiments[0].name;
         QVERIFY(drawn(design, fabric, experiment, {1, 0, 1}).design == design);
         const Design first = drawn(design, fabric, experiment, {1, 0, 6}).design;
-        QVERIFY(first.fabrics[0].warp.irregularity_cv > 0.05);
-        QVERIFY(first.materials == design.materials && first.experiments == design.experiments);
+        QVERIFY(first == design); // the cloth in one run is the first of several
         std::set<double> angles, packings, places;
         for (int i = 1; i < 6; ++i) {
             const Design other = drawn(design, fabric, experiment, {1, i, 6}).design;
@@ -138,18 +137,6 @@ private Q_SLOTS:
             drew += other.fabrics[0].warp.packing_factor.has_value() ? 1 : 0;
         }
         QVERIFY2(drew > 0 && drew < 11, qPrintable(QString::number(drew)));
-    }
-    void yarnsAreAsUnevenAsFibresAtRandom()
-    {
-        Design design = drop_design();
-        Yarn yarn = design.fabrics[0].warp;
-        yarn.material = {{"cotton", 1.0}};
-        yarn.linear_density_tex = 20;
-        yarn.diameter_mm.reset();
-        const double fibre_tex = 1550 * pi * 8e-6 * 8e-6 * 1e6; // the library's cotton
-        QVERIFY(std::abs(typical_irregularity(design, yarn) - 1.3 * 1.06 / std::sqrt(20 / fibre_tex)) < 1e-12);
-        yarn.filament_count = 48;
-        QCOMPARE(typical_irregularity(design, yarn), 0.0);
     }
 };
 

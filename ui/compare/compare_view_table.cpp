@@ -153,8 +153,8 @@ QString unevennessOf(const Design& design, const Fabric& fabric)
 {
     QStringList all;
     for (const Yarn* yarn : {&fabric.warp, &fabric.weft}) {
-        const bool given = yarn->irregularity_cv > 0;
-        const QString share = valueText(100 * (given ? yarn->irregularity_cv : typical_irregularity(design, *yarn)), "%");
+        const bool given = yarn->irregularity_cv.has_value();
+        const QString share = valueText(100 * (yarn->irregularity_cv.value_or(typical_unevenness(design, *yarn).cv)), "%");
         all << (given ? CompareView::tr("%1 as given").arg(share) : CompareView::tr("%1 as is typical").arg(share));
     }
     all.removeDuplicates();

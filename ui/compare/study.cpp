@@ -24,11 +24,10 @@ const KeptRun* runOf(const Design& design, const std::vector<KeptRun>& runs, con
 void takeReplicates(StudyRow& row, const Design& design, const std::vector<ReplicateSet>& sets, const StudyJob& job)
 {
     const ReplicateSet* set = find_set(sets, keyOf(design, job));
-    const bool as_given = first_is_as_given(design, row.fabric, job.experiment);
     std::vector<std::optional<ReplicateRun>> replicates(static_cast<std::size_t>(job.of));
     for (int number = 0; number < job.of; ++number) {
         auto& replicate = replicates[static_cast<std::size_t>(number)];
-        if (number == 0 && as_given) {
+        if (number == 0) { // the cloth as given
             if (row.candidate) { replicate = row.candidate->replicates.front(); }
             continue; // where it is missing, so is the run of the project
         }

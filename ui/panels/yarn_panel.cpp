@@ -71,10 +71,11 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
     QuantityEdit* evenness = form.addQuantity(
         Quantity::percent(0, 0.4),
         field(
-            tr("Irregularity"), tr("irregularity"), "irregularity_cv", [](const Yarn& y) { return std::optional(y.irregularity_cv); },
-            [](Yarn& y, std::optional<double> v) { y.irregularity_cv = v.value_or(0); },
-            tr("Coefficient of variation of the linear density along the yarn (Uster CVm). Acts in the closure "
-               "“pores” only.")));
+            tr("Irregularity"), tr("irregularity"), "irregularity_cv", [](const Yarn& y) { return y.irregularity_cv; },
+            [](Yarn& y, std::optional<double> v) { y.irregularity_cv = v; },
+            tr("Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for what is usual of such a yarn. "
+               "Acts in the closure “pores” only.")),
+        true);
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
     fields_ = {fibre_,           blend_, share_,     core_,          core_share_, diameter_, density_, packing_, twist_,
