@@ -18,7 +18,7 @@ double resting_regain(const Scene& scene)
         const bool is_warp = i < scene.cloth.crossings();
         const int line = is_warp ? i / scene.cloth.picks : scene.cloth.ends + (i - scene.cloth.crossings()) / scene.cloth.ends;
         const YarnParameters& yarn = scene.cloth.yarns[scene.cloth.type[static_cast<std::size_t>(line)]];
-        const double mass = yarn.fibre_density * yarn.fibre_area * scene.cloth.length[static_cast<std::size_t>(i)];
+        const double mass = yarn.fibre_density * yarn.fibre_area * scene.cloth.fibre_length(static_cast<std::size_t>(i), yarn);
         fibres += mass;
         water += mass * yarn.resting_regain;
     }

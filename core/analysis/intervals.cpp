@@ -81,6 +81,16 @@ double by_crossings(const RunRecord& run, const std::string& metric)
     return step_of(run, metric) > 0 || metric == "wick_height_mm" ? 0.5 * crossing_of(run) : 0;
 }
 
+/// That of a stain's area, which no scene was measured for, is that of the ellipse of equal moments, of the axis that has more.
+std::optional<double> expected_error(const std::map<std::string, double>& errors, const std::string& metric)
+{
+    const auto found = errors.find(metric);
+    if (found != errors.end()) return found->second;
+    const auto warp = errors.find("wetted_area_ellipse_warp_mm"), weft = errors.find("wetted_area_ellipse_weft_mm");
+    if (!metric.starts_with("equal_area_radius") || warp == errors.end() || weft == errors.end()) return {};
+    return std::max(warp->second, weft->second);
+}
+
 } // namespace
 
 double half_width_in_deviations(int replicates) { return student_factor(of_intervals, replicates - 1) * std::sqrt(1 + 1.0 / replicates); }
@@ -126,11 +136,11 @@ double step_of(const RunRecord& run, const std::string& metric)
 
 std::optional<double> numerical_error(const RunRecord& run, const std::string& metric, double value)
 {
-    const auto found = run.plan.expected_errors.find(metric);
-    if (found == run.plan.expected_errors.end()) return {};
+    const std::optional<double> expected = expected_error(run.plan.expected_errors, metric);
+    if (!expected) return {};
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     const double scale = error_scale(metric, value, experiment ? climate_at(*experiment, experiment->duration_s).temperature_c : 0);
-    return std::hypot(found->second * scale, by_crossings(run, metric));
+    return std::hypot(*expected * scale, by_crossings(run, metric));
 }
 
 std::map<std::string, Interval> numerical_intervals(const RunRecord& run, const Metrics& metrics)

@@ -3,6 +3,7 @@
 
 #include "core/analysis/outcomes.h"
 #include "core/base/units.h"
+#include "core/design/holes.h"
 #include "core/plan/bundles.h"
 #include "core/scene/scene.h"
 
@@ -19,6 +20,7 @@ namespace {
 struct WetFace {
     std::vector<std::array<double, 2>> outline;     ///< m, of each end the first and the last; all others lie between
     double count = 0, x = 0, y = 0, xx = 0, yy = 0; ///< sums over all
+    double each = 0;                                ///< m2 of the face that each lies on
 
     void add(double at_x, double at_y)
     {
@@ -43,6 +45,7 @@ std::array<WetFace, 2> wet_faces_of_ends(const Textile& textile, const Frame& fr
         for (std::size_t f = 0; f < 2; ++f) {
             if (end.first[f] < 0) continue;
             WetFace& face = faces[f];
+            face.each = across * along;
             const auto y_of = [&](float pick) { return (static_cast<double>(pick) - 0.5 * (frame.wet_picks - 1)) * along; };
             for (double at : {x - side, x + side}) {
                 face.outline.push_back({at, y_of(end.first[f]) - tip});
@@ -69,6 +72,7 @@ std::array<WetFace, 2> wet_faces(const Textile& textile, const Frame& frame)
 {
     if (!frame.wet.empty()) return wet_faces_of_ends(textile, frame);
     std::array<WetFace, 2> faces;
+    for (WetFace& face : faces) face.each = textile.warp.pitch * textile.weft.pitch;
     const auto wet = [&](YarnKind kind, int end, int pick) {
         return frame.saturation[static_cast<std::size_t>(textile.segment(kind, end, pick))] >= wet_saturation;
     };
@@ -176,7 +180,7 @@ std::array<double, 2> absorbed_before(const RunRecord& run, const Experiment& ex
             for (int pick = 0; pick < run.textile.picks(); ++pick) {
                 const int line = kind == YarnKind::warp ? end : run.textile.ends() + pick;
                 const YarnParameters& yarn = scene.cloth.yarns[scene.cloth.type[static_cast<std::size_t>(line)]];
-                const double length = scene.cloth.length[static_cast<std::size_t>(run.textile.segment(kind, end, pick))];
+                const double length = scene.cloth.fibre_length(static_cast<std::size_t>(run.textile.segment(kind, end, pick)), yarn);
                 const double absorbed = (yarn.initial_regain - yarn.resting_regain) * yarn.fibre_area * yarn.fibre_density * length;
                 const double top = run.textile.on_top(kind, end, pick);
                 water[0] += top * absorbed;
@@ -249,6 +253,9 @@ void MetricsCollector::start(const RunRecord& run)
     regain_at_start_.clear();
     pins_ = uses_field(experiment_.type, "feed_s") ? TesterPins(textile_) : TesterPins();
     edge_time_.reset();
+    falls_through_.clear();
+    if (const Fabric* fabric = find_fabric(run.design, run.fabric))
+        falls_through_ = falls_through(*fabric, fit_fabric(run.design, *fabric), experiment_);
     was_wet_.clear();
     wet_ends_.clear();
     last_wetted_ = 0;
@@ -292,6 +299,9 @@ void MetricsCollector::add(const Frame& frame)
 
     metrics_.maximum_wetted_radius_top = std::max(metrics_.maximum_wetted_radius_top, top);
     metrics_.maximum_wetted_radius_bottom = std::max(metrics_.maximum_wetted_radius_bottom, bottom);
+    const auto equal_area = [](const WetFace& face) { return std::sqrt(face.count * face.each / pi); };
+    metrics_.equal_area_radius_top = std::max(metrics_.equal_area_radius_top, equal_area(wet[0]));
+    metrics_.equal_area_radius_bottom = std::max(metrics_.equal_area_radius_bottom, equal_area(wet[1]));
     const std::array<double, 2> axes = wetted_ellipse(wet[0]);
     metrics_.wetted_area_ellipse_weft = axes[0];
     metrics_.wetted_area_ellipse_warp = axes[1];
@@ -339,6 +349,10 @@ Metrics MetricsCollector::metrics() const
 {
     Metrics m = metrics_;
     m.edge_time = edge_time_;
+    if (!falls_through_.empty()) {
+        m.notes.push_back(falls_through_);
+        m.absorbency_time.reset(); // nobody sees it absorbed
+    }
     if (edge_time_)
         m.notes.push_back(
             is_strip(experiment_.type)

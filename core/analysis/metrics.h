@@ -42,6 +42,7 @@ private:
     std::array<double, 2> absorbed_before_{0, 0}; ///< kg, top and bottom: of the test's water, by the fibres before the first frame
     std::vector<float> regain_at_start_;
     TesterPins pins_;                   ///< of moisture_management only
+    std::string falls_through_;         ///< see falls_through()
     std::optional<double> edge_time_;   ///< s, when water was first seen where the sample ends
     double unsolved_lines_ = 0;         ///< see Frame
     std::vector<std::uint8_t> was_wet_; ///< 1: each segment, in any frame so far

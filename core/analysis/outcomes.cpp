@@ -56,7 +56,13 @@ const MetricGroup& stain()
     using G = ManagementGrades;
     static const MetricGroup group{
         [](M) { return true; },
-        {{{"maximum_wetted_radius_top_mm", "wetted radius", "top", "mm", more},
+        {{{"equal_area_radius_mm", "radius of a circle as large as the stain", "top", "mm", more},
+          [](M m) -> Value { return mm_from_metre(m.equal_area_radius_top); }},
+         {{"equal_area_radius_bottom_mm", "radius of a circle as large as the stain", "bottom", "mm", more},
+          [](M m) -> Value { return mm_from_metre(m.equal_area_radius_bottom); }},
+         {{"wetted_area_mm2", "area of the stain", "top", "mm²", more},
+          [](M m) -> Value { return 1e6 * pi * m.equal_area_radius_top * m.equal_area_radius_top; }},
+         {{"maximum_wetted_radius_top_mm", "wetted radius", "top", "mm", more},
           [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_top); }},
          {{"maximum_wetted_radius_bottom_mm", "wetted radius", "bottom", "mm", more},
           [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_bottom); }},
@@ -87,7 +93,7 @@ const MetricGroup& absorbency()
         [](M m) { return m.ledger.water_delivered > 0; },
         {{{"absorbency_time_s", "absorbency time", "", "s", less},
           [](M m) { return m.absorbency_time; },
-          "free liquid is left",
+          "liquid is left on the cloth, or falls through it",
           nullptr,
           [](M m) { return m.ledger.water_dripped > 0 ? "some of the liquid dripped off instead of being absorbed" : ""; }}}};
     return group;
@@ -159,6 +165,7 @@ const MetricGroup& drying()
         {{{"drying_rate_g_m2_h", "steady drying rate", "", "g/(m² h)", more},
           [](M m) { return scaled(m.drying->rate, g_m2_h_per_kg_m2_s); },
           early},
+         {{"water_at_start_g_m2", "water at the start", "", "g/m²", neither}, [](M m) { return scaled(m.water_at_start, 1e3); }},
          {{"time_to_dry_s", "time to dry", "", "s", less}, [](M m) { return m.drying->time_to_dry; }, "more than 4 % of the water is left"},
          {{"surface_temperature_steady_c", "steady temperature", "", "°C", less, false, true},
           [](M m) { return m.drying->steady_temperature ? Value(celsius_from_kelvin(*m.drying->steady_temperature)) : Value(); },
@@ -212,6 +219,7 @@ void compute_drying(Metrics& m, const Experiment&, double area)
 {
     std::vector<double> left;
     for (double evaporated : m.series.evaporated) left.push_back(m.ledger.water_delivered - evaporated);
+    m.water_at_start = m.ledger.water_delivered / area;
     m.drying = drying_result(m.series.time, left, m.series.temperature_mean, area);
 }
 
@@ -224,9 +232,10 @@ void compute_conditioning(Metrics& m, const Experiment&, double)
 /// In the order of ExperimentType.
 const TypeMetrics& metrics_of(ExperimentType type)
 {
-    constexpr const char *top = "maximum_wetted_radius_top_mm", *bottom = "maximum_wetted_radius_bottom_mm";
+    constexpr const char *top = "equal_area_radius_mm", *bottom = "equal_area_radius_bottom_mm"; // a single finger of a stain moves
+    constexpr const char *circle_top = "maximum_wetted_radius_top_mm", *circle_bottom = "maximum_wetted_radius_bottom_mm"; // these more
     static const std::array<TypeMetrics, experiment_types> table{
-        {/* droplet */ {{&stain(), &absorbency()}, {top, bottom, "absorbency_time_s"}, PlotName::radius},
+        {/* droplet */ {{&stain(), &absorbency()}, {top, bottom, "absorbency_time_s", circle_top, circle_bottom}, PlotName::radius},
          /* moisture_management */
          {{&stain(), &management()},
           {"ommc", "one_way_transport_pct", "spreading_speed_bottom_mm_s", "absorption_rate_bottom_pct_s", "wetting_time_top_s"},
@@ -235,14 +244,14 @@ const TypeMetrics& metrics_of(ExperimentType type)
          /* vertical_wicking */ {{&rise()}, {"wick_height_mm", "wick_rate_mm_s05"}, PlotName::height, compute_wicking},
          /* horizontal_wicking */
          {{&stain(), &absorbency(), &area_growth()},
-          {"wick_rate_mm2_s", top, "absorbency_time_s"},
+          {"wick_rate_mm2_s", top, "absorbency_time_s", circle_top},
           PlotName::radius,
           compute_horizontal_rate},
          /* drying */
          {{&drying()}, {"time_to_dry_s", "drying_rate_g_m2_h", "surface_temperature_steady_c"}, PlotName::temperature, compute_drying},
          /* conditioning */
          {{&conditioning()}, {"regain_half_time_s", "regain_end", "temperature_peak_rise_c"}, PlotName::temperature, compute_conditioning},
-         /* sweat */ {{&stain()}, {bottom, top}, PlotName::faces}}};
+         /* sweat */ {{&stain()}, {bottom, top, circle_bottom, circle_top}, PlotName::faces}}};
     return table[static_cast<std::size_t>(type)];
 }
 

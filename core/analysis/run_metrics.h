@@ -26,6 +26,8 @@ struct Series {
 struct Metrics {
     double maximum_wetted_radius_top = 0;    ///< m
     double maximum_wetted_radius_bottom = 0; ///< m
+    double equal_area_radius_top = 0;        ///< m, of a circle as large as the largest stain on top
+    double equal_area_radius_bottom = 0;     ///< m
     std::optional<double> absorbency_time;   ///< s
     double wetted_area_ellipse_warp = 0;     ///< m, semi-axis along the warp, of the final stain on top
     double wetted_area_ellipse_weft = 0;     ///< m
@@ -35,6 +37,7 @@ struct Metrics {
     std::optional<WickingResult> wicking;
     std::optional<double> horizontal_rate; ///< m2/s: area of the stain over the time in which it grew to 95 % of it (AATCC 198)
     std::optional<DryingResult> drying;
+    std::optional<double> water_at_start; ///< kg/m2, of a cloth that begins wet
     std::optional<ConditioningResult> conditioning;
     Series series;
     Ledger ledger;                    ///< at the end

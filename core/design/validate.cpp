@@ -3,6 +3,7 @@
 #include "core/design/validate.h"
 
 #include "core/base/units.h"
+#include "core/design/holes.h"
 #include "core/design/issue_list.h"
 
 #include <algorithm>
@@ -110,8 +111,12 @@ Validation validate_and_fit(const Design& design)
         list.name(where + ".name", design.experiments[i].name, experiments);
         validate_experiment(design, design.experiments[i], where, list);
         if (list.errors() != before) continue;
-        for (std::size_t f = 0; f < design.fabrics.size(); ++f)
-            if (sound[f]) validate_size(design.fabrics[f], design.experiments[i], where, list);
+        for (std::size_t f = 0; f < design.fabrics.size(); ++f) {
+            if (!sound[f]) continue;
+            validate_size(design.fabrics[f], design.experiments[i], where, list);
+            const std::string hole = falls_through(design.fabrics[f], *fitted[f], design.experiments[i]);
+            if (!hole.empty()) list.add(Severity::warning, "falls_through", where, hole);
+        }
     }
     for (std::size_t i = 0; i < design.wears.size(); ++i) { // they stand behind the others
         const std::string where = fmt::format("experiments[{}]", design.experiments.size() + i);

@@ -12,6 +12,9 @@ namespace {
 
 constexpr const char* words[] = {
     // Metrics and their faces: core/analysis/outcomes.cpp.
+    QT_TRANSLATE_NOOP("core", "radius of a circle as large as the stain"),
+    QT_TRANSLATE_NOOP("core", "area of the stain"),
+    QT_TRANSLATE_NOOP("core", "water at the start"),
     QT_TRANSLATE_NOOP("core", "wetted radius"),
     QT_TRANSLATE_NOOP("core", "wetted radius in 5 mm rings"),
     QT_TRANSLATE_NOOP("core", "ellipse of equal moments on top, semi-axis along warp"),
@@ -39,7 +42,7 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "bottom"),
     // Why a number is missing, and what limits it.
     QT_TRANSLATE_NOOP("core", "no 10 s without growth before the end"),
-    QT_TRANSLATE_NOOP("core", "free liquid is left"),
+    QT_TRANSLATE_NOOP("core", "liquid is left on the cloth, or falls through it"),
     QT_TRANSLATE_NOOP("core", "some of the liquid dripped off instead of being absorbed"),
     QT_TRANSLATE_NOOP("core", "nothing is wet"),
     QT_TRANSLATE_NOOP("core", "this face stayed dry"),
