@@ -95,6 +95,11 @@ private:
 FlatMesh mesh_by_assimp(std::string_view bytes, const std::string& format, const std::string& name)
 {
     const MeshBuilder empty(name);
+    const auto refuse = [&empty](const char* why) {
+        std::string text = in_one_line(cut_text(why, 200));
+        while (text.ends_with('.') || text.ends_with(' ')) text.pop_back();
+        empty.refuse(fmt::format("The file cannot be read: {}.", text));
+    };
     Assimp::Importer importer;
     importer.SetIOHandler(new NoFiles); // which the importer deletes
     // Others would be tried where the file does not begin as its format does.
@@ -107,10 +112,9 @@ FlatMesh mesh_by_assimp(std::string_view bytes, const std::string& format, const
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& error) {
-        empty.refuse(fmt::format("The file cannot be read: {}", in_one_line(cut_text(error.what(), 200))));
+        refuse(error.what());
     }
-    if (scene == nullptr || scene->mRootNode == nullptr)
-        empty.refuse(fmt::format("The file cannot be read: {}", in_one_line(cut_text(importer.GetErrorString(), 200))));
+    if (scene == nullptr || scene->mRootNode == nullptr) refuse(importer.GetErrorString());
     return SceneReader(*scene, name).read();
 }
 

@@ -79,7 +79,7 @@ double ObjReader::number(std::string_view& line) const
     double value = 0;
     const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (failure != std::errc() || end != word.data() + word.size() || !(std::abs(value) < 1e12))
-        refuse(fmt::format("This must be a number; given is \"{}\".", in_whole_utf8(cut_text(word, 40))));
+        refuse(fmt::format("This must be a number; given is \"{}\".", in_one_line(cut_text(word, 40))));
     return value;
 }
 
@@ -90,7 +90,7 @@ int ObjReader::index(std::string_view text, std::size_t count) const
     const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
     const long long all = static_cast<long long>(count);
     if (failure != std::errc() || end != text.data() + text.size() || value == 0 || value > all || value < -all)
-        refuse(fmt::format("This must be a number from 1 to {}; given is \"{}\".", count, in_whole_utf8(cut_text(text, 40))));
+        refuse(fmt::format("This must be a number from 1 to {}; given is \"{}\".", count, in_one_line(cut_text(text, 40))));
     return static_cast<int>(value > 0 ? value - 1 : all + value);
 }
 

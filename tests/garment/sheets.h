@@ -66,6 +66,7 @@ struct GlbForm {
     int uv_type = 5126;     ///< float; 5120 byte, 5121 unsigned byte, 5122 short, 5123 unsigned short, all normalized
     bool quantized = false; ///< places in unsigned shorts, put right by the node
     std::vector<std::string> nodes = {};
+    std::size_t roots = 0; ///< of these nodes; 0: all
     std::string extra = {}; ///< keys of the file
 };
 
@@ -118,7 +119,7 @@ inline std::string glb_of(const std::vector<Sheet>& sheets, const GlbForm& form 
         nodes += fmt::format("{}{{\"mesh\":{},\"name\":\"{}\"{}}}", s > 0 ? "," : "", s, one.name, placed);
     }
     if (!form.nodes.empty()) nodes = fmt::format("{}", fmt::join(form.nodes, ","));
-    const std::size_t count = form.nodes.empty() ? sheets.size() : form.nodes.size();
+    const std::size_t count = form.roots > 0 ? form.roots : form.nodes.empty() ? sheets.size() : form.nodes.size();
     std::string roots;
     for (std::size_t i = 0; i < count; ++i) roots += (i > 0 ? "," : "") + std::to_string(i);
     std::string json = fmt::format("{{\"asset\":{{\"version\":\"2.0\"}},\"scene\":0,\"scenes\":[{{\"nodes\":[{}]}}],\"nodes\":[{}],"
