@@ -218,10 +218,10 @@ void Sides::orient(Island& island)
         for (std::size_t i = 0; i < piece.size(); ++i)
             for (int side = 3 * piece[i]; side < 3 * piece[i] + 3; ++side) {
                 if (beyond(side) < 0) continue;
-                const int other = beyond(side) / 3;
-                const bool against = from(beyond(side)) == from(side); // both go the same way along it
+                const int across = beyond(side), other = across / 3;
+                const bool against = from(across) == from(side); // both go the same way along it
                 if (seen_[static_cast<std::size_t>(other)]) {
-                    if (against) beyond(beyond(side)) = beyond(side) = -1;
+                    if (against) beyond(across) = beyond(side) = -1;
                     continue;
                 }
                 if (against) {

@@ -147,6 +147,22 @@ private Q_SLOTS:
         QVERIFY2(tells(pattern, "3 triangles faced the other way") && !tells(pattern, "folded") && !tells(pattern, "holes"),
                  all_issues(pattern).c_str());
     }
+    /// A band whose ends are joined the wrong way round has one face only.
+    void aMoebiusStripIsPartedSomewhere()
+    {
+        std::string obj;
+        for (int i = 0; i < 12; ++i)
+            for (int k = 0; k < 2; ++k) {
+                const double turn = 2 * 3.14159265 * i / 12, out = 0.3 + 0.1 * (k - 0.5) * std::cos(0.5 * turn);
+                obj += fmt::format("v {} {} {}\nvt {} {}\n", out * std::cos(turn), 1 + 0.1 * (k - 0.5) * std::sin(0.5 * turn),
+                                   out * std::sin(turn), 0.02 * i, 0.1 * k);
+            }
+        for (int i = 0; i < 12; ++i) {
+            const int a = 2 * i + 1, b = 2 * i + 2, c = i < 11 ? a + 2 : 2, d = i < 11 ? b + 2 : 1;
+            obj += fmt::format("f {0}/{0} {1}/{1} {2}/{2}\nf {1}/{1} {3}/{3} {2}/{2}\n", a, b, c, d);
+        }
+        QCOMPARE(files_.read(obj, "x.obj").panels.size(), std::size_t(1));
+    }
     void aHoleIsToldAndAMeshOfTwoFacesReadOnce()
     {
         std::vector<Sheet> sheets = two_sheets();
