@@ -97,6 +97,7 @@ FlatMesh mesh_by_assimp(std::string_view bytes, const std::string& format, const
     const MeshBuilder empty(name);
     const auto refuse = [&empty](const char* why) {
         std::string text = in_one_line(cut_text(why, 200));
+        if (text.find("bad_alloc") != std::string::npos) throw std::bad_alloc(); // which the library catches
         while (text.ends_with('.') || text.ends_with(' ')) text.pop_back();
         empty.refuse(fmt::format("The file cannot be read: {}.", text));
     };

@@ -41,10 +41,10 @@ constexpr std::array allowed{__NR_read,           __NR_write,        __NR_mmap, 
 
 } // namespace
 
-void limit_resources()
+void limit_resources([[maybe_unused]] std::size_t memory)
 {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // they take terabytes of addresses
-    limit(RLIMIT_AS, most_reader_bytes, most_reader_bytes);
+    limit(RLIMIT_AS, memory, memory);
 #endif
     limit(RLIMIT_CPU, most_reader_seconds, most_reader_seconds + 1);
     limit(RLIMIT_FSIZE, 0, 0);

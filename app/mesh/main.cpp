@@ -20,11 +20,16 @@
 
 namespace {
 
-std::string read_all()
+std::size_t size_of_input()
 {
     struct stat status {};
     fstat(STDIN_FILENO, &status);
-    std::string bytes(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)), '\0');
+    return static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
+}
+
+std::string read_all(std::size_t size)
+{
+    std::string bytes(size, '\0');
     std::size_t done = 0;
     while (done < bytes.size()) {
         const ssize_t got = read(STDIN_FILENO, bytes.data() + done, bytes.size() - done);
@@ -46,16 +51,16 @@ void write_all(const std::string& bytes)
     }
 }
 
-std::string answer_for(const std::string& format, const std::string& name)
+std::string answer_for(const std::string& format, const std::string& name, std::size_t size)
 try {
-    const std::string bytes = read_all();
+    const std::string bytes = read_all(size);
     hygroloom::refuse_calls();
     return hygroloom::answer_bytes(hygroloom::mesh_by_assimp(bytes, format, name));
 } catch (const std::bad_alloc&) {
     return hygroloom::refusal_bytes(
         fmt::format("Reading the file takes more than {} of memory, which is the most. Export it anew with fewer "
                     "triangles, as OBJ or GLB.",
-                    hygroloom::bytes_text(hygroloom::most_reader_bytes)));
+                    hygroloom::bytes_text(static_cast<double>(hygroloom::most_reader_bytes(size)))));
 } catch (const std::exception& error) {
     return hygroloom::refusal_bytes(error.what());
 }
@@ -68,7 +73,8 @@ int main(int count, char** words)
         std::fputs("Hygroloom starts this program to read a garment's mesh: hygroloom-mesh fbx|dae NAME < FILE\n", stderr);
         return 2;
     }
-    hygroloom::limit_resources();
-    write_all(answer_for(words[1], words[2]));
+    const std::size_t size = size_of_input();
+    hygroloom::limit_resources(hygroloom::most_reader_bytes(size));
+    write_all(answer_for(words[1], words[2], size));
     _exit(0); // what the library holds is not worth taking apart
 }
