@@ -194,9 +194,7 @@ private Q_SLOTS:
     }
     void oddity4_aLiftplanWinsOverATieUp()
     {
-        std::string text = twill("[LIFTPLAN]\n1=1,3\n2=2,4\n");
-        text.replace(text.find("TIEUP=true"), 10, "TIEUP=true\nLIFTPLAN=true");
-        const DraftImport draft = import_text(text);
+        const DraftImport draft = import_text("[CONTENTS]\nLIFTPLAN=true\n" + twill("[LIFTPLAN]\n1=1,3\n2=2,4\n"));
         QCOMPARE(drawn(draft.fabric.weave), std::string("01 10"));
         QVERIFY(!reported(draft, "the liftplan counts").empty());
         QCOMPARE(draft.fabric.weave.draft()->treadles, 0);

@@ -66,7 +66,7 @@ struct GlbForm {
     int uv_type = 5126;     ///< float; 5120 byte, 5121 unsigned byte, 5122 short, 5123 unsigned short, all normalized
     bool quantized = false; ///< places in unsigned shorts, put right by the node
     std::vector<std::string> nodes = {};
-    std::size_t roots = 0; ///< of these nodes; 0: all
+    std::size_t roots = 0;  ///< of these nodes; 0: all
     std::string extra = {}; ///< keys of the file
 };
 
