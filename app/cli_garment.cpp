@@ -139,8 +139,9 @@ void print_pattern(const GarmentOptions& options, const Garment& garment, const 
     print_result("  {} seams; {}.\n", pattern.seams.size(), pattern.is_draped ? "draped" : "flat, where its panels were placed");
     if (pattern.uv_scale > 0 && !garment.is_built_in())
         print_result("  A unit of the flat coordinates is {:.6g} mm{}.\n", 1e3 * pattern.uv_scale,
-                     pattern.uv_scale_spread > 0 ? fmt::format(", the middle edge differs by {:.2g} %", 100 * pattern.uv_scale_spread)
-                                                 : "");
+                     pattern.uv_scale_spread > 5e-5
+                         ? fmt::format(", half of the cloth differs by over {:.2g} %", 100 * pattern.uv_scale_spread)
+                         : "");
     if (!options.quiet)
         for (const std::string& issue : pattern.issues) print_result("  {}\n", issue);
 }

@@ -4,6 +4,9 @@
 target_link_options(hygroloom-cli PRIVATE -Wl,--disable-new-dtags)
 set_target_properties(hygroloom-cli PROPERTIES INSTALL_RPATH "$ORIGIN/../lib:$ORIGIN/../lib/c++")
 install(TARGETS hygroloom-cli RUNTIME_DEPENDENCY_SET bundled RUNTIME)
+target_link_options(hygroloom-mesh PRIVATE -Wl,--disable-new-dtags)
+set_target_properties(hygroloom-mesh PROPERTIES INSTALL_RPATH "$ORIGIN/..:$ORIGIN/../c++")
+install(TARGETS hygroloom-mesh RUNTIME_DEPENDENCY_SET bundled RUNTIME DESTINATION lib/hygroloom)
 
 # A desktop's own: what talks to its graphics driver and its fonts must be as new as they are.
 set(desktops_own "")

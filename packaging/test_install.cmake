@@ -4,7 +4,7 @@ set(tree ${BUILD}/install-test)
 file(REMOVE_RECURSE ${tree})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${tree} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
-set(expected bin/hygroloom-cli share/man/man1/hygroloom-cli.1 share/bash-completion/completions/hygroloom-cli
+set(expected bin/hygroloom-cli lib/hygroloom/hygroloom-mesh share/man/man1/hygroloom-cli.1 share/bash-completion/completions/hygroloom-cli
   share/zsh/site-functions/_hygroloom-cli share/fish/vendor_completions.d/hygroloom-cli.fish share/doc/hygroloom/LICENSE share/hygroloom/examples/one-drop-on-cotton.hygro
   share/hygroloom/examples/paper/figure-08-wetted-radius.hygro share/hygroloom/examples/paper/README.md
   share/hygroloom/help/index.md share/hygroloom/help/drying.md share/hygroloom/examples/textile-F.study.json
@@ -13,7 +13,7 @@ if(EXISTS ${BUILD}/bin/hygroloom)
   list(APPEND expected bin/hygroloom share/man/man1/hygroloom.1 share/applications/hygroloom.desktop share/metainfo/org.hygroloom.Hygroloom.metainfo.xml
     share/mime/packages/hygroloom.xml share/icons/hicolor/scalable/apps/hygroloom.svg)
 endif()
-if(EXISTS ${BUILD}/python)
+if(PYTHON AND EXISTS ${BUILD}/python)
   list(APPEND expected lib/python3/dist-packages/hygroloom/__init__.py lib/python3/dist-packages/hygroloom/py.typed
     share/hygroloom/examples/python/experiments.py)
 endif()
@@ -27,4 +27,15 @@ foreach(file IN LISTS expected)
 endforeach()
 execute_process(COMMAND ${tree}/bin/hygroloom-cli check ${tree}/share/hygroloom/examples/one-drop-on-cotton.hygro
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+# What reads files of strangers is found from the programs and from Python.
+execute_process(COMMAND ${tree}/bin/hygroloom-cli garment import ${SOURCE}/tests/data/garments/sheet.dae -o ${tree}/sheet.hygro
+  OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+if(NOT said MATCHES "front +0.20000")
+  message(FATAL_ERROR "The installed program reads of sheet.dae: ${said}")
+endif()
+if(PYTHON AND EXISTS ${BUILD}/python)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${tree}/lib/python3/dist-packages ${PYTHON} -c
+    "import hygroloom, sys; p = hygroloom.Project.open(sys.argv[1]); p.set('experiments[0].duration_s', 1); hygroloom.simulate(p, experiment='wear', fidelity='live', backend='cpu')"
+    ${tree}/sheet.hygro OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+endif()
 file(REMOVE_RECURSE ${tree})

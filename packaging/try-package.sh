@@ -47,6 +47,9 @@ inside hygroloom-cli simulate /usr/share/hygroloom/examples/one-drop-on-cotton.h
 head -3 "$listed/said"
 inside hygroloom-cli measure /tmp/drop.hygrorec --quiet >/dev/null
 inside python3 -c 'import hygroloom; print(hygroloom.measure("/tmp/drop.hygrorec").table.value)'
+cp tests/data/garments/sheet.dae "$root/tmp/"
+inside hygroloom-cli garment import /tmp/sheet.dae -o /tmp/sheet.hygro
+inside python3 -c 'import hygroloom; p = hygroloom.Project.open("/tmp/sheet.hygro"); p.set("experiments[0].duration_s", 1); print(hygroloom.simulate(p, experiment="wear", fidelity="live").table.value)'
 inside timeout --preserve-status --signal=TERM 8 hygroloom >/dev/null 2>&1 && code=0 || code=$?
 # 143: it ran until it was ended.
 [ "$code" -eq 143 ] || { echo "The window did not stay open; it ended with $code." >&2; exit 1; }

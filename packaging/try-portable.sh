@@ -29,6 +29,8 @@ tar --extract --file "$bundle" --directory "$root/opt/hygroloom" --strip-compone
 
 inside /opt/hygroloom/bin/hygroloom-cli simulate /opt/hygroloom/share/hygroloom/examples/one-drop-on-cotton.hygro --fidelity draft --quiet > "$root/tmp/said"
 head -3 "$root/tmp/said"
+cp tests/data/garments/sheet.dae "$root/tmp/"
+inside /opt/hygroloom/bin/hygroloom-cli garment import /tmp/sheet.dae
 inside QT_QPA_PLATFORM=offscreen /opt/hygroloom/hygroloom --version
 number=77
 Xvfb ":$number" -screen 0 1280x1024x24 -nolisten tcp >/dev/null 2>&1 &

@@ -104,7 +104,8 @@ Results run_worn(const Design& design, const WearExperiment& wear, const std::st
     how.shown_mm = arguments.shown_mm;
     how.detail = arguments.detail;
     how.knobs = run_options(arguments).knobs;
-    const GarmentParts parts = garment_parts(design, wear, std::filesystem::absolute(folder));
+    const GarmentParts parts =
+        garment_parts(design, wear, std::filesystem::absolute(folder), [&watch] { return watch.control.cancel.load(); });
     const GarmentScene garment = garment_scene(parts, resolution_of(how));
     const WearLayout layout = wear_layout(parts, garment);
     const std::unique_ptr<Backend> backend = open_backend(arguments);

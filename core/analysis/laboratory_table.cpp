@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/laboratory_table.h"
 
+#include "core/analysis/outcomes.h"
 #include "core/base/error.h"
 #include "core/base/words.h"
 #include "core/project/csv_table.h"
@@ -41,6 +42,8 @@ LaboratoryTable read_laboratory_table(const std::string& text, const std::string
             throw Error(
                 fmt::format("{}: line {}: The unit of {} is \"{}\"; given is \"{}\".", file, csv.lines[row], fields[1], unit, fields[3]));
         LaboratoryValue value{fields[0], fields[1], number_in(csv, row, 2, "value"), {}};
+        if (value.value < 0 && !may_be_negative(value.metric))
+            throw Error(fmt::format("{}: line {}: {} must be 0 or more; given is {:g}.", file, csv.lines[row], value.metric, value.value));
         if (!fields[4].empty()) value.spread = number_in(csv, row, 4, "spread");
         if (value.spread && *value.spread < 0)
             throw Error(fmt::format("{}: line {}: spread must be 0 or more; given is {:g}.", file, csv.lines[row], *value.spread));

@@ -22,6 +22,9 @@ std::string unit_in(const std::string& key)
     return end == "mm" || end == "g" ? end : end == "c" ? "°C" : end == "pct" ? "%" : "";
 }
 
+/// Amounts against the start may be: air may dry the cloth, or wet it.
+bool can_be_negative(const std::string& curve) { return curve.ends_with("_c") || curve == "evaporated_g" || curve == absorbed; }
+
 /// All have a spread above 0, or none has one.
 void check_spreads(const MeasuredData& data)
 {
@@ -44,6 +47,8 @@ MeasuredData read_curve(const std::string& text, const std::string& file, const 
         if (!(number.time >= 0 && number.time <= experiment.duration_s))
             throw Error(fmt::format("{}: line {}: time_s must be from 0 to {:g}, the end of \"{}\"; given is {:g}.", file, csv.lines[row],
                                     experiment.duration_s, experiment.name, number.time));
+        if (number.value < 0 && !can_be_negative(key))
+            throw Error(fmt::format("{}: line {}: {} must be 0 or more; given is {:g}.", file, csv.lines[row], key, number.value));
         if (!csv.rows[row][2].empty()) number.spread = number_in(csv, row, 2, "spread");
         data.numbers.push_back(std::move(number));
     }
@@ -142,7 +147,7 @@ MeasuredData read_measured_data(const std::string& text, const std::string& file
         std::copy_if(curves.begin(), curves.end(), std::back_inserter(given), has);
         if (given.size() != 1)
             throw Error(fmt::format("{}: A curve has the columns time_s and one of {}, which \"{}\" gives; the columns here are {}.", file,
-                                    fmt::join(curves, ", "), experiment.name, fmt::join(header, ", ")));
+                                    fmt::join(curves, ", "), experiment.name, column_list(header)));
         data = read_curve(text, file, given.front(), experiment);
     }
     if (data.numbers.empty()) throw Error(fmt::format("{}: There is no number of {}.", file, fabric.name));

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  base/shipped_file.cpp
   base/student.cpp
   base/utf8.cpp
   base/version.cpp

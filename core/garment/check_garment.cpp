@@ -132,6 +132,8 @@ GarmentCheck check_garments(const Design& design, const std::filesystem::path& b
         read("garment_source", where + ".source", [&] { pattern = read_pattern(garment, base); });
         read("sweat_table", where + ".wearer.zones", [&] { sweat_table(garment.wearer.zones, base); });
         if (!pattern) continue;
+        for (const std::string& doubt : pattern->doubts)
+            found.issues.push_back({Severity::warning, "garment_shape", where + ".source", garment.source + ": " + doubt});
         for (Issue& issue : misnamed_in(garment, *pattern, where)) found.issues.push_back(std::move(issue));
     }
     for (std::size_t i = 0; i < design.wears.size(); ++i) { // they stand behind the others

@@ -3,6 +3,7 @@
 // are then put in one by one, with flips round each.
 #include "core/garment/fill.h"
 
+#include "core/garment/ears.h"
 #include "core/garment/outline.h"
 
 #include <fmt/format.h>
@@ -32,7 +33,7 @@ class Triangulation {
 public:
     Triangulation(std::vector<FlatPlace> outline, double spacing) : places_(std::move(outline)), spacing_(spacing) {}
 
-    bool cut_ears(std::size_t& work);
+    bool cut(std::size_t& work) { return cut_ears(places_, corners_, work); }
     void join();
     void flip_all();
     void insert(const FlatPlace& place);
@@ -40,7 +41,6 @@ public:
 
 private:
     const FlatPlace& at(int place) const { return places_[static_cast<std::size_t>(place)]; }
-    bool is_ear(int before, int here, int after, const std::vector<int>& next, std::size_t& work) const;
     int containing(const FlatPlace& place);
     void flip_from(int triangle, int corner);
     int corner_towards(int triangle, int other) const;
@@ -59,47 +59,6 @@ private:
     int last_ = 0;
     std::vector<std::array<int, 2>> waiting_;
 };
-
-bool Triangulation::is_ear(int before, int here, int after, const std::vector<int>& next, std::size_t& work) const
-{
-    const FlatPlace &a = at(before), &b = at(here), &c = at(after);
-    if (!(twice_area(a, b, c) > 0)) return false;
-    const double thin = 1e-13; // m2: on the ear's side
-    for (int k = next[static_cast<std::size_t>(after)]; k != before; k = next[static_cast<std::size_t>(k)]) {
-        if (work > 0) --work;
-        const FlatPlace& p = at(k);
-        if (p == a || p == b || p == c) continue; // the outline touches itself
-        if (twice_area(a, b, p) >= -thin && twice_area(b, c, p) >= -thin && twice_area(c, a, p) >= -thin) return false;
-    }
-    return true;
-}
-
-bool Triangulation::cut_ears(std::size_t& work)
-{
-    const int count = static_cast<int>(places_.size());
-    std::vector<int> next(places_.size()), before(places_.size());
-    for (int i = 0; i < count; ++i) {
-        next[static_cast<std::size_t>(i)] = (i + 1) % count;
-        before[static_cast<std::size_t>(i)] = (i + count - 1) % count;
-    }
-    int left = count, here = 0, tried = 0;
-    while (left > 2) {
-        if (tried > left || work == 0) return false;
-        const int a = before[static_cast<std::size_t>(here)], c = next[static_cast<std::size_t>(here)];
-        if (!is_ear(a, here, c, next, work)) {
-            here = c;
-            ++tried;
-            continue;
-        }
-        corners_.push_back({a, here, c});
-        next[static_cast<std::size_t>(a)] = c;
-        before[static_cast<std::size_t>(c)] = a;
-        --left;
-        tried = 0;
-        here = next[static_cast<std::size_t>(c)]; // not the next: fans would be thin
-    }
-    return true;
-}
 
 void Triangulation::join()
 {
@@ -252,7 +211,7 @@ FilledPanel filled(const PatternPanel& panel, double spacing, std::size_t& work)
         most = std::max(most, place[1]);
     }
     Triangulation triangles(outline, spacing);
-    if (!triangles.cut_ears(work)) return {{}, {}, false};
+    if (!triangles.cut(work)) return {{}, {}, false};
     triangles.join();
     triangles.flip_all();
     int row = 0;

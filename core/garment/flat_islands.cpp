@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Which triangles of a mesh hang together in flat coordinates, and the way round them: along sides that no two triangles share, however
+// those lie or fold.
 #include "core/base/error.h"
 #include "core/garment/flat_mesh.h"
 
@@ -99,30 +101,182 @@ void weld(const FlatMesh& mesh, FlatIslands& found)
     found.places = std::move(welder.places_);
 }
 
-/// Triangles that share a side are of one island.
-void part(FlatIslands& found)
+/// What lies beyond the sides of triangles. Side 3 t + k goes from corner k of triangle t to the next.
+class Sides {
+public:
+    explicit Sides(FlatIslands& found)
+        : found_(found), beyond_(3 * found.triangles.size(), -1), seen_(found.triangles.size()), passed_(beyond_.size())
+    {
+    }
+
+    /// Pairs sides, those that go opposite ways first, and makes islands of triangles that share one.
+    void join();
+    /// Turns an island's triangles to the way round that most have; where that cannot be, as on a Moebius strip, they part.
+    void orient(Island& island);
+    /// Goes round an island along the sides that have no partner.
+    std::vector<std::vector<int>> loops(const Island& island);
+
+private:
+    struct Side {
+        std::uint64_t ends;
+        int number;
+        bool operator<(const Side& other) const { return std::pair(ends, number) < std::pair(other.ends, other.number); }
+    };
+    std::array<int, 3>& triangle(int t) const { return found_.triangles[static_cast<std::size_t>(t)]; }
+    int from(int side) const { return triangle(side / 3)[static_cast<std::size_t>(side % 3)]; }
+    int& beyond(int side) { return beyond_[static_cast<std::size_t>(side)]; }
+    int beyond(int side) const { return beyond_[static_cast<std::size_t>(side)]; }
+    static int next(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
+    std::vector<bool> counting() const;
+    void pair(std::vector<int> sharing);
+    void turn_over(int t);
+
+    FlatIslands& found_;
+    std::vector<int> beyond_;  ///< of each side the side of another triangle with the same ends; -1: none
+    std::vector<bool> seen_;   ///< of each triangle: it was oriented
+    std::vector<bool> passed_; ///< of each side: a loop goes along it
+};
+
+/// Which triangles count: their corners differ, and no earlier one has the same.
+std::vector<bool> Sides::counting() const
 {
-    std::vector<int> parents(found.triangles.size());
+    std::vector<std::pair<std::array<int, 3>, int>> all;
+    for (int t = 0; t < static_cast<int>(found_.triangles.size()); ++t) {
+        all.emplace_back(triangle(t), t);
+        std::sort(all.back().first.begin(), all.back().first.end());
+    }
+    std::sort(all.begin(), all.end());
+    std::vector<bool> counts(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::array<int, 3>& corners = all[i].first;
+        if (corners[0] == corners[1] || corners[1] == corners[2]) continue;
+        if (i > 0 && all[i - 1].first == corners)
+            ++found_.doubled;
+        else
+            counts[static_cast<std::size_t>(all[i].second)] = true;
+    }
+    return counts;
+}
+
+void Sides::pair(std::vector<int> sharing)
+{
+    while (sharing.size() > 1) {
+        auto other = std::find_if(sharing.begin() + 1, sharing.end(), [&](int side) { return from(side) != from(sharing[0]); });
+        if (other == sharing.end()) other = sharing.begin() + 1;
+        beyond(sharing[0]) = *other;
+        beyond(*other) = sharing[0];
+        sharing.erase(other);
+        sharing.erase(sharing.begin());
+    }
+}
+
+void Sides::join()
+{
+    const std::vector<bool> counts = counting();
+    std::vector<Side> sides;
+    for (int side = 0; side < static_cast<int>(beyond_.size()); ++side) {
+        if (!counts[static_cast<std::size_t>(side / 3)]) continue;
+        const auto [a, b] = std::minmax({from(side), from(next(side))});
+        sides.push_back({key_of(a, b), side});
+    }
+    std::sort(sides.begin(), sides.end());
+    std::vector<int> parents(counts.size()), sharing;
     std::iota(parents.begin(), parents.end(), 0);
-    std::unordered_map<std::uint64_t, std::pair<int, int>> sides; // first triangle, how many
-    for (int t = 0; t < static_cast<int>(found.triangles.size()); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto& triangle = found.triangles[static_cast<std::size_t>(t)];
-            const int a = triangle[k], b = triangle[(k + 1) % 3];
-            const auto [side, fresh] = sides.try_emplace(key_of(std::min(a, b), std::max(a, b)), t, 0);
-            if (++side->second.second == 3) ++found.shared_sides;
-            if (!fresh) parents[static_cast<std::size_t>(root_of(parents, t))] = root_of(parents, side->second.first);
+    for (auto side = sides.begin(); side != sides.end();) {
+        sharing.clear();
+        const auto first = side;
+        for (; side != sides.end() && side->ends == first->ends; ++side) {
+            sharing.push_back(side->number);
+            parents[static_cast<std::size_t>(root_of(parents, side->number / 3))] = root_of(parents, first->number / 3);
         }
+        found_.shared_sides += sharing.size() > 2;
+        pair(sharing);
+    }
     std::map<int, std::size_t> numbers;
-    for (int t = 0; t < static_cast<int>(found.triangles.size()); ++t) {
-        const auto [number, fresh] = numbers.try_emplace(root_of(parents, t), found.islands.size());
-        if (fresh) found.islands.emplace_back();
-        found.islands[number->second].triangles.push_back(t);
+    for (int t = 0; t < static_cast<int>(found_.triangles.size()); ++t) {
+        if (!counts[static_cast<std::size_t>(t)]) continue;
+        const auto [number, fresh] = numbers.try_emplace(root_of(parents, t), found_.islands.size());
+        if (fresh) found_.islands.emplace_back();
+        found_.islands[number->second].triangles.push_back(t);
+    }
+}
+
+void Sides::turn_over(int t)
+{
+    std::swap(triangle(t)[1], triangle(t)[2]);
+    std::swap(beyond(3 * t), beyond(3 * t + 2));
+    for (const int side : {3 * t, 3 * t + 2})
+        if (beyond(side) >= 0) beyond(beyond(side)) = side;
+}
+
+void Sides::orient(Island& island)
+{
+    for (const int first : island.triangles) {
+        if (seen_[static_cast<std::size_t>(first)]) continue;
+        std::vector<int> piece{first}, turned;
+        seen_[static_cast<std::size_t>(first)] = true;
+        for (std::size_t i = 0; i < piece.size(); ++i)
+            for (int side = 3 * piece[i]; side < 3 * piece[i] + 3; ++side) {
+                if (beyond(side) < 0) continue;
+                const int across = beyond(side), other = across / 3;
+                const bool against = from(across) == from(side); // both go the same way along it
+                if (seen_[static_cast<std::size_t>(other)]) {
+                    if (against) beyond(across) = beyond(side) = -1;
+                    continue;
+                }
+                if (against) {
+                    turn_over(other);
+                    turned.push_back(other);
+                }
+                seen_[static_cast<std::size_t>(other)] = true;
+                piece.push_back(other);
+            }
+        if (2 * turned.size() > piece.size()) {
+            for (const int t : piece) turn_over(t);
+            turned.resize(piece.size() - turned.size());
+        }
+        island.turned += static_cast<int>(turned.size());
+    }
+}
+
+std::vector<std::vector<int>> Sides::loops(const Island& island)
+{
+    std::vector<std::vector<int>> all;
+    for (const int t : island.triangles)
+        for (int first = 3 * t; first < 3 * t + 3; ++first) {
+            if (beyond(first) >= 0 || passed_[static_cast<std::size_t>(first)]) continue;
+            all.emplace_back();
+            for (int side = first; !passed_[static_cast<std::size_t>(side)];) {
+                passed_[static_cast<std::size_t>(side)] = true;
+                all.back().push_back(from(side));
+                for (side = next(side); beyond(side) >= 0;) side = next(beyond(side)); // round the corner, triangle by triangle
+            }
+        }
+    return all;
+}
+
+/// Gives each island corners of its own, where two touch in one.
+void part_corners(FlatIslands& found)
+{
+    std::vector<int> owner(found.corners.size(), -1);
+    for (int i = 0; i < static_cast<int>(found.islands.size()); ++i) {
+        std::map<int, int> copies;
+        for (const int t : found.islands[static_cast<std::size_t>(i)].triangles)
+            for (int& corner : found.triangles[static_cast<std::size_t>(t)]) {
+                if (owner[static_cast<std::size_t>(corner)] < 0) owner[static_cast<std::size_t>(corner)] = i;
+                if (owner[static_cast<std::size_t>(corner)] == i) continue;
+                const auto [copy, fresh] = copies.try_emplace(corner, static_cast<int>(found.corners.size()));
+                if (fresh) {
+                    found.corners.push_back(found.corners[static_cast<std::size_t>(corner)]);
+                    owner.push_back(i);
+                }
+                corner = copy->second;
+            }
     }
 }
 
 /// Mirrors an island that is seen from inside, and finds the longest way round it.
-void trace(FlatIslands& found, Island& island)
+void trace(FlatIslands& found, Island& island, Sides& sides)
 {
     const auto uv = [&found](int corner) -> FlatPlace& { return found.corners[static_cast<std::size_t>(corner)].uv; };
     const auto area = [&](int t) {
@@ -141,41 +295,22 @@ void trace(FlatIslands& found, Island& island)
         corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
         for (const int corner : corners) uv(corner)[0] = -uv(corner)[0];
     }
-    std::map<std::pair<int, int>, int> sides; // directed; how often
-    for (const int t : island.triangles) {
-        auto [a, b, c] = found.triangles[static_cast<std::size_t>(t)];
-        if (area(t) < 0) {
-            ++island.folded;
-            std::swap(b, c);
-        }
-        for (const auto& side : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) ++sides[side];
-    }
-    std::multimap<int, int> next;
-    for (const auto& [side, times] : sides)
-        if (!sides.contains({side.second, side.first})) next.emplace(side.first, side.second);
+    for (const int t : island.triangles) island.folded += area(t) < 0;
     double largest = 0;
-    int loops = 0;
-    while (!next.empty()) {
-        std::vector<int> loop;
-        for (auto at = next.begin(); at != next.end(); at = next.find(loop.back())) {
-            if (loop.empty()) loop.push_back(at->first);
-            const int to = at->second;
-            next.erase(at);
-            if (to == loop.front()) break;
-            loop.push_back(to);
-        }
+    std::vector<std::vector<int>> loops = sides.loops(island);
+    for (std::vector<int>& loop : loops) {
         double enclosed = 0;
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const FlatPlace &a = uv(loop[i]), &b = uv(loop[(i + 1) % loop.size()]);
             enclosed += a[0] * b[1] - a[1] * b[0];
         }
-        if (loop.size() > 2) ++loops;
-        if (std::abs(enclosed) > largest) {
-            largest = std::abs(enclosed);
-            island.loop = std::move(loop);
-        }
+        if (loop.size() > 2) ++island.holes;
+        if (std::abs(enclosed) <= largest) continue;
+        largest = std::abs(enclosed);
+        if (enclosed < 0) std::reverse(loop.begin(), loop.end());
+        island.loop = std::move(loop);
     }
-    island.holes = std::max(0, loops - 1);
+    island.holes = std::max(0, island.holes - 1);
 }
 
 } // namespace
@@ -184,107 +319,18 @@ FlatIslands islands_of(const FlatMesh& mesh, const std::string& name)
 {
     FlatIslands found;
     weld(mesh, found);
-    part(found);
+    Sides sides(found);
+    sides.join();
     constexpr std::size_t most_islands = 500;
     if (found.islands.size() > most_islands)
         throw FileError(fmt::format("{}: The flat coordinates make {} islands; a garment has up to {} panels.", name, found.islands.size(),
                                     most_islands));
-    for (Island& island : found.islands) trace(found, island);
+    part_corners(found);
+    for (Island& island : found.islands) {
+        sides.orient(island);
+        trace(found, island, sides);
+    }
     return found;
-}
-
-namespace {
-
-constexpr double most_stretch = 1.25,
-                 most_unlike_share = 0.1; // of worn cloth, and of all of it: beyond, islands have scales of their own; assumptions
-
-/// m of a unit of an island's flat coordinates across and along, that give its sides their lengths in space by least squares; 0: none do.
-std::array<double, 2> scales_of(const FlatIslands& islands, const Island& island)
-{
-    double xx = 0, xy = 0, yy = 0, sum_x = 0, sum_y = 0;
-    for (const int t : island.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto& triangle = islands.triangles[static_cast<std::size_t>(t)];
-            const FlatCorner &a = islands.corners[static_cast<std::size_t>(triangle[k])],
-                             &b = islands.corners[static_cast<std::size_t>(triangle[(k + 1) % 3])];
-            const double space =
-                length(islands.places[static_cast<std::size_t>(a.place)] - islands.places[static_cast<std::size_t>(b.place)]);
-            if (!(space > 0)) continue;
-            const double x = std::pow((a.uv[0] - b.uv[0]) / space, 2), y = std::pow((a.uv[1] - b.uv[1]) / space, 2);
-            xx += x * x;
-            xy += x * y;
-            yy += y * y;
-            sum_x += x;
-            sum_y += y;
-        }
-    const double whole = xx * yy - xy * xy, across = sum_x * yy - sum_y * xy, along = sum_y * xx - sum_x * xy;
-    if (!(whole > 0 && across > 0 && along > 0)) return {};
-    return {std::sqrt(across / whole), std::sqrt(along / whole)};
-}
-
-/// m2 in space.
-double area_of(const FlatIslands& islands, const Island& island)
-{
-    const auto place = [&](int corner) {
-        return islands.places[static_cast<std::size_t>(islands.corners[static_cast<std::size_t>(corner)].place)];
-    };
-    double area = 0;
-    for (const int t : island.triangles) {
-        const auto& [a, b, c] = islands.triangles[static_cast<std::size_t>(t)];
-        area += 0.5 * length(cross(place(b) - place(a), place(c) - place(a)));
-    }
-    return area;
-}
-
-/// Corners that two islands share go with the first.
-void scale_islands(FlatIslands& islands, const std::vector<std::array<double, 2>>& by)
-{
-    std::vector<bool> done(islands.corners.size());
-    for (std::size_t i = 0; i < by.size(); ++i)
-        for (const int t : islands.islands[i].triangles)
-            for (const int corner : islands.triangles[static_cast<std::size_t>(t)]) {
-                const auto at = static_cast<std::size_t>(corner);
-                for (std::size_t axis = 0; axis < 2 && !done[at]; ++axis) islands.corners[at].uv[axis] *= by[i][axis];
-                done[at] = true;
-            }
-}
-
-} // namespace
-
-bool take_own_scales(FlatIslands& islands, double common)
-{
-    const auto is_unlike = [&](double own) { return own > most_stretch * common || own < common / most_stretch; };
-    double all = 0, unlike = 0; // m2
-    std::vector<std::array<double, 2>> scales;
-    for (const Island& island : islands.islands) {
-        std::array<double, 2> own = scales_of(islands, island);
-        if (!(own[0] > 0)) own = {common, common};
-        const double area = area_of(islands, island);
-        all += area;
-        if (is_unlike(own[0]) || is_unlike(own[1])) unlike += area;
-        scales.push_back(own);
-    }
-    if (unlike <= most_unlike_share * all) return false;
-    scale_islands(islands, scales);
-    return true;
-}
-
-double median_of(std::vector<double> numbers)
-{
-    if (numbers.empty()) return 0;
-    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-    std::nth_element(numbers.begin(), middle, numbers.end());
-    return *middle;
-}
-
-double spread_of(const std::vector<double>& numbers)
-{
-    const double middle = median_of(numbers);
-    if (middle == 0) return 0;
-    std::vector<double> off;
-    off.reserve(numbers.size());
-    for (const double number : numbers) off.push_back(std::abs(number / middle - 1));
-    return median_of(std::move(off));
 }
 
 } // namespace hygroloom

@@ -23,8 +23,13 @@ struct FlatMesh {
 
 /// The text of an OBJ file. Throws FileError.
 FlatMesh mesh_from_obj(std::string_view text, const std::string& name);
-/// A file that Assimp reads: GLB, glTF, FBX, PLY, Collada. Throws FileError.
-FlatMesh mesh_from_file(const std::filesystem::path& path);
+/// A PLY file's bytes. Throws FileError.
+FlatMesh mesh_from_ply(std::string_view bytes, const std::string& name);
+/// A glTF file (.gltf, .glb). Throws FileError.
+FlatMesh mesh_from_gltf(const std::filesystem::path& path);
+/// A file that a foreign library reads, in a process of its own. format: "fbx" or "dae". Throws FileError, and Cancelled within 0.1 s of
+/// being asked.
+FlatMesh mesh_apart(const std::filesystem::path& path, const std::string& format, const Asked& cancelled);
 
 /// A place of an island's flat coordinates.
 struct FlatCorner {
@@ -37,7 +42,8 @@ struct Island {
     std::vector<int> triangles; ///< of the mesh
     std::vector<int> loop;      ///< corners round it, counter-clockwise
     bool mirrored = false;      ///< its flat coordinates had to be mirrored
-    int folded = 0, holes = 0;  ///< triangles that lie the other way round; loops inside
+    int folded = 0, holes = 0;  ///< triangles that lie the other way round in flat coordinates; loops inside
+    int turned = 0;             ///< triangles that the file has the other way round than their neighbours
 };
 
 struct FlatIslands {
@@ -47,14 +53,26 @@ struct FlatIslands {
     std::vector<Island> islands;
     std::vector<int> first_place; ///< of the file, of each welded place
     int shared_sides = 0;         ///< sides of more than two triangles
+    int doubled = 0;              ///< triangles left out, for they lie on others with the same corners
 };
 
 /// Welds places that lie within a hundred-thousandth of the mesh's size and finds the islands. Islands below least triangles are kept too.
 FlatIslands islands_of(const FlatMesh& mesh, const std::string& name);
 
+/// m in space of a unit of flat coordinates.
+struct FlatScale {
+    double middle = 0; ///< half of the cloth has less; 0: the flat coordinates have no size
+    double spread = 0; ///< half of the cloth differs by more, relative to the middle
+};
+/// Along both axes, weighed by flat area within an island and by area in space among islands, so that no single place decides.
+FlatScale common_scale(const FlatIslands& islands);
+
 /// Scales the flat coordinates to m, each island's by its own lengths in space, across and along, where islands differ from the common
 /// scale (m per unit) by more than cloth stretches. Returns whether they do. Precondition: places are in m.
 bool take_own_scales(FlatIslands& islands, double common);
+
+/// m2 in space, of places in m.
+double area_in_space(const FlatIslands& islands, const Island& island);
 
 /// The middle of some numbers; 0 of none.
 double median_of(std::vector<double> numbers);

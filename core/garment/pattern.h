@@ -7,6 +7,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -62,10 +63,14 @@ struct GarmentPattern {
     double uv_scale = 0;             ///< m per unit of the file's flat coordinates; 0: it has none of an unknown unit
     double uv_scale_spread = 0;      ///< of it over edges, relative (median absolute deviation); 0: it is given
     std::vector<std::string> issues; ///< what was not understood, and what was repaired, in sentences
+    std::vector<std::string> doubts; ///< those among the issues that make areas and sizes doubtful
 };
 
-/// Reads the source of a garment, or draws the built-in one. base: folder of the project. Throws FileError with a sentence.
-GarmentPattern read_pattern(const Garment& garment, const std::filesystem::path& base);
+/// Whether who waits for the reading of a file wants it no more.
+using Asked = std::function<bool()>;
+/// Reads the source of a garment, or draws the built-in one. base: folder of the project. Throws FileError with a sentence, Cancelled where
+/// cancelled says so.
+GarmentPattern read_pattern(const Garment& garment, const std::filesystem::path& base, const Asked& cancelled = {});
 
 /// What names of further layers under a panel begin with; their number follows, from 2 on.
 inline std::string layer_prefix(const std::string& panel) { return panel + ", layer "; }

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/garment/fill.h"
+#include "core/garment/odd_shapes.h"
 #include "core/garment/readers.h"
 #include "core/project/atomic_file.h"
 
@@ -43,12 +44,13 @@ GarmentPattern with_drape(const fs::path& json, const fs::path& obj, const fs::p
         make_flat_shape(pattern);
     }
     find_body(pattern);
+    tell_odd_shapes(pattern);
     return pattern;
 }
 
 } // namespace
 
-GarmentPattern read_pattern(const Garment& garment, const fs::path& base)
+GarmentPattern read_pattern(const Garment& garment, const fs::path& base, const Asked& cancelled)
 {
     if (garment.is_built_in()) return built_in_pattern(garment.built_in);
     const fs::path path = base / garment.source;
@@ -59,7 +61,7 @@ GarmentPattern read_pattern(const Garment& garment, const fs::path& base)
         for (const char* ending : {"_specification.json", ".json"})
             if (const fs::path json = path.parent_path() / (stem + ending); is_file(json))
                 return with_drape(json, obj, segmentation, garment.uv_unit);
-    return pattern_from_mesh(path, garment.uv_unit);
+    return pattern_from_mesh(path, garment.uv_unit, cancelled);
 }
 
 } // namespace hygroloom

@@ -20,7 +20,7 @@ GarmentPattern pattern_from_json(std::string_view text, const std::string& name)
 void take_drape(GarmentPattern& pattern, std::string_view obj, std::string_view segmentation, const std::string& name);
 
 /// A mesh with flat coordinates.
-GarmentPattern pattern_from_mesh(const std::filesystem::path& path, UvUnit unit);
+GarmentPattern pattern_from_mesh(const std::filesystem::path& path, UvUnit unit, const Asked& cancelled = {});
 /// The same of the text of an OBJ file.
 GarmentPattern pattern_from_obj(std::string_view text, const std::string& name, UvUnit unit);
 

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/words.h"
 #include "core/garment/flat_mesh.h"
+#include "core/garment/odd_shapes.h"
 #include "core/garment/outline.h"
 #include "core/garment/readers.h"
 #include "core/project/atomic_file.h"
@@ -59,7 +60,6 @@ private:
     void sew();
     void make_shape_of_mesh();
     void tell();
-    void tell_overlaps();
     Vec3d place_of(int corner) const
     {
         return found_.places[static_cast<std::size_t>(found_.corners[static_cast<std::size_t>(corner)].place)];
@@ -107,19 +107,11 @@ double MeshReader::metre_in_space(double ratio)
 
 void MeshReader::find_scales()
 {
-    std::vector<double> ratios; // flat units per unit of space
-    for (const auto& triangle : found_.triangles)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const int a = triangle[k], b = triangle[(k + 1) % 3];
-            const double flat = std::hypot(flat_of(a)[0] - flat_of(b)[0], flat_of(a)[1] - flat_of(b)[1]),
-                         space = length(place_of(a) - place_of(b));
-            if (flat > 0 && space > 0) ratios.push_back(flat / space);
-        }
-    const double ratio = median_of(ratios);
-    if (!(ratio > 0)) throw FileError(name_ + ": The mesh's flat coordinates have no size.");
-    const double metre = metre_in_space(ratio), from_lengths = metre / ratio, given = metre_of(unit_);
+    const FlatScale lengths = common_scale(found_); // of the file's unit of space
+    if (!(lengths.middle > 0)) throw FileError(name_ + ": The mesh's flat coordinates have no size.");
+    const double metre = metre_in_space(1 / lengths.middle), from_lengths = metre * lengths.middle, given = metre_of(unit_);
     pattern_.uv_scale = given > 0 ? given : from_lengths;
-    pattern_.uv_scale_spread = given > 0 ? 0 : spread_of(ratios);
+    pattern_.uv_scale_spread = given > 0 ? 0 : lengths.spread;
     if (given > 0 && std::abs(from_lengths / given - 1) > most_unlike)
         pattern_.issues.push_back(
             fmt::format("By the lengths in space one unit of the flat coordinates is {:.4g} mm, by uv_unit {:g} mm; uv_unit is used.",
@@ -134,7 +126,7 @@ void MeshReader::find_scales()
     }
     if (pattern_.uv_scale_spread > 0.05)
         pattern_.issues.push_back(
-            fmt::format("The scale of the flat coordinates differs by {:.0f} % between edges; the cloth is stretched, or its "
+            fmt::format("The scale of the flat coordinates differs by over {:.0f} % on half of the cloth; the cloth is stretched, or its "
                         "flat coordinates are not a pattern's.",
                         100 * pattern_.uv_scale_spread));
     for (FlatCorner& corner : found_.corners)
@@ -337,50 +329,16 @@ void MeshReader::make_shape_of_mesh()
     }
 }
 
-/// Whether a place lies inside an outline.
-bool inside(const std::vector<FlatPlace>& outline, const FlatPlace& p)
-{
-    bool in = false;
-    for (std::size_t i = 0, k = outline.size() - 1; i < outline.size(); k = i++) {
-        const FlatPlace &a = outline[i], &b = outline[k];
-        if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) + a[0]) in = !in;
-    }
-    return in;
-}
-
-/// Panels whose flat coordinates lie on each other, as those of a texture for both sides do. Compares a bounded number of places.
-void MeshReader::tell_overlaps()
-{
-    std::vector<std::vector<FlatPlace>> outlines;
-    for (const PatternPanel& panel : pattern_.panels) outlines.push_back(outline_of(panel));
-    for (std::size_t k = 0; k < outlines.size(); ++k)
-        if (found_.islands[kept_[k]].mirrored) // as the file has them
-            for (FlatPlace& place : outlines[k]) place[0] = -place[0];
-    std::size_t work = 0;
-    for (std::size_t k = 0; k < outlines.size(); ++k)
-        for (std::size_t m = 0; m < outlines.size(); ++m) {
-            if (m == k) continue;
-            const std::size_t every = 1 + outlines[k].size() / 20;
-            for (std::size_t i = 0; i < outlines[k].size(); i += every) {
-                work += outlines[m].size();
-                if (work > 20'000'000) return;
-                if (!inside(outlines[m], outlines[k][i])) continue;
-                pattern_.issues.push_back(
-                    fmt::format("The flat coordinates of the panels \"{}\" and \"{}\" overlap; each is a panel of its own here.",
-                                pattern_.panels[k].name, pattern_.panels[m].name));
-                return;
-            }
-        }
-}
-
 /// What was repaired, or looks wrong.
 void MeshReader::tell()
 {
     std::size_t mirrored = 0;
+    int turned = 0;
     for (std::size_t k = 0; k < kept_.size(); ++k) {
         const Island& island = found_.islands[kept_[k]];
         const std::string& panel = pattern_.panels[k].name;
         mirrored += island.mirrored;
+        turned += island.turned;
         if (island.folded > 0)
             pattern_.issues.push_back(
                 fmt::format("The panel \"{}\" has {} triangles that lie folded over in its flat coordinates.", panel, island.folded));
@@ -391,11 +349,22 @@ void MeshReader::tell()
     if (mirrored > 0)
         pattern_.issues.push_back(fmt::format("{} of {} panels had mirrored flat coordinates, as seen from inside; they were turned over.",
                                               mirrored, kept_.size()));
+    if (turned > 0)
+        pattern_.issues.push_back(fmt::format("{} triangles faced the other way than those around them; they were turned.", turned));
+    if (found_.doubled > 0)
+        pattern_.issues.push_back(fmt::format(
+            "{} triangles lie on others with the same corners, as in a mesh with two faces; they were left out.", found_.doubled));
     if (found_.shared_sides > 0)
         pattern_.issues.push_back(
             fmt::format("{} sides belong to more than two triangles; the mesh is no single layer of cloth there.", found_.shared_sides));
     pattern_.issues.insert(pattern_.issues.end(), mesh_.issues.begin(), mesh_.issues.end());
-    tell_overlaps();
+    std::vector<std::vector<FlatPlace>> outlines; // as the file has them
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+        outlines.push_back(outline_of(pattern_.panels[k]));
+        if (found_.islands[kept_[k]].mirrored)
+            for (FlatPlace& place : outlines.back()) place[0] = -place[0];
+    }
+    tell_overlaps(pattern_, outlines);
 }
 
 GarmentPattern MeshReader::read()
@@ -410,6 +379,7 @@ GarmentPattern MeshReader::read()
     make_shape_of_mesh();
     tell();
     pattern_.is_draped = true;
+    tell_odd_shapes(pattern_);
     find_body(pattern_);
     return std::move(pattern_);
 }
@@ -422,12 +392,25 @@ GarmentPattern pattern_from_obj(std::string_view text, const std::string& name, 
     return MeshReader(mesh, name, unit).read();
 }
 
-GarmentPattern pattern_from_mesh(const std::filesystem::path& path, UvUnit unit)
+namespace {
+
+FlatMesh mesh_of(const std::filesystem::path& path, const Asked& cancelled)
 {
+    const std::string name = path.string();
     std::string ending = path.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
-    if (ending == ".obj") return pattern_from_obj(read_file(path, largest_mesh_bytes), path.string(), unit);
-    const FlatMesh mesh = mesh_from_file(path);
+    if (ending == ".obj") return mesh_from_obj(read_file(path, largest_mesh_bytes), name);
+    if (ending == ".ply") return mesh_from_ply(read_file(path, largest_mesh_bytes), name);
+    if (ending == ".glb" || ending == ".gltf") return mesh_from_gltf(path);
+    if (ending == ".fbx" || ending == ".dae") return mesh_apart(path, ending.substr(1), cancelled);
+    throw FileError(fmt::format("{}: A garment is read from .json, .obj, .glb, .gltf, .fbx, .ply or .dae; given is \"{}\".", name, ending));
+}
+
+} // namespace
+
+GarmentPattern pattern_from_mesh(const std::filesystem::path& path, UvUnit unit, const Asked& cancelled)
+{
+    const FlatMesh mesh = mesh_of(path, cancelled);
     return MeshReader(mesh, path.string(), unit).read();
 }
 

@@ -147,27 +147,33 @@ void write_file(const std::filesystem::path& path, std::string_view bytes, Previ
         previous);
 }
 
+ReadableFile::ReadableFile(const std::filesystem::path& path, std::size_t most)
+    : descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))
+{
+    if (descriptor_ < 0) fail(path, "The file cannot be opened", errno);
+    const auto refuse = [&](const std::string& sentence) {
+        ::close(descriptor_);
+        throw FileError(path.string() + ": " + sentence);
+    };
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0) refuse(fmt::format("The file cannot be read: {}.", std::strerror(errno)));
+    if (S_ISDIR(status.st_mode)) refuse("This is a folder; give the name of a file.");
+    if (!S_ISREG(status.st_mode)) refuse("This is not a regular file.");
+    size_ = static_cast<std::size_t>(status.st_size);
+    if (size_ > most)
+        refuse(fmt::format("The file has {:.1f} MiB; at most {:.0f} MiB are read.", status.st_size / 1048576.0, most / 1048576.0));
+    if (size_ == 0) refuse("The file is empty.");
+}
+
+ReadableFile::~ReadableFile() { ::close(descriptor_); }
+
 std::string read_file(const std::filesystem::path& path, std::size_t most)
 {
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (file < 0) fail(path, "The file cannot be opened", errno);
-    struct Closing {
-        int file;
-        ~Closing() { ::close(file); }
-    } closing{file};
-    struct stat status {};
-    if (::fstat(file, &status) != 0) fail(path, "The file cannot be read", errno);
-    if (S_ISDIR(status.st_mode)) throw FileError(path.string() + ": This is a folder; give the name of a file.");
-    if (!S_ISREG(status.st_mode)) throw FileError(path.string() + ": This is not a regular file.");
-    if (static_cast<std::size_t>(status.st_size) > most)
-        throw FileError(fmt::format("{}: The file has {:.1f} MiB; at most {:.0f} MiB are read.", path.string(), status.st_size / 1048576.0,
-                                    most / 1048576.0));
-    if (status.st_size == 0) throw FileError(path.string() + ": The file is empty.");
-
-    std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+    const ReadableFile file(path, most);
+    std::string bytes(file.size(), '\0');
     std::size_t done = 0;
     while (done < bytes.size()) {
-        const ssize_t got = ::read(file, bytes.data() + done, bytes.size() - done);
+        const ssize_t got = ::read(file.descriptor(), bytes.data() + done, bytes.size() - done);
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) fail(path, "The file cannot be read", errno);
         if (got == 0) break;

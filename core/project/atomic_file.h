@@ -42,6 +42,21 @@ private:
     int folder_ = -1;
 };
 
+/// A regular file that is open for reading. Throws FileError when it is missing, a folder, not readable, empty, or larger than most bytes.
+class ReadableFile {
+public:
+    ReadableFile(const std::filesystem::path& path, std::size_t most);
+    ~ReadableFile();
+    ReadableFile(const ReadableFile&) = delete;
+    ReadableFile& operator=(const ReadableFile&) = delete;
+    int descriptor() const { return descriptor_; }
+    std::size_t size() const { return size_; }
+
+private:
+    int descriptor_ = -1;
+    std::size_t size_ = 0;
+};
+
 /// The whole file. Throws FileError when it is missing, a folder, not readable, empty, or larger than most bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t most);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Weaves drawn as text or as pictures, and the choice of a reader.
 #include "core/base/error.h"
+#include "core/design/jam.h"
 #include "core/design/weave_analysis.h"
 #include "core/project/atomic_file.h"
 #include "core/project/wif_file.h"
@@ -10,6 +11,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 
@@ -193,21 +195,63 @@ DraftImport import_draft(const std::filesystem::path& path, const Design& known)
     return wif ? import_wif(bytes, name, known) : import_grid(bytes, name);
 }
 
+namespace {
+
+/// Makes what was assumed smaller where yarns so thick have no room at such setts, until these are usual ones: diameters before setts.
+void fit_assumed(DraftImport& draft, const std::vector<double*>& diameters, const std::vector<double*>& setts)
+{
+    Fabric& fabric = draft.fabric;
+    const auto share = [&] {
+        const JamGauge gauge =
+            jam_gauge(fabric.weave, fabric.ends_per_cm, fabric.picks_per_cm, *fabric.warp.diameter_mm, *fabric.weft.diameter_mm);
+        return 0.01 * std::max(gauge.warp.ashenhurst_percent, gauge.weft.ashenhurst_percent);
+    };
+    if (share() <= 1) return;
+    for (const std::vector<double*>* assumed : {&diameters, &setts}) {
+        for (int times = 0; times < 50 && share() > usual_share_of_ashenhurst && !assumed->empty(); ++times)
+            for (double* const number : *assumed) *number *= 0.95;
+        for (double* const number : *assumed) *number = 0.001 * std::round(1000 * *number);
+    }
+}
+
+/// Yarns of other colours are like the base yarn of their system.
+void fit_extra_yarns(Fabric& fabric)
+{
+    for (const auto& [order, yarn] : {std::pair(&fabric.weft_order, &fabric.weft), {&fabric.warp_order, &fabric.warp}})
+        for (const YarnRun& run : *order)
+            if (run.yarn > 0) fabric.extra_yarns[static_cast<std::size_t>(run.yarn - 1)].diameter_mm = yarn->diameter_mm;
+}
+
+} // namespace
+
 void take_suggestions(DraftImport& draft)
 {
     Fabric& fabric = draft.fabric;
     const std::string assumed = assumed_numbers(fabric);
+    const auto takes = [](const Suggestion& suggestion) { return suggestion.value && suggestion.plausible; };
+    std::vector<double*> assumed_diameters, assumed_setts;
+    for (const auto& [sett, value] : {std::pair(&draft.ends_per_cm, &fabric.ends_per_cm), {&draft.picks_per_cm, &fabric.picks_per_cm}})
+        if (takes(*sett))
+            *value = *sett->value;
+        else
+            assumed_setts.push_back(value);
+    for (const auto& [diameter, yarn] : {std::pair(&draft.warp_diameter_mm, &fabric.warp), {&draft.weft_diameter_mm, &fabric.weft}}) {
+        if (takes(*diameter))
+            yarn->diameter_mm = *diameter->value;
+        else if (yarn->diameter_mm)
+            assumed_diameters.push_back(&*yarn->diameter_mm);
+    }
+    fit_assumed(draft, assumed_diameters, assumed_setts);
+    fit_extra_yarns(fabric);
     std::string taken, left;
-    const auto take = [&](const Suggestion& suggestion, auto& value, const char* what) {
-        const bool takes = suggestion.value && suggestion.plausible;
-        if (takes) value = *suggestion.value;
-        std::string& list = takes ? taken : left;
-        list += fmt::format("{}{} {:.4g}", list.empty() ? "" : ", ", what, std::optional<double>(value).value());
+    const auto tell = [&](const Suggestion& suggestion, double value, const char* what) {
+        std::string& list = takes(suggestion) ? taken : left;
+        list += fmt::format("{}{} {:.4g}", list.empty() ? "" : ", ", what, value);
     };
-    take(draft.ends_per_cm, fabric.ends_per_cm, "ends per cm");
-    take(draft.picks_per_cm, fabric.picks_per_cm, "picks per cm");
-    take(draft.warp_diameter_mm, fabric.warp.diameter_mm, "mm of warp diameter");
-    take(draft.weft_diameter_mm, fabric.weft.diameter_mm, "mm of weft diameter");
+    tell(draft.ends_per_cm, fabric.ends_per_cm, "ends per cm");
+    tell(draft.picks_per_cm, fabric.picks_per_cm, "picks per cm");
+    tell(draft.warp_diameter_mm, fabric.warp.diameter_mm.value(), "mm of warp diameter");
+    tell(draft.weft_diameter_mm, fabric.weft.diameter_mm.value(), "mm of weft diameter");
     for (ImportLine& line : draft.report)
         if (!taken.empty() && line.text == assumed)
             line.text =

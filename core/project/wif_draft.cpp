@@ -2,12 +2,15 @@
 #include "core/project/wif_draft.h"
 
 #include "core/base/error.h"
+#include "core/base/utf8.h"
+#include "core/project/wif_counting.h"
 #include "core/project/wif_private.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -40,9 +43,9 @@ public:
     {
         if (!file_.find("WIF") && !file_.find("WEAVING") && !file_.find("THREADING"))
             refuse("This is no WIF file: it has none of the sections [WIF], [WEAVING] and [THREADING].");
-        look_at_head();
-        look_at_contents();
-        first_ = first_index();
+        first_ = counting_of(file_);
+        if (const std::string names = first_.from_zero(); !names.empty())
+            warn(fmt::format("The file counts {} from 0, where the format counts from 1; that was set right.", names));
         WifDraft result;
         read_draft(result.draft);
         read_palette();
@@ -61,119 +64,69 @@ private:
         return fmt::format("{} {}", count, count == 1 ? one : more);
     }
 
-    void look_at_head()
-    {
-        if (!file_.find("WIF")) {
-            warn("The section [WIF] that should open the file is missing; the file was read all the same.");
-            return;
-        }
-        const auto version = file_.value("WIF", "Version");
-        if (!version)
-            note("The file does not say its version; it was read as WIF 1.1.");
-        else if (*version != "1.1" && *version != "1.0")
-            note(fmt::format("The file says that it is WIF {}; it was read as WIF 1.1.", cut_text(*version, 40)));
-        const auto date = file_.value("WIF", "Date");
-        if (date && *date != "April 20, 1997")
-            note(fmt::format("The file's date is \"{}\", where the format requires April 20, 1997; it has no meaning.",
-                             cut_text(*date, 60)));
-    }
-
-    void look_at_contents()
-    {
-        const WifSection* contents = file_.find("CONTENTS");
-        if (!contents) {
-            warn("The section [CONTENTS] is missing; the sections that are there were read.");
-            return;
-        }
-        std::string missing, undeclared;
-        const auto list = [](std::string& names, const std::string& name) {
-            if (names.size() < 200) names += (names.empty() ? "[" : ", [") + cut_text(name, 60) + "]";
-        };
-        std::vector<std::string> declared;
-        std::map<std::string, const WifSection*> by_name;
-        for (const WifSection& section : file_.sections) by_name.emplace(section.name, &section);
-        for (const WifEntry& entry : contents->entries) {
-            const std::string name = capitals(entry.key);
-            if (!truth(entry.value).value_or(false)) continue;
-            declared.push_back(name);
-            const auto found = by_name.find(name);
-            const WifSection* section = found == by_name.end() ? nullptr : found->second;
-            if (!section || (section->entries.empty() && section->lines.size() <= 1)) list(missing, name);
-        }
-        std::sort(declared.begin(), declared.end());
-        for (const WifSection& section : file_.sections)
-            if (section.name != "WIF" && section.name != "CONTENTS" && !section.entries.empty() &&
-                !std::binary_search(declared.begin(), declared.end(), section.name))
-                list(undeclared, section.name);
-        if (!missing.empty()) note(fmt::format("[CONTENTS] declares sections that are missing or empty: {}.", missing));
-        if (!undeclared.empty()) note(fmt::format("[CONTENTS] does not declare sections that are there, and were read: {}.", undeclared));
-    }
-
-    /// 1, but 0 where a program counted from 0.
-    int first_index()
-    {
-        const auto program = file_.value("WIF", "Source Program");
-        bool from_zero = program && capitals(*program).find("GLASSNER") != std::string::npos;
-        const auto has_zero = [&](const char* section) {
-            const WifSection* found = file_.find(section);
-            return found && std::any_of(found->entries.begin(), found->entries.end(),
-                                        [](const WifEntry& entry) { return whole_number(entry.key) == 0; });
-        };
-        from_zero = from_zero || (has_zero("THREADING") && (has_zero("TREADLING") || has_zero("LIFTPLAN")));
-        if (from_zero)
-            warn("The file counts threads, shafts, treadles and colours from 0, where the format counts from 1; that was set right.");
-        return from_zero ? 0 : 1;
-    }
-
-    /// The value of each thread (or treadle) of a section, by index from 0.
-    std::vector<std::string_view> by_index(const std::string& name, int most)
+    /// The value of each thread, treadle or colour of a section, the first of which has that number; from 0.
+    std::vector<std::string_view> by_index(const std::string& name, int most, int first)
     {
         std::vector<std::string_view> values;
         const WifSection* section = file_.find(name);
         if (!section) return values;
-        int unreadable = 0, beyond = 0;
+        int unreadable = 0, before = 0, beyond = 0;
         for (const WifEntry& entry : section->entries) {
             const auto index = whole_number(entry.key);
-            if (!index || *index < first_) {
+            if (!index) {
                 ++unreadable;
-            } else if (*index - first_ >= most) {
+            } else if (*index < first) {
+                ++before;
+            } else if (*index - first >= most) {
                 ++beyond;
             } else {
-                const auto at = static_cast<std::size_t>(*index - first_);
+                const auto at = static_cast<std::size_t>(*index - first);
                 if (values.size() <= at) values.resize(at + 1);
                 values[at] = entry.value;
             }
         }
-        if (unreadable > 0)
-            warn(fmt::format("{} of [{}] without a number before the = {} left out.", counted(unreadable, "entry", "entries"), name,
-                             unreadable == 1 ? "was" : "were"));
-        if (beyond > 0)
-            warn(fmt::format("{} of [{}] beyond number {} {} left out.", counted(beyond, "entry", "entries"), name, most,
-                             beyond == 1 ? "was" : "were"));
+        const auto left_out = [&](int count, const std::string& which) {
+            if (count > 0)
+                warn(fmt::format("{} of [{}] {} {} left out.", counted(count, "entry", "entries"), name, which,
+                                 count == 1 ? "was" : "were"));
+        };
+        left_out(unreadable, "without a number before the =");
+        left_out(before, fmt::format("with a number below {}, the first,", first));
+        left_out(beyond, fmt::format("beyond number {}", most));
         return values;
     }
 
-    Lists lists(const std::string& name, int most)
+    /// The numbers of each entry, less the first that there is.
+    Lists lists(const std::string& name, int most, int first_entry, int first)
     {
         Lists result;
         int unreadable = 0, beyond = 0;
-        for (std::string_view value : by_index(name, most)) {
+        std::string_view unread;
+        const auto leave_out = [&](std::string_view value) {
+            if (unreadable++ == 0) unread = value;
+        };
+        for (std::string_view value : by_index(name, most, first_entry)) {
             std::vector<int>& list = result.emplace_back();
-            if (value.empty()) continue;
             for (std::string_view part : parted(value, ',')) {
-                const auto number = whole_number(part);
+                std::string_view rest;
+                const auto number = leading_whole(part, &rest);
                 if (!number && trimmed(part).empty()) continue;
                 if (!number || *number < 0)
-                    ++unreadable;
-                else if (*number - first_ >= most_shafts)
+                    leave_out(value);
+                else if (*number - first >= most_shafts)
                     ++beyond;
-                else if (*number >= first_) // 0 stands for none
-                    list.push_back(*number - first_);
+                else if (*number >= first) // 0 stands for none
+                    list.push_back(*number - first);
+                if (!number || rest.empty()) continue;
+                if (std::isdigit(static_cast<unsigned char>(rest.front())) != 0) leave_out(value); // not parted by a comma
+                break;                                                                             // what follows is a comment
             }
             std::sort(list.begin(), list.end()); // a number twice means nothing more
             list.erase(std::unique(list.begin(), list.end()), list.end());
         }
-        if (unreadable > 0) warn(fmt::format("{} of [{}] left out: no number.", counted(unreadable, "value", "values"), name));
+        if (unreadable > 0)
+            warn(fmt::format("{} of [{}] left out, where whole numbers parted by commas are meant; the first is \"{}\".",
+                             counted(unreadable, "value", "values"), name, in_one_line(cut_text(unread, 40))));
         if (beyond > 0) warn(fmt::format("{} of [{}] left out: greater than {}.", counted(beyond, "value", "values"), name, most_shafts));
         return result;
     }
@@ -182,7 +135,7 @@ private:
     {
         const auto value = file_.value(section, key);
         if (!value) return otherwise;
-        const auto number = whole_number(*value);
+        const auto number = leading_whole(*value);
         if (number && *number >= 0) return *number;
         warn(fmt::format("[{}] {} is \"{}\", which is no number; it was worked out from the draft.", section, key, cut_text(*value, 40)));
         return otherwise;
@@ -209,19 +162,65 @@ private:
                              first - lists.begin() + 1));
     }
 
+    /// What the format calls false when it is absent is true in the drafts of most programs.
+    bool rises()
+    {
+        const auto value = file_.value("WEAVING", "Rising Shed");
+        const auto given = value ? truth(*value) : std::nullopt;
+        if (given) return *given;
+        if (value)
+            warn(fmt::format(
+                "[WEAVING] Rising Shed is \"{}\", which is neither true nor false; a rising shed was taken. Where it sinks, the "
+                "cloth shows its other face.",
+                in_one_line(cut_text(*value, 40))));
+        else if (file_.find("WEAVING"))
+            warn("[WEAVING] does not say Rising Shed, which by the format means that the shed sinks; a rising one was taken, as most "
+                 "programs "
+                 "mean it. Where it sinks, the cloth shows its other face.");
+        return true;
+    }
+
+    [[noreturn]] void refuse_threading() const
+    {
+        const WifSection* const section = file_.find("THREADING");
+        if (!section || section->entries.empty())
+            refuse("The section [THREADING] is missing or empty, so it is not known which shaft carries each end.");
+        const WifEntry& first = section->entries.front();
+        refuse(fmt::format(
+            "The section [THREADING] names no shaft by a whole number from {}, so it is not known which shaft carries each end; "
+            "its first line is \"{}={}\".",
+            first_.shafts, in_one_line(cut_text(first.key, 40)), in_one_line(cut_text(first.value, 40))));
+    }
+
+    /// Of a file that has a liftplan as well as a tie-up with a treadling: which of them [CONTENTS] declares.
+    bool liftplan_counts()
+    {
+        const auto declares = [this](const char* section) { return truth(file_.value("CONTENTS", section).value_or("")).value_or(false); };
+        const bool lifts = declares("LIFTPLAN"), treads = declares("TIEUP") && declares("TREADLING");
+        if (treads && !lifts) {
+            note("The file has a liftplan as well as a tie-up with a treadling; [CONTENTS] declares the tie-up and the treadling only, so "
+                 "they "
+                 "count.");
+            return false;
+        }
+        note("The file has a liftplan as well as a tie-up with a treadling; the liftplan counts.");
+        return true;
+    }
+
     void read_draft(Draft& draft)
     {
         if (!file_.find("WEAVING")) warn("The section [WEAVING] is missing; shafts and treadles were counted, and the shed rises.");
-        draft.rising_shed = truth(file_.value("WEAVING", "Rising Shed").value_or("true")).value_or(true);
-        draft.threading = lists("THREADING", most_imported_threads);
-        if (used_size(draft.threading) == 0)
-            refuse("The section [THREADING] is missing or empty, so it is not known which shaft carries each end.");
+        draft.rising_shed = rises();
+        draft.threading = lists("THREADING", most_imported_threads, first_.ends, first_.shafts);
+        if (used_size(draft.threading) == 0) refuse_threading();
         fit_threads("WARP", "ends", "are threaded", "are on no shaft and stay down", draft.threading);
 
-        Lists liftplan = lists("LIFTPLAN", most_imported_threads);
-        Lists tie_up = lists("TIEUP", most_shafts), treadling = lists("TREADLING", most_imported_threads);
-        const bool lifts = used_size(liftplan) > 0, treads = used_size(treadling) > 0 && used_size(tie_up) > 0;
-        if (lifts && treads) note("The file has a liftplan as well as a tie-up with a treadling; the liftplan counts.");
+        Lists liftplan = lists("LIFTPLAN", most_imported_threads, first_.picks, first_.shafts);
+        Lists tie_up = lists("TIEUP", most_shafts, first_.treadles, first_.shafts),
+              treadling = lists("TREADLING", most_imported_threads, first_.picks, first_.treadles);
+        const bool treads = used_size(treadling) > 0 && used_size(tie_up) > 0;
+        bool lifts = used_size(liftplan) > 0;
+        if (lifts && treads) lifts = liftplan_counts();
         if (!lifts && !treads) {
             if (used_size(treadling) > 0)
                 refuse("The draft has a treadling but no tie-up ([TIEUP]), so it is not known which shafts a treadle lifts.");
@@ -267,17 +266,24 @@ private:
         fit_threads("WEFT", "picks", "press treadles", "press no treadle", draft.treadling);
     }
 
+    /// Numbers parted by commas, up to a comment; empty where one cannot be read.
+    static std::vector<double> reals(std::string_view text)
+    {
+        std::vector<double> values;
+        for (const std::string_view part : parted(text, ',')) {
+            const auto number = leading_real(part);
+            if (!number) return {};
+            values.push_back(*number);
+            if (first_word(part).size() < trimmed(part).size()) break; // what follows is a comment
+        }
+        return values;
+    }
+
     static std::optional<std::array<double, 3>> triple(std::string_view text)
     {
-        const auto parts = parted(text, ',');
-        if (parts.size() != 3) return {};
-        std::array<double, 3> value{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto number = real_number(parts[i]);
-            if (!number) return {};
-            value[i] = *number;
-        }
-        return value;
+        const std::vector<double> values = reals(text);
+        if (values.size() != 3) return {};
+        return std::array{values[0], values[1], values[2]};
     }
 
     void read_palette()
@@ -285,7 +291,7 @@ private:
         std::vector<std::optional<std::array<double, 3>>> table;
         double most = 0;
         const auto read = [&](const char* name) {
-            for (std::string_view value : by_index(name, most_imported_threads)) {
+            for (std::string_view value : by_index(name, most_imported_threads, 0)) {
                 table.push_back(triple(value));
                 if (table.back()) most = std::max({most, (*table.back())[0], (*table.back())[1], (*table.back())[2]});
             }
@@ -303,14 +309,13 @@ private:
         low_ = 0;
         high_ = most > 999 ? 65535 : most > 255 ? 999 : 255;
         if (const auto range = file_.value("COLOR PALETTE", "Range")) {
-            const auto parts = parted(*range, ',');
-            const auto first = real_number(parts[0]), second = parts.size() > 1 ? real_number(parts[1]) : std::nullopt;
-            if (first && second && parts.size() == 2 && *second > *first) {
-                low_ = *first;
-                high_ = *second;
-            } else if (first && parts.size() == 1 && *first > 0) {
-                high_ = *first;
-                note(fmt::format("The colours' range is given by one number, {}; it was read as 0 to {}.", *first, *first));
+            const std::vector<double> ends = reals(*range);
+            if (ends.size() == 2 && ends[1] > ends[0]) {
+                low_ = ends[0];
+                high_ = ends[1];
+            } else if (ends.size() == 1 && ends[0] > 0) {
+                high_ = ends[0];
+                note(fmt::format("The colours' range is given by one number, {}; it was read as 0 to {}.", high_, high_));
             } else {
                 warn(fmt::format("The colours' range \"{}\" makes no sense; 0 to {} was taken.", cut_text(*range, 40), high_));
             }
@@ -332,14 +337,22 @@ private:
     bool color_in(std::string_view value, std::optional<Color>& color) const
     {
         const std::size_t comma = value.find(',');
-        const auto index = whole_number(value.substr(0, comma));
-        if (index && *index >= first_ && static_cast<std::size_t>(*index - first_) < palette_.size()) {
-            color = palette_[static_cast<std::size_t>(*index - first_)];
+        const auto index = leading_whole(value.substr(0, comma));
+        if (index && *index >= 0 && static_cast<std::size_t>(*index) < palette_.size()) {
+            color = palette_[static_cast<std::size_t>(*index)];
             if (color) return true;
         }
         const auto own = comma == std::string_view::npos ? std::nullopt : triple(value.substr(comma + 1));
         if (own) color = scaled(*own);
         return own.has_value();
+    }
+
+    /// Of a section beside the draft, which may count otherwise.
+    std::vector<std::string_view> by_thread(const std::string& system, const std::string& what)
+    {
+        const int first = system == "WARP" ? first_.ends : first_.picks;
+        const bool from_zero = threads_from_zero(file_, system + what, system);
+        return by_index(system + what, most_imported_threads, from_zero ? 0 : first);
     }
 
     WifThreads read_threads(const std::string& system, int count)
@@ -351,7 +364,7 @@ private:
             warn(fmt::format("[{}] Color is {}, which the colour table does not have; the threads without a colour of their own have none.",
                              system, cut_text(*value, 40)));
         threads.colors.assign(static_cast<std::size_t>(count), usual);
-        const auto colors = by_index(system + " COLORS", most_imported_threads);
+        const auto colors = by_thread(system, " COLORS");
         for (std::size_t i = 0; i < std::min(colors.size(), threads.colors.size()); ++i)
             if (!colors[i].empty() && !color_in(colors[i], threads.colors[i])) ++unknown;
         if (unknown > 0)
@@ -366,17 +379,17 @@ private:
     {
         std::optional<double> usual;
         if (const auto value = file_.value(system, key)) {
-            usual = real_number(*value);
+            usual = leading_real(*value);
             if (!usual || *usual <= 0) {
                 warn(fmt::format("[{}] {} is \"{}\", which is no length; it was left out.", system, key, cut_text(*value, 40)));
                 usual.reset();
             }
         }
-        const auto own = by_index(system + " " + capitals(key), most_imported_threads);
+        const auto own = by_thread(system, " " + capitals(key));
         double sum = 0;
         int known = 0;
         for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-            std::optional<double> length = i < own.size() && !own[i].empty() ? real_number(own[i]) : usual;
+            std::optional<double> length = i < own.size() && !own[i].empty() ? leading_real(own[i]) : usual;
             if (!length || !(*length > 0 && *length < 1e6)) continue;
             sum += *length;
             ++known;
@@ -390,7 +403,7 @@ private:
     double unit_cm(const std::string& system)
     {
         const auto unit = file_.value(system, "Units");
-        const std::string name = unit ? capitals(*unit) : std::string();
+        const std::string name = unit ? capitals(first_word(*unit)) : std::string();
         if (name == "CENTIMETERS" || name == "CENTIMETRES") return 1;
         if (name == "INCHES") return 2.54;
         if (name == "DECIPOINTS") return 2.54 / 720;
@@ -405,7 +418,7 @@ private:
     const WifFile& file_;
     const std::string& name_;
     std::vector<ImportLine>& report_;
-    int first_ = 1;
+    WifCounting first_;
     std::vector<std::optional<Color>> palette_;
     double low_ = 0, high_ = 255;
     std::vector<std::string> no_unit_;

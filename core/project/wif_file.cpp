@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -148,6 +149,63 @@ private:
     int reported_ = 0;
 };
 
+void remark_on_head(WifFile& file)
+{
+    if (!file.find("WIF")) {
+        file.remarks.push_back(
+            {Severity::warning, "The section [WIF] that should open the file is missing; the file was read all the same."});
+        return;
+    }
+    const auto version = file.value("WIF", "Version");
+    if (!version)
+        file.remarks.push_back({Severity::note, "The file does not say its version; it was read as WIF 1.1."});
+    else if (first_word(*version) != "1.1" && first_word(*version) != "1.0")
+        file.remarks.push_back(
+            {Severity::note, fmt::format("The file says that it is WIF {}; it was read as WIF 1.1.", cut_text(*version, 40))});
+    const auto date = file.value("WIF", "Date");
+    if (date && *date != "April 20, 1997")
+        file.remarks.push_back(
+            {Severity::note,
+             fmt::format("The file's date is \"{}\", where the format requires April 20, 1997; it has no meaning.", cut_text(*date, 60))});
+}
+
+void remark_on_contents(WifFile& file)
+{
+    const WifSection* contents = file.find("CONTENTS");
+    if (!contents) {
+        file.remarks.push_back({Severity::warning, "The section [CONTENTS] is missing; the sections that are there were read."});
+        return;
+    }
+    std::string missing, undeclared, unclear;
+    const auto list = [](std::string& names, const std::string& name) {
+        if (names.size() < 200) names += (names.empty() ? "[" : ", [") + cut_text(name, 60) + "]";
+    };
+    std::vector<std::string> declared;
+    std::map<std::string, const WifSection*> by_name;
+    for (const WifSection& section : file.sections) by_name.emplace(section.name, &section);
+    for (const WifEntry& entry : contents->entries) {
+        const std::string name = capitals(entry.key);
+        if (!truth(entry.value)) list(unclear, name);
+        if (!truth(entry.value).value_or(false)) continue;
+        declared.push_back(name);
+        const auto found = by_name.find(name);
+        const WifSection* section = found == by_name.end() ? nullptr : found->second;
+        if (!section || (section->entries.empty() && section->lines.size() <= 1)) list(missing, name);
+    }
+    std::sort(declared.begin(), declared.end());
+    for (const WifSection& section : file.sections)
+        if (section.name != "WIF" && section.name != "CONTENTS" && !section.entries.empty() &&
+            !std::binary_search(declared.begin(), declared.end(), section.name))
+            list(undeclared, section.name);
+    if (!unclear.empty())
+        file.remarks.push_back({Severity::warning, fmt::format("[CONTENTS] says neither true nor false of {}; false was taken.", unclear)});
+    if (!missing.empty())
+        file.remarks.push_back({Severity::note, fmt::format("[CONTENTS] declares sections that are missing or empty: {}.", missing)});
+    if (!undeclared.empty())
+        file.remarks.push_back(
+            {Severity::note, fmt::format("[CONTENTS] does not declare sections that are there, and were read: {}.", undeclared)});
+}
+
 } // namespace
 
 bool is_wif_section(std::string_view name)
@@ -237,6 +295,8 @@ WifFile parse_wif(std::string_view text)
         if (section.strays > 0)
             file.remarks.push_back({Severity::warning, fmt::format("{} {} of [{}] left out: not of the form key=value.", section.strays,
                                                                    section.strays == 1 ? "line" : "lines", section.name)});
+    remark_on_head(file);
+    remark_on_contents(file);
     return file;
 }
 
@@ -259,9 +319,30 @@ std::optional<double> real_number(std::string_view text)
     return value;
 }
 
+std::string_view first_word(std::string_view text)
+{
+    text = trimmed(text);
+    return text.substr(0, std::min(text.find_first_of(" \t\f\v\r;"), text.size()));
+}
+
+std::optional<int> leading_whole(std::string_view text, std::string_view* rest)
+{
+    text = trimmed(text);
+    int value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    const bool goes_on =
+        !text.empty() && (std::isalnum(static_cast<unsigned char>(text.front())) != 0 || text.front() == '.' || text.front() == '-');
+    if (failure != std::errc() || goes_on) return {};
+    if (rest) *rest = trimmed(text);
+    return value;
+}
+
+std::optional<double> leading_real(std::string_view text) { return real_number(first_word(text)); }
+
 std::optional<bool> truth(std::string_view text)
 {
-    const std::string word = capitals(trimmed(text));
+    const std::string word = capitals(first_word(text));
     if (word == "TRUE" || word == "YES" || word == "ON" || word == "1" || word == "T" || word == "Y") return true;
     if (word == "FALSE" || word == "NO" || word == "OFF" || word == "0" || word == "F" || word == "N") return false;
     return {};

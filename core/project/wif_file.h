@@ -44,7 +44,13 @@ WifFile parse_wif(std::string_view text);
 /// Of a value that may have blanks around it. A decimal comma is understood.
 std::optional<int> whole_number(std::string_view text);
 std::optional<double> real_number(std::string_view text);
+/// The same of what a value begins with, for WIF 1.1 lets a comment follow a number or a truth, "should be prefixed by a semicolon": 8
+/// ends. rest: what follows the number, without blanks.
+std::optional<int> leading_whole(std::string_view text, std::string_view* rest = nullptr);
+std::optional<double> leading_real(std::string_view text);
 std::optional<bool> truth(std::string_view text);
+/// What stands before the first blank or semicolon.
+std::string_view first_word(std::string_view text);
 std::vector<std::string_view> parted(std::string_view text, char separator);
 std::string_view trimmed(std::string_view text);
 std::string capitals(std::string_view text);

@@ -2,6 +2,7 @@
 // A WIF draft as a fabric: its weave reduced to the smallest repeat, its colours as yarns, its numbers as suggestions.
 #include "core/base/error.h"
 #include "core/design/drawdown.h"
+#include "core/design/jam.h"
 #include "core/design/weave_analysis.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_json.h"
@@ -240,7 +241,8 @@ void take_colors(const WifDraft& draft, const std::optional<OwnFabric>& own, Fab
             report.push_back({Severity::note, fmt::format("The {} has {} colours, in an order of {} threads.", name, colors, threads)});
 }
 
-void suggest(const WifThreads& threads, const char* name, Suggestion& sett, Suggestion& diameter, std::vector<ImportLine>& report)
+/// What a file says of a system's threads. Sett and diameter are of one drawing: where one of them is drawn, so is the other.
+void suggest(const WifThreads& threads, const char* name, Suggestion& sett, Suggestion& diameter)
 {
     if (threads.spacing_cm) {
         const double per_cm = 1 / *threads.spacing_cm;
@@ -260,18 +262,49 @@ void suggest(const WifThreads& threads, const char* name, Suggestion& sett, Sugg
             diameter.why = fmt::format("The {} thickness of {:.3g} mm is what drafting programs write when nobody set one.", name, mm);
         else if (!(mm >= 0.01 && mm <= 10))
             diameter.why = fmt::format("The {} thickness of {:.3g} mm is no yarn's; from 0.01 to 10 mm would be.", name, mm);
-        else if (threads.spacing_cm && *threads.thickness_cm > 0.98 * *threads.spacing_cm)
-            diameter.why = fmt::format("The {} thickness of {:.3g} mm fills the spacing of {:.3g} mm, as programs write it for a drawing.",
-                                       name, mm, 10 * *threads.spacing_cm);
         else
             diameter.plausible = true;
     }
-    for (const auto& [value, what, unit] : {std::tuple(&sett, "sett", "per cm"), std::tuple(&diameter, "yarn diameter", "mm")}) {
-        if (!value->value) continue;
-        if (value->plausible)
-            report.push_back({Severity::note, fmt::format("The file suggests a {} {} of {:.4g} {}.", name, what, *value->value, unit)});
-        else
-            report.push_back({Severity::warning, value->why + " Give the real one."});
+    if (threads.spacing_cm && threads.thickness_cm && *threads.thickness_cm > 0.98 * *threads.spacing_cm) {
+        const std::string why = fmt::format(
+            "The {} thickness of {:.3g} mm fills the spacing of {:.3g} mm, as programs write one number for both to draw the cloth.", name,
+            10 * *threads.thickness_cm, 10 * *threads.spacing_cm);
+        for (Suggestion* const one : {&sett, &diameter})
+            if (one->plausible) *one = {one->value, false, why};
+    }
+}
+
+/// Setts that yarns of the file's own diameters have no room for are of a drawing, too.
+void refuse_jams(DraftImport& draft)
+{
+    DraftImport taken = draft;
+    take_suggestions(taken);
+    const Fabric& fabric = taken.fabric;
+    const JamGauge gauge =
+        jam_gauge(fabric.weave, fabric.ends_per_cm, fabric.picks_per_cm, *fabric.warp.diameter_mm, *fabric.weft.diameter_mm);
+    const auto refuse = [](const JamOfSystem& jam, const char* threads, Suggestion& sett, Suggestion& diameter) {
+        if (!sett.plausible || jam.peirce_percent <= 100) return;
+        const std::string why = fmt::format("The file's {:.3g} {} per cm are {:.0f} % of what there is room for (Peirce) with its yarns.",
+                                            jam.sett_per_cm, threads, jam.peirce_percent);
+        for (Suggestion* const one : {&sett, &diameter})
+            if (one->plausible) *one = {one->value, false, why};
+    };
+    refuse(gauge.warp, "ends", draft.ends_per_cm, draft.warp_diameter_mm);
+    refuse(gauge.weft, "picks", draft.picks_per_cm, draft.weft_diameter_mm);
+}
+
+void tell_suggestions(DraftImport& draft)
+{
+    std::string last;
+    for (const auto& [suggestion, what, unit] :
+         {std::tuple(&draft.ends_per_cm, "warp sett", "per cm"), std::tuple(&draft.warp_diameter_mm, "warp yarn diameter", "mm"),
+          std::tuple(&draft.picks_per_cm, "weft sett", "per cm"), std::tuple(&draft.weft_diameter_mm, "weft yarn diameter", "mm")}) {
+        if (!suggestion->value) continue;
+        if (suggestion->plausible)
+            draft.report.push_back({Severity::note, fmt::format("The file suggests a {} of {:.4g} {}.", what, *suggestion->value, unit)});
+        else if (suggestion->why != last)
+            draft.report.push_back({Severity::warning, suggestion->why + " Give the real one."});
+        last = suggestion->why;
     }
 }
 
@@ -364,8 +397,10 @@ DraftImport import_wif(std::string_view bytes, const std::string& name, const De
     fabric.weave = weave_of(draft.draft, own, name, report);
     take_colors(draft, own, fabric, report);
     if (!own) {
-        suggest(draft.warp, "warp", result.ends_per_cm, result.warp_diameter_mm, report);
-        suggest(draft.weft, "weft", result.picks_per_cm, result.weft_diameter_mm, report);
+        suggest(draft.warp, "warp", result.ends_per_cm, result.warp_diameter_mm);
+        suggest(draft.weft, "weft", result.picks_per_cm, result.weft_diameter_mm);
+        refuse_jams(result);
+        tell_suggestions(result);
         report.push_back({Severity::note, assumed_numbers(fabric)});
     }
     tell_of_text(file, report);

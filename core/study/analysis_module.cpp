@@ -2,10 +2,10 @@
 #include "core/study/analysis_module.h"
 
 #include "core/base/error.h"
+#include "core/base/shipped_file.h"
 
 #include <cstdlib>
 #include <dlfcn.h>
-#include <filesystem>
 #include <memory>
 #include <mutex>
 
@@ -14,33 +14,16 @@ namespace {
 
 using Ask = char* (*)(const char*);
 
-/// Where this code lies: the program, or a library that holds it.
-std::filesystem::path own_file()
-{
-    std::error_code none;
-    Dl_info info{};
-    static const char place = 0;
-    if (dladdr(&place, &info) != 0 && info.dli_fname) {
-        const std::filesystem::path file = std::filesystem::canonical(info.dli_fname, none);
-        if (!none) return file;
-    }
-    return std::filesystem::read_symlink("/proc/self/exe", none);
-}
-
 struct Module {
     Ask ask = nullptr;
     std::string reason; ///< why there is none, in a sentence
 };
 
-/// In the build beside bin, installed in lib/hygroloom; it stays loaded.
+/// It stays loaded.
 Module load()
 {
-    const std::filesystem::path folder = own_file().parent_path();
     std::string reason = "the module hygroloom_openturns.so is not there";
-    for (const char* way : {"../lib/hygroloom", "../../lib/hygroloom", "../../hygroloom", "../hygroloom", "."}) {
-        const std::filesystem::path file = folder / way / "hygroloom_openturns.so";
-        std::error_code none;
-        if (!std::filesystem::exists(file, none)) continue;
+    if (const std::filesystem::path file = shipped_file("hygroloom_openturns.so"); !file.empty()) {
         void* const library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (const auto ask = library ? reinterpret_cast<Ask>(dlsym(library, "hygroloom_openturns")) : nullptr) return {ask, ""};
         if (const char* error = dlerror()) reason = error;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fcntl.h>
+#include <optional>
 #include <spawn.h>
 #include <sstream>
 #include <sys/mman.h>
@@ -161,6 +162,30 @@ std::string submitted_id(const std::string& text)
     return digits > 0 && (digits == last.size() || last[digits] == ';') ? last.substr(0, digits) : "";
 }
 
+/// The highest number that a task of an array may have here; none where the cluster does not say.
+std::optional<int> highest_task()
+try {
+    const Said said = ask({"scontrol", "show", "config"});
+    std::istringstream words(said.text);
+    for (std::string word, sign; words >> word;)
+        if (int size = 0; word == "MaxArraySize" && words >> sign >> size && size > 1) return size - 1;
+    return {};
+} catch (const Error&) { // scontrol is not here
+    return {};
+}
+
+/// Slices of the rows. Throws Error where more were asked for than the cluster takes.
+int tasks_for(std::size_t rows, const SlurmOptions& how)
+{
+    const std::optional<int> highest = highest_task();
+    if (how.tasks > 0 && highest && how.tasks > *highest)
+        throw Error(fmt::format("--tasks must be from 1 to {} on this cluster (its MaxArraySize is {}); given is {}.", *highest,
+                                *highest + 1, how.tasks));
+    if (how.tasks > 0) return how.tasks;
+    const std::size_t most = std::min(most_tasks, static_cast<std::size_t>(highest.value_or(static_cast<int>(most_tasks))));
+    return static_cast<int>(std::clamp((rows + rows_of_task - 1) / rows_of_task, std::size_t{1}, most));
+}
+
 } // namespace
 
 std::vector<std::string> shell_words(const std::string& text)
@@ -215,8 +240,7 @@ SlurmJob submit_study(const Design& design, const Study& study, const std::files
     if (const std::string before = job_id(folder); !before.empty() && !states_of(before).empty())
         throw Error(fmt::format("Job {} of this study is still on; see --status, or end it with --cancel.", before));
     SlurmJob job;
-    job.tasks = how.tasks > 0 ? how.tasks
-                              : static_cast<int>(std::clamp((kept.rows() + rows_of_task - 1) / rows_of_task, std::size_t{1}, most_tasks));
+    job.tasks = tasks_for(kept.rows(), how);
     const std::string array = slices(kept, job.tasks, options.retry_failed, job.submitted);
     if (array.empty()) throw Error(folder.string() + ": No row is missing; make the table with --merge.");
     write_study_folder(all, folder);
@@ -227,7 +251,10 @@ SlurmJob submit_study(const Design& design, const Study& study, const std::files
     words.insert(words.end(), own.begin(), own.end());
     words.push_back(script.string());
     const Said said = ask(words);
-    if (said.code != 0) throw Error("Slurm refuses the job: " + said.errors);
+    if (said.code != 0) {
+        const bool by_array = said.errors.find("array") != std::string::npos;
+        throw Error("Slurm refuses the job: " + said.errors + (by_array ? ". Give fewer tasks with --tasks." : ""));
+    }
     job.id = submitted_id(said.text);
     if (job.id.empty()) throw Error(fmt::format("Slurm took the job, but does not say its number; see squeue. It says: {}", said.text));
     write_file(folder / "slurm" / "job", job.id + "\n");

@@ -12,7 +12,7 @@ namespace hygroloom {
 struct SlurmOptions {
     std::string sbatch;            ///< options for it, as a shell would split them
     std::string backend;           ///< of each task
-    int tasks = 0;                 ///< slices; 0: of 16 rows each, at most 1000
+    int tasks = 0;                 ///< slices; 0: of 16 rows each, at most 1000 and what the cluster takes
     bool gpus = false;             ///< one for each task
     bool retry_failed = false;     ///< also runs the rows that failed
     std::filesystem::path program; ///< hygroloom-cli

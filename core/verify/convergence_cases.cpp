@@ -11,12 +11,12 @@
 namespace hygroloom {
 namespace {
 
-using Field = std::vector<double>;
+using Profile = std::vector<double>;
 
 /// A field per resolution, on equal places, each twice as fine as the one before: order = log2 of the ratio of their differences.
-double observed_order(const std::array<Field, 3>& fields)
+double observed_order(const std::array<Profile, 3>& fields)
 {
-    const auto apart = [](const Field& a, const Field& b) {
+    const auto apart = [](const Profile& a, const Profile& b) {
         double sum = 0;
         for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
         return sum;
@@ -34,7 +34,7 @@ template <typename Run> double order_of(int resolution, const Run& run)
 constexpr double short_time = 1e-2; // s, ten steps and more
 
 /// A slab cooled on both faces, by Fourier number 0.2: the warmth of its middle.
-Field cooling_slab(Backend& backend, int half, int steps)
+Profile cooling_slab(Backend& backend, int half, int steps)
 {
     constexpr double diffusivity = 1e-7, fourier = 0.2;
     const double cell = std::sqrt(diffusivity * short_time / fourier) / half;
@@ -45,7 +45,7 @@ Field cooling_slab(Backend& backend, int half, int steps)
 }
 
 /// A fibre in liquid, by Fourier number 0.1: its regain.
-Field absorbing_fibre(Backend& backend, int shells, int steps)
+Profile absorbing_fibre(Backend& backend, int shells, int steps)
 {
     Scene scene = bare_scene(1, 1, 1e-3, isotherm_temperature);
     scene.rules.sorption = true;
@@ -60,7 +60,7 @@ Field absorbing_fibre(Backend& backend, int shells, int steps)
 }
 
 /// Liquid in a closed yarn evens out from a cosine, D = D0 s^2: the means over sixteen parts of it.
-Field levelling_yarn(Backend& backend, int cells, int steps)
+Profile levelling_yarn(Backend& backend, int cells, int steps)
 {
     constexpr double length = 0.01, diffusivity = 1e-3;
     constexpr int parts = 16;
@@ -75,7 +75,7 @@ Field levelling_yarn(Backend& backend, int cells, int steps)
         scene.cloth.start.liquid[static_cast<std::size_t>(i)] =
             capacity * (0.5 + 0.4 * cells / pi * (std::sin(pi * (i + 1) / cells) - std::sin(pi * i / cells)));
     const Frame frame = frames_at(backend, scene, {short_time}).back();
-    Field means(parts, 0.0);
+    Profile means(parts, 0.0);
     for (int i = 0; i < cells; ++i)
         means[static_cast<std::size_t>(i * parts / cells)] +=
             static_cast<double>(frame.saturation[static_cast<std::size_t>(i)]) * parts / cells;
@@ -83,7 +83,7 @@ Field levelling_yarn(Backend& backend, int cells, int steps)
 }
 
 /// Liquid runs into a dry yarn from its end, D = D0 s^2: what the yarn absorbed. The front is a corner, where no scheme keeps its order.
-Field absorbing_yarn(Backend& backend, int cells, int steps)
+Profile absorbing_yarn(Backend& backend, int cells, int steps)
 {
     constexpr double length = 0.01, diffusivity = 1e-3;
     const double cell = length / (cells + 0.5); // from the middle of the fed segment to the end
@@ -116,7 +116,7 @@ std::array<Frame, 3> working_spots(Backend& backend, bool vapour, double time, i
 
 VerifyResult splitting_order(const char* name, const std::array<Frame, 3>& frames, std::vector<float> Frame::*values)
 {
-    const auto field = [&](const Frame& frame) { return Field((frame.*values).begin(), (frame.*values).end()); };
+    const auto field = [&](const Frame& frame) { return Profile((frame.*values).begin(), (frame.*values).end()); };
     return {name, observed_order({field(frames[0]), field(frames[1]), field(frames[2])}), 1, 0.2, Rule::at_least};
 }
 

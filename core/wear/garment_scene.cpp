@@ -371,14 +371,14 @@ void wet(Builder& b)
 
 } // namespace
 
-GarmentParts garment_parts(const Design& design, const WearExperiment& wear, const std::filesystem::path& base)
+GarmentParts garment_parts(const Design& design, const WearExperiment& wear, const std::filesystem::path& base, const Asked& cancelled)
 {
     GarmentParts parts;
     parts.design = &design;
     parts.garment = find_garment(design, wear.garment);
     parts.wear = &wear;
     if (parts.garment == nullptr) throw Error("There is no garment named \"" + wear.garment + "\" in the project.");
-    parts.pattern = read_pattern(*parts.garment, base);
+    parts.pattern = read_pattern(*parts.garment, base, cancelled);
     add_layers(parts.pattern, *parts.garment);
     parts.sweat = sweat_table(parts.garment->wearer.zones, base);
     if (!wear.activity_file.empty()) parts.course = sweat_course(wear.activity_file, base, parts.garment->wearer.own_zones);

@@ -22,7 +22,8 @@ struct GarmentParts {
 };
 /// Reads what a worn garment is made from: its source, its wearer's table, the experiment's rates over time. base: folder of the project.
 /// The design and the experiment must outlive it. Throws FileError with a sentence.
-GarmentParts garment_parts(const Design& design, const WearExperiment& wear, const std::filesystem::path& base);
+GarmentParts garment_parts(const Design& design, const WearExperiment& wear, const std::filesystem::path& base,
+                           const Asked& cancelled = {});
 
 constexpr double skin_film = 35e-6;    ///< m of liquid that stay on skin, some 35 g/m2; what comes then drips; an assumption
 constexpr double contact_gap = 0.3e-3; ///< m of still air that cloth on skin still has between, by hairs and waviness; an assumption

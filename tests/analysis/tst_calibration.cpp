@@ -328,6 +328,10 @@ private Q_SLOTS:
         QVERIFY(!table.is_curve() && table.numbers.size() == 1 && table.numbers[0].value == 1.5);
         QVERIFY(has(message_of([&] { read("time_s,wick_height_mm\n1,2\n", 1); }), "which \"drop\" gives"));
         QVERIFY(has(message_of([&] { read("time_s,wick_height_mm\n11,2\n", 0); }), "line 2: time_s must be from 0 to 10"));
+        QVERIFY(
+            has(message_of([&] { read("time_s,wick_height_mm\n1,-5\n", 0); }), "line 2: wick_height_mm must be 0 or more; given is -5"));
+        QVERIFY(has(message_of([&] { read("fabric,metric,value,unit\ncloth,absorbency_time_s,-1,s\n", 1); }), "0 or more; given is -1"));
+        QCOMPARE(read("time_s,temperature_mean_c\n1,-5\n", 0).numbers[0].value, -5.0);
         QVERIFY(has(message_of([&] { read("time_s,wick_height_mm,spread\n1,2,0\n", 0); }), "more than 0"));
         QVERIFY(has(message_of([&] { read("time_s,wick_height_mm,spread\n1,2,1\n2,3,\n", 0); }), "1 of 2 have one"));
         QVERIFY(has(message_of([&] { read("fabric,metric,value,unit\ncloth,wick_height_mm,1,mm\ncloth,wick_rate_mm_s05,1,mm/√s\n", 0); }),

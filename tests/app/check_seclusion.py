@@ -15,6 +15,7 @@ SKIPPED = 77
 STUDY = """{"format": "hygroloom-study", "version": 1, "fabrics": ["Cotton plain"], "experiments": ["one drop"], "fidelity": "live",
   "factors": [{"path": "fabrics[0].contact_angle_deg", "values": [30, 50]}], "design": {"type": "grid"}}"""
 STRIP = "time_s,wick_height_mm,spread\n0.5,10.6,0.1\n1,14.7,0.1\n1.5,17.8,0.1\n"
+MESH = "tests/data/garments/sheet.dae"
 PANEL = "v 0 0 0\nv 0.1 0 0\nv 0.1 0.2 0\nv 0 0.2 0\nvt 0 0\nvt 0.5 0\nvt 0.5 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"
 NETWORK_LIBRARY = re.compile(r"curl|ssl|crypto|Qt\d?(Network|WebSockets|WebEngine|HttpServer)|nghttp|ldap|libssh|resolv|libzmq|libuv|gnutls")
 NETWORK_FUNCTION = re.compile(
@@ -65,6 +66,8 @@ def verbs(root):
         (["calibrate", *strip, "--measured", "../strip.csv", "--free", "contact_angle_deg", "--quiet", "-o", "fitted.hygro"], ["fitted.hygro"]),
         (["garment", "import", "built-in:tee", "--fabric", "Poplin shirting", "-o", "tee.hygro"], ["tee.hygro"]),
         (["garment", "import", "../panel.obj", "--fabric", "Poplin shirting", "-o", "panel.hygro"], ["panel.hygro"]),
+        (["garment", "import", root / MESH, "--fabric", "Poplin shirting", "-o", "sheet.hygro"], ["sheet.hygro"]),
+        (["check", "sheet.hygro"], []),
         (["garment", "plan", "tee.hygro", "--fidelity", "live"], []),
         (["simulate", "tee.hygro", "--fidelity", "live", "--set", "experiments[0].duration_s=5", "--quiet", "-o", "worn.hygrorec"], ["worn.hygrorec"]),
         (["garment", "map", "worn.hygrorec", "-o", "maps", "--report", "worn.html", "--quiet"], ["maps", "worn.html"]),

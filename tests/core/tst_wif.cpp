@@ -194,7 +194,7 @@ private Q_SLOTS:
     }
     void oddity4_aLiftplanWinsOverATieUp()
     {
-        const DraftImport draft = import_text(twill("[LIFTPLAN]\n1=1,3\n2=2,4\n"));
+        const DraftImport draft = import_text("[CONTENTS]\nLIFTPLAN=true\n" + twill("[LIFTPLAN]\n1=1,3\n2=2,4\n"));
         QCOMPARE(drawn(draft.fabric.weave), std::string("01 10"));
         QVERIFY(!reported(draft, "the liftplan counts").empty());
         QCOMPARE(draft.fabric.weave.draft()->treadles, 0);
@@ -260,7 +260,7 @@ private Q_SLOTS:
             "[TREADLING]\n0=0\n1=1\n2=2\n3=3\n";
         const DraftImport draft = import_text(text);
         QCOMPARE(drawn(draft.fabric.weave), twill_rows);
-        QVERIFY(!reported(draft, "counts threads, shafts, treadles and colours from 0").empty());
+        QVERIFY(!reported(draft, "counts ends, picks, shafts and treadles from 0").empty());
     }
     void oddity12_otherDatesAndVersionsAreNoted()
     {

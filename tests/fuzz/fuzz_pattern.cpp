@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Any bytes, as a sewing pattern or as an OBJ mesh with flat coordinates, either are refused with a FileError, or become a pattern whose
-// seams name edges that are there and whose shape can be drawn.
+// Any bytes, as a sewing pattern or as a mesh with flat coordinates (OBJ, PLY, GLB, glTF), either are refused with a FileError, or become a
+// pattern whose seams name edges that are there and whose shape can be drawn.
 #include "core/base/error.h"
 #include "core/garment/fill.h"
+#include "core/garment/mesh_bytes.h"
 #include "core/garment/readers.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <unistd.h>
 
 using namespace hygroloom;
 
@@ -47,14 +50,25 @@ void check(GarmentPattern pattern, bool flat)
         }
 }
 
+GarmentPattern from_file(std::string_view bytes, const char* ending)
+{
+    const std::filesystem::path path = std::filesystem::temp_directory_path() / ("pattern-" + std::to_string(::getpid()) + ending);
+    std::ofstream(path, std::ios::binary) << bytes;
+    return pattern_from_mesh(path, UvUnit::from_lengths);
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     try {
-        if (bytes.starts_with("{"))
+        if (bytes.starts_with("ply") || bytes.starts_with("glTF") || bytes.find("\"asset\"") != std::string_view::npos)
+            check(from_file(bytes, bytes.starts_with("ply") ? ".ply" : ".gltf"), false);
+        else if (bytes.starts_with("{"))
             check(pattern_from_json(bytes, "input.json"), true);
+        else if (bytes.starts_with("HLM"))
+            mesh_from_answer(bytes, "input.fbx");
         else
             check(pattern_from_obj(bytes, "input.obj", UvUnit::from_lengths), false);
     } catch (const FileError&) {

@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Sheet = std::function<FlatPlace(int panel, const FlatPlace& flat)>;
+using SheetOf = std::function<FlatPlace(int panel, const FlatPlace& flat)>;
 
 /// The drape of a pattern as GarmentCode writes it: places in cm on a tube, flat coordinates as the sheet has them.
-void write_drape(const GarmentPattern& pattern, const fs::path& folder, const Sheet& sheet)
+void write_drape(const GarmentPattern& pattern, const fs::path& folder, const SheetOf& sheet)
 {
     std::string obj, names;
     for (std::size_t i = 0; i < pattern.shape.flat.size(); ++i) {

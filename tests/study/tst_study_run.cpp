@@ -311,6 +311,40 @@ private Q_SLOTS:
         qputenv("PATH", before);
     }
 
+    void anArrayIsNoLargerThanTheClusterTakes()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path programs = place.path().toStdString();
+        const auto write = [&](const char* name, const std::string& lines) {
+            std::ofstream(programs / name) << "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\n" << lines << "\n";
+            std::filesystem::permissions(programs / name, std::filesystem::perms::owner_all);
+        };
+        write("sbatch", "echo 5");
+        write("scancel", "");
+        write("squeue", "");
+        write("scontrol", "echo 'Configuration data as of today'\necho 'MaxArraySize            = 3'\necho 'MaxDBDMsgs = 20004'");
+        const QByteArray before = qgetenv("PATH");
+        qputenv("PATH", place.path().toUtf8() + ":" + before);
+        const auto submit = [&](const char* folder, int tasks) {
+            SlurmOptions how;
+            how.tasks = tasks;
+            try {
+                const SlurmJob job = submit_study(quick_design(0.01), study_of(80), programs / folder, {}, how);
+                return std::to_string(job.tasks);
+            } catch (const Error& error) {
+                return std::string(error.what());
+            }
+        };
+        QCOMPARE(submit("a", 0), std::string("2")); // 80 rows of 16 a task would be 5 tasks
+        QCOMPARE(submit("b", 2), std::string("2"));
+        QCOMPARE(submit("c", 3), std::string("--tasks must be from 1 to 2 on this cluster (its MaxArraySize is 3); given is 3."));
+        write("scontrol", "exit 1");
+        QCOMPARE(submit("d", 0), std::string("5"));
+        write("sbatch", "echo 'sbatch: error: Batch job submission failed: Invalid job array specification' >&2\nexit 1");
+        QVERIFY(submit("e", 5).find("Invalid job array specification. Give fewer tasks with --tasks.") != std::string::npos);
+        qputenv("PATH", before);
+    }
+
     void aPartOfAnotherStudyIsRefused()
     {
         const QTemporaryDir place;

@@ -84,7 +84,9 @@ void GarmentChoice::read()
         std::shared_ptr<const GarmentDrawing> drawing;
         QString problem;
         try {
-            drawing = drawingOf(read_pattern(garment, source.base));
+            drawing = drawingOf(read_pattern(garment, source.base, [&turn] { return turn.outdated(); }));
+        } catch (const Cancelled&) {
+            return;
         } catch (const std::exception& error) {
             problem = QString::fromUtf8(error.what());
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/garment_panel.h"
 
+#include "core/base/error.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/elided_combo.h"
 #include "ui/basics/icon_button.h"
@@ -235,7 +236,9 @@ void GarmentPanel::addFile()
         try {
             Garment garment;
             garment.source = file.toStdString();
-            read_pattern(garment, {});
+            read_pattern(garment, {}, [&turn] { return turn.outdated(); });
+        } catch (const Cancelled&) {
+            return;
         } catch (const std::exception& error) {
             problem = QString::fromUtf8(error.what());
         }

@@ -76,7 +76,7 @@ void GarmentRun::compute(const Request& request)
 {
     const auto start = std::chrono::steady_clock::now();
     const WearExperiment* wear = find_wear(*request.design, request.experiment);
-    const GarmentParts parts = garment_parts(*request.design, *wear, request.base);
+    const GarmentParts parts = garment_parts(*request.design, *wear, request.base, [this] { return control_.cancel.load(); });
     const GarmentScene scene = garment_scene(parts, resolution_of(request.options));
     if (control_.cancel) { throw Cancelled(); }
     const std::unique_ptr<Backend> backend = make_backend(request.backend);

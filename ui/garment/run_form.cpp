@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/run_form.h"
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/elided_combo.h"
@@ -176,7 +177,7 @@ void RunForm::estimate()
                   fidelity = fidelity()](const NewestJob::Turn& turn) {
         QString text;
         try {
-            const GarmentParts parts = garment_parts(*design, *find_wear(*design, wear), base);
+            const GarmentParts parts = garment_parts(*design, *find_wear(*design, wear), base, [&turn] { return turn.outdated(); });
             WearOptions options;
             options.fidelity = fidelity;
             if (turn.outdated()) { return; }
@@ -185,6 +186,8 @@ void RunForm::estimate()
             text = tr("%1 %2, %3; %4 on two cores.")
                        .arg(plan.cells)
                        .arg(cellsText(wear_layout(parts, scene).cells_in_words), bytesText(plan.bytes), roughDuration(plan.seconds));
+        } catch (const Cancelled&) {
+            return;
         } catch (const std::exception& error) {
             text = QString::fromUtf8(error.what());
         }
