@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
   base/student.cpp
+  base/trade_units.cpp
   base/utf8.cpp
   base/version.cpp
   base/words.cpp
