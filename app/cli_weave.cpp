@@ -39,10 +39,13 @@ std::string floats_text(const Floats& floats, double crossed_per_cm)
     return fmt::format("{} ({:.3g} mm)", floats.longest, 10 * floats.longest / crossed_per_cm);
 }
 
-void print_jam(const char* name, const JamOfSystem& jam)
+/// Ashenhurst's rule is for square cloth.
+void print_jam(const char* name, const JamOfSystem& jam, bool square)
 {
-    print_result("  {} sett {:.4g}/cm is {:.0f} % of Ashenhurst's limit {:.3g}/cm and {:.0f} % of Peirce's {:.3g}/cm\n", name,
-                 jam.sett_per_cm, jam.ashenhurst_percent, jam.ashenhurst_per_cm, jam.peirce_percent, jam.peirce_per_cm);
+    const std::string ashenhurst =
+        square ? fmt::format("{:.0f} % of Ashenhurst's limit {:.3g}/cm and ", jam.ashenhurst_percent, jam.ashenhurst_per_cm) : "";
+    print_result("  {} sett {:.4g}/cm is {}{:.0f} % of Peirce's limit {:.3g}/cm for round yarns\n", name, jam.sett_per_cm, ashenhurst,
+                 jam.peirce_percent, jam.peirce_per_cm);
 }
 
 } // namespace
@@ -69,6 +72,7 @@ void add_weave_json(Json& json, const Fabric& fabric, const FittedYarns& yarns)
     json["weave"]["shafts"] = draft.shafts;
     if (draft.liftplan.empty()) json["weave"]["treadles"] = draft.treadles;
     const JamGauge jam = jam_gauge(fabric, yarns);
+    json["sett_share_of_limit"] = sett_share_of_limit(fabric, yarns);
     json["jam"] = {{"warp", jam_json(jam.warp)}, {"weft", jam_json(jam.weft)}};
 }
 
@@ -88,8 +92,11 @@ void print_weave(const Fabric& fabric, const FittedYarns& yarns)
         floats_text(a.weft_back, fabric.ends_per_cm));
     row("interlacings per repeat", std::to_string(a.warp_interlacings), std::to_string(a.weft_interlacings));
     const JamGauge jam = jam_gauge(fabric, yarns);
-    print_jam("warp", jam.warp);
-    print_jam("weft", jam.weft);
+    const bool square = is_square(fabric.ends_per_cm, fabric.picks_per_cm);
+    print_result("  both setts together are {:.0f} % of their limit; looms stop at about {:.0f} %\n",
+                 100 * sett_share_of_limit(fabric, yarns), 100 * most_sett_share);
+    print_jam("warp", jam.warp, square);
+    print_jam("weft", jam.weft, square);
 }
 
 } // namespace hygroloom

@@ -33,7 +33,7 @@ Json outcomes_value(const RunRecord& run, const Metrics& m)
         for (const std::string& why : {outcome.missing, outcome.remark})
             if (!why.empty()) notes.push_back(outcome.key + ": " + why + ".");
     }
-    if (m.management) {
+    if (m.management && !is_part_of_test(run, m)) {
         const ManagementGrades grades = management_grades(*m.management);
         for (const GradeName& name : grade_names) json["grades"][name.key] = grades.*name.grade;
     }

@@ -101,9 +101,10 @@ const MetricGroup& absorbency()
 
 const MetricGroup& area_growth()
 {
-    static const MetricGroup group{
-        [](M) { return true; },
-        {{{"wick_rate_mm2_s", "wicking rate", "", "mm²/s", more}, [](M m) { return scaled(m.horizontal_rate, 1e6); }, "nothing is wet"}}};
+    static const MetricGroup group{[](M) { return true; },
+                                   {{{"wick_rate_mm2_s", "wicking rate", "", "mm²/s", more, false, false, true},
+                                     [](M m) { return scaled(m.horizontal_rate, 1e6); },
+                                     "nothing is wet"}}};
     return group;
 }
 
@@ -121,28 +122,33 @@ const MetricGroup& management()
           [](M m) { return m.management->bottom.wetting_time; },
           dry,
           &G::wetting_time_bottom},
-         {{"absorption_rate_top_pct_s", "absorption rate", "top", "%/s", more},
+         {{"absorption_rate_top_pct_s", "absorption rate", "top", "%/s", more, false, false, true},
           [](M m) -> Value { return m.management->top.absorption_rate; },
           "",
           &G::absorption_rate_top},
-         {{"absorption_rate_bottom_pct_s", "absorption rate", "bottom", "%/s", more},
+         {{"absorption_rate_bottom_pct_s", "absorption rate", "bottom", "%/s", more, false, false, true},
           [](M m) -> Value { return m.management->bottom.absorption_rate; },
           "",
           &G::absorption_rate_bottom},
-         {{"spreading_speed_top_mm_s", "spreading speed by 5 mm rings", "top", "mm/s", more},
+         {{"spreading_speed_top_mm_s", "spreading speed by 5 mm rings", "top", "mm/s", more, false, false, true},
           [](M m) -> Value { return m.management->top.spreading_speed; },
           "",
           &G::spreading_speed_top},
-         {{"spreading_speed_bottom_mm_s", "spreading speed by 5 mm rings", "bottom", "mm/s", more},
+         {{"spreading_speed_bottom_mm_s", "spreading speed by 5 mm rings", "bottom", "mm/s", more, false, false, true},
           [](M m) -> Value { return m.management->bottom.spreading_speed; },
           "",
           &G::spreading_speed_bottom},
-         {{"one_way_transport_pct", "one-way transport", "", "%", more, false, true},
+         {{"one_way_transport_pct", "one-way transport", "", "%", more, false, true, true},
           [](M m) -> Value { return m.management->one_way_transport; },
           "",
           &G::one_way_transport},
-         {{"ommc", "overall capability (OMMC)", "", "", more}, [](M m) -> Value { return m.management->ommc; }, "", &G::ommc},
-         {{"fabric_class", "class", "", "", neither}, nullptr, "", nullptr, nullptr, [](M m) { return fabric_class(*m.management); }}}};
+         {{"ommc", "overall capability (OMMC)", "", "", more, false, false, true},
+          [](M m) -> Value { return m.management->ommc; },
+          "",
+          &G::ommc},
+         {{"fabric_class", "class", "", "", neither, false, false, true}, nullptr, "", nullptr, nullptr, [](M m) {
+              return fabric_class(*m.management);
+          }}}};
     return group;
 }
 
@@ -183,7 +189,7 @@ const MetricGroup& conditioning()
           "",
           nullptr,
           [](M m) { return m.conditioning->settled ? "" : "still changing"; }},
-         {{"regain_half_time_s", "half-change time", "", "s", less},
+         {{"regain_half_time_s", "half-change time", "", "s", less, false, false, true},
           [](M m) { return m.conditioning->half_time; },
           "the regain did not change"},
          {{"temperature_peak_rise_c", "peak warming above air", "", "K", less, false, true},
@@ -262,7 +268,7 @@ int rank_of(const std::string& key, const TypeMetrics& type)
     return found == keys.end() ? 0 : static_cast<int>(found - keys.begin()) + 1;
 }
 
-Outcome outcome_of(const Metric& metric, M m)
+Outcome outcome_of(const Metric& metric, M m, bool part)
 {
     Outcome outcome;
     static_cast<OutcomeInfo&>(outcome) = metric.info;
@@ -273,8 +279,13 @@ Outcome outcome_of(const Metric& metric, M m)
         outcome.value.reset();
         outcome.missing = "the computed value is not a finite number";
     }
+    if (part && outcome.of_whole_test) {
+        outcome.value.reset();
+        outcome.text.clear();
+        outcome.missing = "only a part of the test is there";
+    }
     if (metric.remark) outcome.remark = metric.remark(m);
-    if (metric.grade && m.management) outcome.grade = management_grades(*m.management).*metric.grade;
+    if (metric.grade && m.management && !part) outcome.grade = management_grades(*m.management).*metric.grade;
     return outcome;
 }
 
@@ -296,19 +307,27 @@ const Plot& subject_plot(ExperimentType type) { return plot_named(metrics_of(typ
 
 std::string full_title(const OutcomeInfo& info) { return info.face.empty() ? info.title : info.title + ", " + info.face; }
 
-std::vector<Outcome> outcomes_of(const RunRecord& run, const Metrics& metrics)
+std::vector<Outcome> outcomes_of(const RunRecord& run, const Metrics& metrics, bool part)
 {
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     const TypeMetrics& type = metrics_of(experiment ? experiment->type : ExperimentType::droplet);
+    part = part || is_part_of_test(run, metrics);
     std::vector<Outcome> outcomes;
     for (const MetricGroup* group : type.groups) {
         if (!group->applies(metrics)) continue;
         for (const Metric& metric : group->rows) {
-            outcomes.push_back(outcome_of(metric, metrics));
+            outcomes.push_back(outcome_of(metric, metrics, part));
             outcomes.back().rank = rank_of(metric.info.key, type);
         }
     }
     return outcomes;
+}
+
+bool is_part_of_test(const RunRecord& run, const Metrics& metrics)
+{
+    const Experiment* experiment = find_experiment(run.design, run.experiment);
+    constexpr double rounding = 1e-6;
+    return experiment && !metrics.series.time.empty() && metrics.series.time.back() < experiment->duration_s * (1 - rounding);
 }
 
 bool is_shown(const Outcome& outcome) { return !outcome.in_rings || outcome.grade; }

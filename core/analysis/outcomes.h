@@ -23,6 +23,7 @@ struct OutcomeInfo {
     Better better = Better::neither;
     bool in_rings = false;        ///< another number, rounded to the rings of a tester
     bool may_be_negative = false; ///< others, as lengths, times and amounts, are 0 at least
+    bool of_whole_test = false;   ///< an index of the test from its beginning to its end: of a part it says nothing
 };
 
 /// "wetted radius, top"
@@ -40,8 +41,12 @@ struct Outcome : OutcomeInfo {
 /// Fills in what the type of experiment reports beyond the stain. area: of the sample, m2.
 void compute_results(Metrics& metrics, const Experiment& experiment, double area);
 
-/// Of the type of the run's experiment, in the order of the metrics file. Numbers that do not apply to the run are absent.
-std::vector<Outcome> outcomes_of(const RunRecord& run, const Metrics& metrics);
+/// Of the type of the run's experiment, in the order of the metrics file. Numbers that do not apply to the run are absent. Where the run
+/// ended early, or is a part of the test, indices, grades and the class are missing.
+std::vector<Outcome> outcomes_of(const RunRecord& run, const Metrics& metrics, bool part = false);
+
+/// Whether its frames do not reach the experiment's end.
+bool is_part_of_test(const RunRecord& run, const Metrics& metrics);
 
 /// Whether people read it: rings stand beside the exact number only where they are graded.
 bool is_shown(const Outcome& outcome);

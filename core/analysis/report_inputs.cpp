@@ -4,6 +4,7 @@
 
 #include "core/analysis/report_parts.h"
 #include "core/analysis/svg.h"
+#include "core/base/text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -99,7 +100,7 @@ private:
     std::string number(double value, const std::string& unit, bool with_unit = true) const
     {
         const ReaderUnit own = reader_unit(units_, unit);
-        const std::string digits = fmt::format("{:.10g}", own.of(value));
+        const std::string digits = brief_text(own.of(value), own.unit == unit ? 6 : 4); // converted ones have endlessly many
         if (!with_unit || own.unit.empty()) return digits;
         return digits + (own.unit == "°" ? "" : " ") + own.unit;
     }

@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   base/shipped_file.cpp
   base/student.cpp
+  base/trade_units.cpp
   base/utf8.cpp
   base/version.cpp
   base/words.cpp

@@ -46,6 +46,19 @@ inline std::string rounded_text(double number, int digits)
     return text;
 }
 
+/// The same without zeros that say nothing; the very large and the very small with a power of ten: "3.15", "30", "12350", "1e-13".
+inline std::string brief_text(double number, int digits)
+{
+    char small[40];
+    std::snprintf(small, sizeof small, "%.*g", digits, number);
+    if (!(std::abs(number) >= 1e-4 && std::abs(number) < 1e7)) return small;
+    std::string text = rounded_text(number, digits);
+    if (text.find('.') == std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
 /// A count of bytes in the unit in which people read it.
 struct ByteCount {
     double number;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 namespace hygroloom {
@@ -30,7 +31,8 @@ struct IssueList {
     {
         if (std::isfinite(value) && value >= least && value <= most) return true;
         const char* gap = *unit ? " " : "";
-        error("range", where, fmt::format("The {} must be from {} to {}{}{}; given is {}.", what, least, most, gap, unit, value));
+        error("range", where,
+              fmt::format("The {} must be from {} to {}{}{}; given is {}.", what, least, most, gap, unit, outside(value, least, most)));
         return false;
     }
     template <typename Value> // std::optional<double>
@@ -58,6 +60,18 @@ struct IssueList {
     int errors() const { return errors_; }
 
 private:
+    /// With three digits, or as many as it takes to show that it lies outside; a whole number in full.
+    static std::string outside(double value, double least, double most)
+    {
+        const bool plain = std::abs(value) < 1e9 && value != std::round(value);
+        for (int digits = 3; plain && digits < 17; ++digits) {
+            const std::string text = fmt::format("{:.{}g}", value, digits);
+            const double shown = std::strtod(text.c_str(), nullptr);
+            if ((shown < least || shown > most) && text.find('e') == std::string::npos) return text;
+        }
+        return fmt::format("{}", value);
+    }
+
     int errors_ = 0;
 };
 

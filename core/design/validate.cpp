@@ -21,11 +21,11 @@ void validate_size(const Fabric& fabric, const Experiment& experiment, const std
     const std::string size = fmt::format("{}.{}", where, info_of(experiment.type).sample_key);
     if (!(ends * picks <= most_crossings))
         list.error("sample_too_large", size,
-                   fmt::format("A sample of {} x {} mm of \"{}\" has {:.3g} million crossings; at most {:.3g} million are allowed.", width,
-                               height, fabric.name, 1e-6 * ends * picks, 1e-6 * most_crossings));
+                   fmt::format("A sample of {:.4g} x {:.4g} mm of \"{}\" has {:.3g} million crossings; at most {:.3g} million are allowed.",
+                               width, height, fabric.name, 1e-6 * ends * picks, 1e-6 * most_crossings));
     else if (ends < 1 || picks < 1)
         list.add(Severity::warning, "sample_too_small", size,
-                 fmt::format("A sample of {} x {} mm is smaller than one crossing of \"{}\"; one crossing is taken.", width, height,
+                 fmt::format("A sample of {:.4g} x {:.4g} mm is smaller than one crossing of \"{}\"; one crossing is taken.", width, height,
                              fabric.name));
 }
 

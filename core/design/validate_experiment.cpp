@@ -33,7 +33,7 @@ void validate_droplet(const Experiment& experiment, const Droplet& drop, const s
         const double at = drop.at_mm[axis], half = 0.5 * experiment.sample_mm[axis];
         if (!(std::abs(at) <= half)) {
             list.error("droplet_off_sample", fmt::format("{}.at_mm[{}]", where, axis),
-                       fmt::format("The droplet must land on the sample, from {} to {} mm {}; given is {}.", -half, half,
+                       fmt::format("The droplet must land on the sample, from {:.4g} to {:.4g} mm {}; given is {:.4g}.", -half, half,
                                    axis == 0 ? "along the weft" : "along the warp", at));
             return;
         }
@@ -146,9 +146,10 @@ void validate_climates(const Experiment& experiment, const std::string& where, I
 void validate_immersion(const Experiment& e, const std::string& where, IssueList& list)
 {
     if (std::isfinite(e.immersion_mm) && e.immersion_mm > 0 && e.immersion_mm < e.sample_mm[1]) return;
-    list.error("range", where + ".immersion_mm",
-               fmt::format("The strip must dip into the liquid by more than 0 mm and less than the strip's length of {} mm; given is {}.",
-                           e.sample_mm[1], e.immersion_mm));
+    list.error(
+        "range", where + ".immersion_mm",
+        fmt::format("The strip must dip into the liquid by more than 0 mm and less than the strip's length of {:.4g} mm; given is {:.4g}.",
+                    e.sample_mm[1], e.immersion_mm));
 }
 
 /// The fields that the type uses.

@@ -61,10 +61,10 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     sound = validate_core(design, yarn, where + ".core", list) && sound;
     const int before = list.errors();
     list.range_if_given(where + ".diameter_mm", "diameter of a yarn", yarn.diameter_mm, 0.01, 10, "mm");
-    list.range_if_given(where + ".linear_density_tex", "linear density of a yarn", yarn.linear_density_tex, 0.05, 50000, "tex");
+    list.range_if_given(where + ".linear_density_tex", "linear density of a yarn", yarn.linear_density_tex, least_tex, most_tex, "tex");
     list.range_if_given(where + ".packing_factor", "packing factor of a yarn", yarn.packing_factor, loosest_packing, densest_packing);
     if (!yarn.diameter_mm && !yarn.linear_density_tex)
-        list.error("no_size", where, "The yarn needs a diameter or a linear density (diameter_mm, linear_density_tex); none is given.");
+        list.error("no_size", where, "The yarn needs a count or a diameter (count, linear_density_tex, diameter_mm); none is given.");
     list.range_if_given(where + ".filament_count", "number of filaments", yarn.filament_count, fewest_filaments, most_filaments);
     list.range(where + ".fibres_per_yarn", "number of drawn fibres", yarn.fibres_per_yarn, 1, 500);
     list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
@@ -94,18 +94,17 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     const double packing = *yarn.linear_density_tex / solid;
     if (yarn.packing_factor) {
         if (std::abs(packing / *yarn.packing_factor - 1) > 0.01)
-            list.error(
-                "yarn_disagrees", where,
-                fmt::format(
-                    "Diameter {} mm and packing factor {} make {:.4g} tex of this fibre ({:.0f} kg/m3), but linear_density_tex says {}. "
-                    "They must agree within 1 %; leave one out.",
-                    *yarn.diameter_mm, *yarn.packing_factor, *yarn.packing_factor * solid, density, *yarn.linear_density_tex));
+            list.error("yarn_disagrees", where,
+                       fmt::format("Diameter {:.4g} mm and packing factor {:.4g} make {:.4g} tex of this fibre ({:.0f} kg/m3), but "
+                                   "linear_density_tex says {:.4g}. "
+                                   "They must agree within 1 %; leave one out.",
+                                   *yarn.diameter_mm, *yarn.packing_factor, *yarn.packing_factor * solid, density,
+                                   *yarn.linear_density_tex));
     } else if (packing < loosest_packing || packing > densest_packing) {
-        list.error(
-            "yarn_disagrees", where,
-            fmt::format(
-                "{} tex of this fibre ({:.0f} kg/m3) in a diameter of {} mm is a packing factor of {:.3g}; it must be from {} to {}.",
-                *yarn.linear_density_tex, density, *yarn.diameter_mm, packing, loosest_packing, densest_packing));
+        list.error("yarn_disagrees", where,
+                   fmt::format("{:.4g} tex of this fibre ({:.0f} kg/m3) in a diameter of {:.4g} mm is a packing factor of {:.3g}; it must "
+                               "be from {} to {}.",
+                               *yarn.linear_density_tex, density, *yarn.diameter_mm, packing, loosest_packing, densest_packing));
     } else if (packing < loosest_usual_packing || packing > densest_usual_packing) {
         list.add(
             Severity::warning, "odd_packing", where,
@@ -198,13 +197,12 @@ bool can_be_fitted(const Design& design, const Fabric& fabric, const std::string
             thickest[warp] = std::max(thickest[warp], free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3).diameter);
         }
     if (fabric.thickness_mm && *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm < 0.1 * (thickest[true] + thickest[false])) {
-        list.error(
-            "thickness_too_small", where + ".thickness_mm",
-            fmt::format(
-                "A thickness of {} mm less loops of {} mm on both faces leaves {:.3g} mm for yarns of {:.3g} and {:.3g} mm; a tenth of "
-                "their sum is the least.",
-                *fabric.thickness_mm, fabric.flyaway.loop_height_mm, *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm,
-                thickest[true], thickest[false]));
+        list.error("thickness_too_small", where + ".thickness_mm",
+                   fmt::format("A thickness of {:.4g} mm less loops of {:.4g} mm on both faces leaves {:.3g} mm for yarns of {:.3g} and "
+                               "{:.3g} mm; a tenth of "
+                               "their sum is the least.",
+                               *fabric.thickness_mm, fabric.flyaway.loop_height_mm,
+                               *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm, thickest[true], thickest[false]));
         return false;
     }
     return true;
@@ -217,7 +215,7 @@ void validate_fit(const Fabric& fabric, const FittedYarns& fitted, const std::st
         list.error(
             "ends_do_not_fit", where + "." + key,
             fmt::format(
-                "{} {} do not fit: a yarn of {:.3g} mm ({:.3g} tex) has {:.2g} x {:.2g} mm of room; the packing would be {:.3g}, the "
+                "{:.4g} {} do not fit: a yarn of {:.3g} mm ({:.3g} tex) has {:.2g} x {:.2g} mm of room; the packing would be {:.3g}, the "
                 "limit is {}. Lower the sett, or give a finer yarn or more thickness.",
                 sett, name, yarn.free.diameter, yarn.free.linear_density_tex, yarn.section.width, yarn.section.height, yarn.packing_factor,
                 yarn.most_packing()));
@@ -269,8 +267,9 @@ void validate_fibre_scale(const Fabric& fabric, const FittedFabric& fitted, cons
         if (std::abs(meant - *fabric.measured.porosity) > 0.05)
             list.add(
                 Severity::warning, "measured_disagrees", where + ".porosity",
-                fmt::format("The areal density means a porosity of {:.3g}; given is {}. The areal density decides how much fibre there is.",
-                            meant, *fabric.measured.porosity));
+                fmt::format(
+                    "The areal density means a porosity of {:.3g}; given is {:.3g}. The areal density decides how much fibre there is.",
+                    meant, *fabric.measured.porosity));
     }
 }
 

@@ -21,7 +21,6 @@ bool is_in(const std::string& word, const std::vector<std::string>& words)
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Sizes beyond which nobody is dressed; assumptions. The longest leggings reach from the waist of the built-in body to its ankle.
 void validate_built_in(const BuiltInGarment& garment, const std::string& where, IssueList& list)
 {
     if (!is_in(garment.kind, built_in_garments())) {
@@ -30,14 +29,16 @@ void validate_built_in(const BuiltInGarment& garment, const std::string& where, 
         return;
     }
     const bool leggings = garment.kind == "leggings";
-    list.range(where + ".chest_mm", leggings ? "hip's girth" : "chest's girth", garment.chest_mm, 500, 2000, "mm");
-    if (leggings)
-        list.range(where + ".length_mm", "length from the waist to the ankle", garment.length_mm, 500, 1100, "mm");
-    else
-        list.range(where + ".length_mm", "length from the shoulder to the hem", garment.length_mm, 300, 1200, "mm");
-    list.range(where + ".ease_mm", "ease of the girth", garment.ease_mm, 0, 800, "mm");
+    const auto check = [&](const char* key, const char* what, double BuiltInGarment::*size) {
+        const SizeRange range = size_range(garment.kind, size);
+        list.range(where + key, what, garment.*size, range.least, range.most, "mm");
+    };
+    check(".chest_mm", leggings ? "hip's girth" : "chest's girth", &BuiltInGarment::chest_mm);
+    check(".length_mm", leggings ? "length from the waist to the ankle" : "length from the shoulder to the hem",
+          &BuiltInGarment::length_mm);
+    check(".ease_mm", "ease of the girth", &BuiltInGarment::ease_mm);
     if (garment.kind == "tee")
-        list.range(where + ".sleeve_mm", "length of a sleeve", garment.sleeve_mm, 50, 700, "mm");
+        check(".sleeve_mm", "length of a sleeve", &BuiltInGarment::sleeve_mm);
     else if (garment.sleeve_mm != standard_garment(garment.kind).sleeve_mm)
         list.error("no_sleeves", where + ".sleeve_mm", fmt::format("Only a tee has sleeves; leave it out of a {}.", garment.kind));
 }

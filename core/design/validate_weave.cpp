@@ -28,16 +28,6 @@ void warn_of_floats(const char* name, const Floats& face, const Floats& back, do
                          longest_float_mm));
 }
 
-void warn_of_jam(const char* name, bool striped, const JamOfSystem& jam, const std::string& where, IssueList& list)
-{
-    if (jam.ashenhurst_percent <= 100) return;
-    list.add(Severity::warning, "jammed", where,
-             fmt::format("{:.4g} {} per cm are {:.0f} % of Ashenhurst's limit of {:.3g} for this weave and {}, and {:.0f} % of "
-                         "Peirce's of {:.3g}; woven so close the yarns must flatten.",
-                         jam.sett_per_cm, name, jam.ashenhurst_percent, jam.ashenhurst_per_cm,
-                         striped ? "the mean diameter of own and extra yarns" : "these yarns", jam.peirce_percent, jam.peirce_per_cm));
-}
-
 } // namespace
 
 void validate_weave(const Fabric& fabric, const std::string& where, IssueList& list)
@@ -64,10 +54,17 @@ void validate_weave(const Fabric& fabric, const std::string& where, IssueList& l
 
 void validate_sett(const Fabric& fabric, const FittedYarns& yarns, const std::string& where, IssueList& list)
 {
-    const JamGauge jam = jam_gauge(fabric, yarns);
-    const bool striped = yarns.warp.size() > 1 || yarns.weft.size() > 1;
-    warn_of_jam("ends", striped, jam.warp, where + ".ends_per_cm", list);
-    warn_of_jam("picks", striped, jam.weft, where + ".picks_per_cm", list);
+    const double share = sett_share_of_limit(fabric, yarns);
+    const bool jams = racetracks_jam(fabric, yarns);
+    if (share <= most_sett_share && !jams) return;
+    const std::string why =
+        share > most_sett_share
+            ? fmt::format("are {:.0f} % of the limit of sett for these yarns and this weave; looms stop at about {:.0f} %", 100 * share,
+                          100 * most_sett_share)
+            : "leave these yarns no room to bend round each other, flattened and squeezed as close as they can be";
+    list.add(Severity::warning, "jammed", where + (fabric.ends_per_cm >= fabric.picks_per_cm ? ".ends_per_cm" : ".picks_per_cm"),
+             fmt::format("{:.4g} ends and {:.4g} picks per cm {}. Lower a sett, or give finer yarns or longer floats.", fabric.ends_per_cm,
+                         fabric.picks_per_cm, why));
 }
 
 } // namespace hygroloom

@@ -54,6 +54,7 @@ inline std::vector<std::string> materials_in(const Yarn& yarn)
     return names;
 }
 
+constexpr double least_tex = 0.05, most_tex = 50000; ///< of a whole yarn
 constexpr int fewest_filaments = 2, most_filaments = 100000;
 constexpr int most_plies = 6;
 constexpr double least_core_share = 0.005, most_core_share = 0.4;

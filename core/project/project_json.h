@@ -14,6 +14,8 @@ Design design_from_json(ProjectJson project, const std::string& file, const std:
 /// In the newest version, keys in the format's order.
 ProjectJson json_from_design(const Design& design);
 
+/// Strictly; throws FileError with the place.
+Yarn yarn_from_json(const ProjectJson& value, const std::string& file, const std::string& path);
 /// A weave by its pattern, rows or draft. Throws FileError.
 Weave weave_from_json(const ProjectJson& value, const std::string& file, const std::string& path);
 

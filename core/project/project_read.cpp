@@ -108,44 +108,6 @@ Material read_material(const ProjectJson& value, const std::string& file, const 
     return material;
 }
 
-std::vector<MaterialShare> read_blend(const ProjectJson& value, const std::string& file, const std::string& path)
-{
-    if (value.is_string()) return {{value.get<std::string>(), 1.0}};
-    if (!value.is_array())
-        throw FileError(
-            fmt::format("{}: {}: This must be the name of a material or a list of shares; given is {}.", file, path, in_words(value)));
-    std::vector<MaterialShare> shares;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-        ObjectReader object(value[i], file, fmt::format("{}[{}]", path, i));
-        MaterialShare share;
-        object.read("name", share.name);
-        object.read("share", share.share);
-        object.finish({"name", "share"});
-        shares.push_back(share);
-    }
-    return shares;
-}
-
-TwistDirection read_direction(ObjectReader& object, const char* key, TwistDirection standard)
-{
-    std::string direction = standard == TwistDirection::z ? "Z" : "S";
-    object.read(key, direction);
-    if (direction != "Z" && direction != "S")
-        object.refuse(key, fmt::format("This must be \"Z\" or \"S\"; given is {}.", in_words(direction)));
-    return direction == "Z" ? TwistDirection::z : TwistDirection::s;
-}
-
-std::optional<Color> read_color(ObjectReader& object)
-{
-    std::string text;
-    if (!object.find("color")) return {};
-    object.read("color", text);
-    if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
-        object.refuse("color", fmt::format("This must be a colour as \"#rrggbb\"; given is {}.", in_words(text)));
-    const auto part = [&](std::size_t at) { return static_cast<std::uint8_t>(std::stoi(text.substr(at, 2), nullptr, 16)); };
-    return Color{part(1), part(3), part(5)};
-}
-
 std::vector<YarnRun> read_order(ObjectReader& object, const char* key)
 {
     std::vector<YarnRun> order;
@@ -161,33 +123,6 @@ std::vector<YarnRun> read_order(ObjectReader& object, const char* key)
         order.push_back(read);
     }
     return order;
-}
-
-Yarn read_yarn(const ProjectJson& value, const std::string& file, const std::string& path)
-{
-    ObjectReader object(value, file, path);
-    Yarn yarn;
-    if (const ProjectJson* material = object.find("material")) yarn.material = read_blend(*material, file, object.path_of("material"));
-    if (const ProjectJson* given = object.find("core")) {
-        ObjectReader core(*given, file, object.path_of("core"));
-        core.read("material", yarn.core.emplace().material);
-        core.read("share", yarn.core->share);
-        core.finish({"material", "share"});
-    }
-    object.read("diameter_mm", yarn.diameter_mm);
-    object.read("linear_density_tex", yarn.linear_density_tex);
-    object.read("packing_factor", yarn.packing_factor);
-    object.read("filament_count", yarn.filament_count);
-    object.read("fibres_per_yarn", yarn.fibres_per_yarn);
-    object.read("twist_per_m", yarn.twist_per_m);
-    yarn.twist_direction = read_direction(object, "twist_direction", yarn.twist_direction);
-    object.read("plies", yarn.plies);
-    object.read("ply_twist_per_m", yarn.ply_twist_per_m);
-    yarn.ply_twist_direction = read_direction(object, "ply_twist_direction", yarn.ply_twist_direction);
-    object.read("irregularity_cv", yarn.irregularity_cv);
-    yarn.color = read_color(object);
-    object.finish({"material"});
-    return yarn;
 }
 
 std::optional<Calibrated> read_calibrated(ObjectReader& fabric)
@@ -217,15 +152,15 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
     ObjectReader object(value, file, path);
     Fabric fabric;
     object.read("name", fabric.name);
-    if (const ProjectJson* warp = object.find("warp")) fabric.warp = read_yarn(*warp, file, object.path_of("warp"));
-    if (const ProjectJson* weft = object.find("weft")) fabric.weft = read_yarn(*weft, file, object.path_of("weft"));
+    if (const ProjectJson* warp = object.find("warp")) fabric.warp = yarn_from_json(*warp, file, object.path_of("warp"));
+    if (const ProjectJson* weft = object.find("weft")) fabric.weft = yarn_from_json(*weft, file, object.path_of("weft"));
     if (const ProjectJson* weave = object.find("weave")) fabric.weave = weave_from_json(*weave, file, object.path_of("weave"));
     object.read("ends_per_cm", fabric.ends_per_cm);
     object.read("picks_per_cm", fabric.picks_per_cm);
     if (const ProjectJson* extra = object.find("extra_yarns")) {
         array_in(*extra, file, object.path_of("extra_yarns"));
         for (std::size_t i = 0; i < extra->size(); ++i)
-            fabric.extra_yarns.push_back(read_yarn((*extra)[i], file, fmt::format("{}[{}]", object.path_of("extra_yarns"), i)));
+            fabric.extra_yarns.push_back(yarn_from_json((*extra)[i], file, fmt::format("{}[{}]", object.path_of("extra_yarns"), i)));
     }
     fabric.warp_order = read_order(object, "warp_order");
     fabric.weft_order = read_order(object, "weft_order");

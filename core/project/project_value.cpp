@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // One value of a project by its path, for --set and for scripts that sweep a parameter.
 #include "core/project/project_value.h"
+#include "core/base/trade_units.h"
 #include "core/base/words.h"
+#include "core/design/yarn_count.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"
@@ -41,7 +43,9 @@ public:
     {
         while (true) {
             if (at_->is_array()) {
-                enter(at_->at(index()));
+                const std::size_t number = index();
+                if (!member_) member_ = {path_.substr(0, path_.find_first_of(".[")), number};
+                enter(at_->at(number));
             } else if (at_->is_object()) {
                 const std::size_t end = std::min(rest_.find_first_of(".["), rest_.size());
                 const std::string key(rest_.substr(0, end));
@@ -59,6 +63,8 @@ public:
     }
 
     ProjectJson& here() { return *at_; }
+    /// The first list that the path went into, and its member.
+    const std::optional<std::pair<std::string, std::size_t>>& member() const { return member_; }
 
 private:
     void enter(ProjectJson& child) { at_ = &child; }
@@ -127,6 +133,7 @@ private:
     const std::string& path_;
     std::string_view rest_;
     ProjectJson* at_;
+    std::optional<std::pair<std::string, std::size_t>> member_;
 };
 
 ProjectJson value_from(const std::string& path, const std::string& text, const ProjectJson* old)
@@ -155,6 +162,44 @@ bool has_decimal_comma(const std::string& text)
     return failure == std::errc() && end == pointed.data() + pointed.size();
 }
 
+/// The number that a text with a unit means where the key has one: "60 epi" of ends_per_cm.
+ProjectJson number_of(const std::string& path, const std::string& key, const std::string& text)
+{
+    const Stored kind = stored_kind(key);
+    const bool percent = key.ends_with("_percent"); // stored as percent, not as a fraction
+    const bool has_sign = percent && text.ends_with('%');
+    if (const auto number = number_with_unit(has_sign ? text.substr(0, text.size() - 1) : text, kind)) return *number;
+    if (has_decimal_comma(text))
+        refuse(path, fmt::format("Numbers are written with a decimal point: {}.", std::string(text).replace(text.find(','), 1, ".")));
+    const std::string_view unit = percent ? "%" : trade_units(kind).front().spellings.front();
+    const char* advice = key == "linear_density_tex" ? " Set count for a count such as Ne 60/2." : "";
+    refuse(path, unit.empty() ? fmt::format("This must be a number; given is {}.", in_words(text))
+                              : fmt::format("This must be a number in {}; given is {}.{}", unit, in_words(text), advice));
+}
+
+/// Whether a key is that of a yarn's count; that of a stripe says how many threads it has.
+bool is_count(const ProjectJson& holder, const std::string& key) { return key == "count" && holder.contains("material"); }
+
+/// null where the yarn has a diameter only.
+ProjectJson count_in(const ProjectJson& yarn)
+{
+    if (!yarn.contains("linear_density_tex")) return {};
+    const auto whole = [&](const char* key) { return yarn.contains(key) ? std::optional(yarn.at(key).get<int>()) : std::nullopt; };
+    return count_text(yarn.at("linear_density_tex").get<double>(), whole("plies").value_or(1), whole("filament_count"), CountSystem::tex);
+}
+
+/// A yarn's count, written as what it stands for; the diameter then follows from it.
+void write_count(const std::string& path, ProjectJson& yarn, const std::string& text)
+try {
+    const YarnCount count = read_yarn_count(text);
+    yarn.erase("diameter_mm");
+    yarn["linear_density_tex"] = count.tex();
+    yarn["plies"] = count.plies;
+    if (count.filaments) yarn["filament_count"] = *count.filaments * count.plies;
+} catch (const Error& error) {
+    refuse(path, error.what());
+}
+
 /// Of keys that say the same, one replaces the others; null only takes back the own one, but both names of what is one value.
 void erase_others(ProjectJson& holder, const std::string& key, bool is_null)
 {
@@ -181,10 +226,14 @@ void set_value(ProjectJson& project, const std::string& path, const std::string&
     } else {
         const auto old = holder.find(key);
         ProjectJson fresh = value_from(path, value, old == holder.end() ? nullptr : &*old);
-        if (fresh.is_string() && has_decimal_comma(value) && (old == holder.end() || !old->is_string()))
-            refuse(path, fmt::format("Numbers are written with a decimal point: {}.", std::string(value).replace(value.find(','), 1, ".")));
-        if (fresh.is_string() && old != holder.end() && old->is_number())
-            refuse(path, fmt::format("This must be a number; given is {}.", in_words(fresh)));
+        if (is_count(holder, key) && fresh.is_string()) {
+            write_count(path, holder, fresh.get<std::string>());
+            return;
+        }
+        const bool number = old != holder.end()
+                                ? old->is_number()
+                                : stored_kind(key) != Stored::number || key.ends_with("_percent") || has_decimal_comma(value);
+        if (fresh.is_string() && number) fresh = number_of(path, key, fresh.get<std::string>());
         holder[key] = std::move(fresh);
     }
 }
@@ -195,7 +244,7 @@ Design with_value(const Design& design, const std::string& path, const std::stri
 {
     ProjectJson project = json_from_design(design);
     set_value(project, path, value);
-    return parse_project(text_from_json(project), "--set " + path);
+    return parse_project(text_from_json(project), "--set");
 }
 
 Design with_values(ProjectJson project, const std::vector<std::pair<std::string, std::string>>& values)
@@ -215,6 +264,7 @@ ProjectJson value_at(const Design& design, const std::string& path)
     PathWalk walk(project, path);
     const std::string key = walk.walk();
     if (key.empty()) return walk.here();
+    if (is_count(walk.here(), key)) return count_in(walk.here());
     const auto found = walk.here().find(key);
     return found == walk.here().end() ? ProjectJson() : *found;
 }
@@ -226,11 +276,20 @@ std::optional<std::pair<std::size_t, std::size_t>> same_place(const Design& desi
     std::map<std::pair<const void*, std::string>, std::size_t> places;
     for (std::size_t i = 0; i < paths.size(); ++i) {
         PathWalk walk(project, paths[i]);
-        const std::string key = walk.walk();
+        std::string key = walk.walk();
+        if (is_count(walk.here(), key)) key = "linear_density_tex"; // written otherwise
         const auto [at, fresh] = places.try_emplace({&walk.here(), key}, i);
         if (!fresh) return std::pair{at->second, i};
     }
     return std::nullopt;
+}
+
+std::optional<std::pair<std::string, std::size_t>> member_at(const Design& design, const std::string& path)
+{
+    ProjectJson project = json_from_design(design);
+    PathWalk walk(project, path);
+    walk.walk();
+    return walk.member();
 }
 
 } // namespace hygroloom

@@ -24,4 +24,8 @@ ProjectJson value_at(const Design& design, const std::string& path);
 /// no such path.
 std::optional<std::pair<std::size_t, std::size_t>> same_place(const Design& design, const std::vector<std::string>& paths);
 
+/// The member of one of the project's lists that a path leads into: "fabrics", 1; nothing where it leads elsewhere. Throws Error where
+/// there is no such path.
+std::optional<std::pair<std::string, std::size_t>> member_at(const Design& design, const std::string& path);
+
 } // namespace hygroloom

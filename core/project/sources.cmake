@@ -32,4 +32,5 @@ target_sources(hygroloom_core PRIVATE
   project/wif_file.cpp
   project/wif_import.cpp
   project/wif_write.cpp
+  project/yarn_json.cpp
 )

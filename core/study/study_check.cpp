@@ -24,8 +24,9 @@ public:
     {
         check_names("fabrics", "fabric", study_.fabrics, design_.fabrics);
         check_names("experiments", "experiment", study_.experiments, design_.experiments);
-        if (issues_.empty()) check_metrics();
-        for (std::size_t k = 0; k < study_.factors.size(); ++k) check_factor(k);
+        const bool named = issues_.empty();
+        if (named) check_metrics();
+        for (std::size_t k = 0; k < study_.factors.size(); ++k) check_factor(k, named);
         if (issues_.empty()) check_places();
         if (issues_.empty()) check_size();
         return std::move(issues_);
@@ -67,7 +68,7 @@ private:
                                                                study_.metrics[i], did_you_mean(study_.metrics[i], known), all));
     }
     /// The path must lead somewhere, and the first value must be one that may stand there.
-    void check_factor(std::size_t k)
+    void check_factor(std::size_t k, bool named)
     {
         const Factor& factor = study_.factors[k];
         const FactorValue value = quantile(factor, 0.5);
@@ -80,6 +81,8 @@ private:
             }
             check_base(k);
             check_bounds(k);
+            if (const std::string why = named ? out_of_reach(study_, design_, factor.path) : ""; !why.empty())
+                add(fmt::format("factors[{}].path", k), why);
         } catch (const Error& error) {
             add(fmt::format("factors[{}].path", k), error.what());
         }
@@ -153,7 +156,74 @@ private:
     std::vector<Issue> issues_;
 };
 
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "\"" : ", \"") + name + "\"";
+    return all;
+}
+
+std::string not_run(const char* what, const std::string& name, const std::vector<std::string>& run)
+{
+    if (std::find(run.begin(), run.end(), name) != run.end()) return {};
+    return fmt::format("The study does not run the {} \"{}\", so this changes nothing. It runs {}.", what, name, listed(run));
+}
+
+/// Of what the fabrics' yarns are.
+std::vector<std::string> fibres_of(const std::vector<std::string>& fabrics, const Design& design)
+{
+    std::vector<std::string> fibres;
+    const auto add = [&fibres](const Yarn& yarn) {
+        for (const std::string& name : materials_in(yarn))
+            if (std::find(fibres.begin(), fibres.end(), name) == fibres.end()) fibres.push_back(name);
+    };
+    for (const std::string& name : fabrics) {
+        const Fabric* fabric = find_fabric(design, name);
+        if (!fabric) continue;
+        add(fabric->warp);
+        add(fabric->weft);
+        for (const Yarn& yarn : fabric->extra_yarns) add(yarn);
+    }
+    return fibres;
+}
+
+/// Whether a factor chooses among fibres, or among liquids: then any may come to be used.
+bool chooses(const Study& study, const std::string& list)
+{
+    const std::string key = list == "materials" ? "material" : ".liquid";
+    return std::any_of(study.factors.begin(), study.factors.end(),
+                       [&](const Factor& factor) { return !factor.path.starts_with(list) && factor.path.find(key) != std::string::npos; });
+}
+
+std::vector<std::string> liquids_of(const std::vector<std::string>& experiments, const Design& design)
+{
+    std::vector<std::string> liquids;
+    for (const std::string& name : experiments)
+        if (const Experiment* experiment = find_experiment(design, name)) liquids.push_back(experiment->liquid);
+    return liquids;
+}
+
 } // namespace
+
+std::string out_of_reach(const Study& study, const Design& design, const std::string& path)
+{
+    if (path.starts_with(knob_prefix)) return {};
+    const auto member = member_at(design, path);
+    if (!member) return {};
+    const auto& [list, index] = *member;
+    const std::vector<std::string> fabrics = fabrics_of(study, design), experiments = experiments_of(study, design);
+    if (list == "fabrics") return not_run("fabric", design.fabrics[index].name, fabrics);
+    if (list == "experiments" && index < design.experiments.size())
+        return not_run("experiment", design.experiments[index].name, experiments);
+    if (list == "experiments" || list == "garments") return "The study runs no garment, so this changes nothing.";
+    const bool fibre = list == "materials";
+    if ((!fibre && list != "liquids") || chooses(study, list)) return {};
+    const std::string& name = fibre ? design.materials[index].name : design.liquids[index].name;
+    const std::vector<std::string> used = fibre ? fibres_of(fabrics, design) : liquids_of(experiments, design);
+    if (std::find(used.begin(), used.end(), name) != used.end()) return {};
+    return fmt::format("No {} of the study has \"{}\", so this changes nothing. They have {}.", fibre ? "fabric" : "experiment", name,
+                       listed(used));
+}
 
 std::vector<Issue> validate(const Study& study, const Design& design) { return Check(study, design).issues(); }
 

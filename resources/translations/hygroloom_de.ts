@@ -145,10 +145,6 @@
         <translation>keine 10 s ohne Wachstum vor dem Ende</translation>
     </message>
     <message>
-        <source>free liquid is left</source>
-        <translation>freie Flüssigkeit ist noch da</translation>
-    </message>
-    <message>
         <source>some of the liquid dripped off instead of being absorbed</source>
         <translation>ein Teil der Flüssigkeit tropfte ab, statt aufgenommen zu werden</translation>
     </message>
@@ -1075,6 +1071,62 @@
     <message>
         <source>channelled</source>
         <translation>gerillt</translation>
+    </message>
+    <message>
+        <source>only a part of the test is there</source>
+        <translation>nur ein Teil der Prüfung liegt vor</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>sie ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>it needs a unit</source>
+        <translation>die Einheit fehlt</translation>
+    </message>
+    <message>
+        <source>it names two units</source>
+        <translation>sie nennt zwei Einheiten</translation>
+    </message>
+    <message>
+        <source>it names the plies twice</source>
+        <translation>sie nennt die Fachung zweimal</translation>
+    </message>
+    <message>
+        <source>a yarn has 1 to 6 plies</source>
+        <translation>ein Garn hat 1 bis 6 Fachungen</translation>
+    </message>
+    <message>
+        <source>a yarn of filaments has 2 to 100000 of them</source>
+        <translation>ein Filamentgarn hat 2 bis 100000 Filamente</translation>
+    </message>
+    <message>
+        <source>a yarn has 0.05 to 50000 tex</source>
+        <translation>ein Garn hat 0.05 bis 50000 tex</translation>
+    </message>
+    <message>
+        <source>filaments go with den, dtex or tex</source>
+        <translation>Filamente stehen bei den, dtex oder tex</translation>
+    </message>
+    <message>
+        <source>a stroke after tex may mean plies or filaments; write × 2 or f2</source>
+        <translation>ein Strich nach tex kann Fachung oder Filamente meinen; schreiben Sie × 2 oder f2</translation>
+    </message>
+    <message>
+        <source>radius of a circle as large as the stain</source>
+        <translation>Radius eines Kreises, der so groß ist wie der Fleck</translation>
+    </message>
+    <message>
+        <source>area of the stain</source>
+        <translation>Fläche des Flecks</translation>
+    </message>
+    <message>
+        <source>water at the start</source>
+        <translation>Wasser am Anfang</translation>
+    </message>
+    <message>
+        <source>liquid is left on the cloth, or falls through it</source>
+        <translation>Flüssigkeit bleibt auf dem Stoff stehen oder fällt hindurch</translation>
     </message>
 </context>
 <context>
@@ -2027,6 +2079,17 @@ Klicken zeigt diese Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>hygroloom::ColorRanges</name>
+    <message>
+        <source>%1, kept ▲</source>
+        <translation>%1, fest ▲</translation>
+    </message>
+    <message>
+        <source>%1, kept</source>
+        <translation>%1, fest</translation>
+    </message>
+</context>
+<context>
     <name>hygroloom::CommandPalette</name>
     <message>
         <source>No command matches.</source>
@@ -2078,10 +2141,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Save Re&amp;port…</source>
         <translation>Be&amp;richt speichern…</translation>
-    </message>
-    <message>
-        <source>Runs of each fabric. With more than one, inputs are drawn within what is not known of the cloth, and yarns are as uneven as is typical; intervals then hold this scatter.</source>
-        <translation>Läufe je Gewebe. Bei mehr als einem werden Eingaben in dem gezogen, was vom Gewebe nicht bekannt ist, und Garne sind so ungleichmäßig wie üblich; die Intervalle enthalten dann diese Streuung.</translation>
     </message>
     <message>
         <source>Progress of the runs</source>
@@ -2158,6 +2217,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>reading…</source>
         <translation>wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Runs of each fabric. With more than one, all but the first have inputs drawn within what is not known of the cloth; intervals then hold this scatter.</source>
+        <translation>Läufe jedes Stoffes. Bei mehreren werden in allen bis auf den ersten die Eingaben in den Grenzen dessen gezogen, was man vom Stoff nicht weiß; die Intervalle enthalten dann diese Streuung.</translation>
     </message>
 </context>
 <context>
@@ -2440,6 +2503,13 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Since this was run, these have changed: %1.</source>
         <translation>Seit diesem Lauf wurde geändert: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::CountEdit</name>
+    <message>
+        <source>“%1” is no yarn count: %2. Write it as %3.</source>
+        <translation>„%1“ ist keine Garnfeinheit: %2. Schreiben Sie %3.</translation>
     </message>
 </context>
 <context>
@@ -2797,8 +2867,12 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Haupteffekte der Faktoren</translation>
     </message>
     <message>
-        <source>%1 %2: mean %3 of %4, standard deviation %5, %6 rows</source>
-        <translation>%1 %2: Mittel %3 von %4, Standardabweichung %5, %6 Zeilen</translation>
+        <source>%1 %2: mean %3 ± %4 of %5, %6 rows</source>
+        <translation>%1 %2: Mittel %3 ± %4 von %5, %6 Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 %2: %3 of %4, %5 row</source>
+        <translation>%1 %2: %3 von %4, %5 Zeile</translation>
     </message>
 </context>
 <context>
@@ -2816,8 +2890,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Was die Effekte zeigen</translation>
     </message>
     <message>
-        <source>Line: the mean over all rows near a factor&apos;s value, whatever the others are. Band: one standard deviation of the rows either way.</source>
-        <translation>Linie: das Mittel aller Zeilen nahe einem Wert des Faktors, wie die anderen auch sind. Band: eine Standardabweichung der Zeilen nach beiden Seiten.</translation>
+        <source>Points: the rows. Line, or large points where a factor has a few values: their mean, whatever the other factors are. Band and bars: where that mean lies, with 90 %.</source>
+        <translation>Punkte: die Zeilen. Linie, oder große Punkte, wo ein Faktor wenige Werte hat: ihr Mittel, wie die anderen Faktoren auch sind. Band und Striche: wo das Mittel liegt, mit 90 %.</translation>
     </message>
 </context>
 <context>
@@ -4144,6 +4218,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>It is a factor already.</source>
         <translation>Es ist schon ein Faktor.</translation>
+    </message>
+    <message>
+        <source>The study does not run this one.</source>
+        <translation>Die Studie rechnet dies nicht.</translation>
     </message>
 </context>
 <context>
@@ -5923,6 +6001,14 @@ Klicken zeigt diese Zeit.</translation>
         <source>20 frames, numerical error not known</source>
         <translation>20 Bilder, numerischer Fehler nicht bekannt</translation>
     </message>
+    <message>
+        <source>Computing. Hatched: the cloth before.</source>
+        <translation>Wird berechnet. Schraffiert: das Gewebe davor.</translation>
+    </message>
+    <message>
+        <source>Indices and grades need the whole test.</source>
+        <translation>Kennzahlen und Noten brauchen die ganze Prüfung.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::MainWindow</name>
@@ -6521,6 +6607,22 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>&amp;Replace the File</source>
         <translation>Datei &amp;ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the Colours of Maps</source>
+        <translation>Farben der Karten &amp;festhalten</translation>
+    </message>
+    <message>
+        <source>The ends of the colours stay as they are, in all workspaces, whatever is shown.</source>
+        <translation>Die Enden der Farben bleiben in allen Arbeitsbereichen, wie sie sind, was auch gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the Colours of Maps</source>
+        <translation>Farben der Karten &amp;anpassen</translation>
+    </message>
+    <message>
+        <source>The colours end where the maps that are shown do, in all workspaces.</source>
+        <translation>Die Farben enden in allen Arbeitsbereichen dort, wo die gezeigten Karten enden.</translation>
     </message>
 </context>
 <context>
@@ -10017,14 +10119,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Warnungen zur Bindung</translation>
     </message>
     <message>
-        <source>Warp sett against its limit</source>
-        <translation>Kettdichte gegen ihre Grenze</translation>
-    </message>
-    <message>
-        <source>Weft sett against its limit</source>
-        <translation>Schussdichte gegen ihre Grenze</translation>
-    </message>
-    <message>
         <source>Add a fabric to draw its weave.</source>
         <translation>Fügen Sie ein Gewebe hinzu, um seine Bindung zu zeichnen.</translation>
     </message>
@@ -10053,20 +10147,24 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Schüsse, die nie abbinden: %1.</translation>
     </message>
     <message>
-        <source>Warp sett: %1 % of its limit</source>
-        <translation>Kettdichte: %1 % ihrer Grenze</translation>
-    </message>
-    <message>
-        <source>Weft sett: %1 % of its limit</source>
-        <translation>Schussdichte: %1 % ihrer Grenze</translation>
-    </message>
-    <message>
-        <source>Ashenhurst&apos;s limit is %1 per cm: yarns side by side, with room to change sides. A firm cloth has about 75 % of it. Peirce&apos;s limit is %2 per cm (%3 %): circular arcs that touch.</source>
-        <translation>Ashenhursts Grenze ist %1 je cm: Garne Seite an Seite, mit Platz zum Wechseln der Seite. Ein festes Gewebe hat etwa 75 % davon. Peirces Grenze ist %2 je cm (%3 %): Kreisbögen, die sich berühren.</translation>
-    </message>
-    <message>
         <source>endless</source>
         <translation>endlos</translation>
+    </message>
+    <message>
+        <source>Setts against their limit</source>
+        <translation>Dichten gegen ihre Grenze</translation>
+    </message>
+    <message>
+        <source>Setts: %1 % of their limit</source>
+        <translation>Dichten: %1 % ihrer Grenze</translation>
+    </message>
+    <message>
+        <source>Both setts together, for these yarns and this weave: at 100 % solid round yarns would jam. Looms stop at about %1 %.</source>
+        <translation>Beide Dichten zusammen, für diese Garne und diese Bindung: Bei 100 % würden dichte, runde Garne klemmen. Webmaschinen enden bei etwa %1 %.</translation>
+    </message>
+    <message>
+        <source>Ashenhurst&apos;s limit for square cloth, of which a firm one has about 75 %, is %1 ends and %2 picks.</source>
+        <translation>Ashenhursts Grenze für quadratische Gewebe, von der ein festes etwa 75 % hat, ist %1 Kettfäden und %2 Schüsse.</translation>
     </message>
 </context>
 <context>
@@ -10223,10 +10321,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Ungleichmäßigkeit</translation>
     </message>
     <message>
-        <source>Coefficient of variation of the linear density along the yarn (Uster CVm). Acts in the closure “pores” only.</source>
-        <translation>Variationskoeffizient der Fadenfeinheit längs des Garns (Uster CVm). Wirkt nur im Saugmodell mit Poren.</translation>
-    </message>
-    <message>
         <source>Crimp</source>
         <translation>Einwebung</translation>
     </message>
@@ -10249,22 +10343,6 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>diameter</source>
         <translation>Durchmesser</translation>
-    </message>
-    <message>
-        <source>Of the free, round yarn. Leave empty to calculate it from linear density and packing.</source>
-        <translation>Des freien, runden Garns. Leer lassen, um ihn aus Fadenfeinheit und Packungsdichte zu berechnen.</translation>
-    </message>
-    <message>
-        <source>Linear density</source>
-        <translation>Fadenfeinheit</translation>
-    </message>
-    <message>
-        <source>linear density</source>
-        <translation>Fadenfeinheit</translation>
-    </message>
-    <message>
-        <source>Grams per kilometre (tex). You can type Ne, Nm or denier: “30 Ne”.</source>
-        <translation>Gramm je Kilometer (tex). Sie können Ne, Nm oder Denier eingeben: „30 Ne“.</translation>
     </message>
     <message>
         <source>Packing</source>
@@ -10469,6 +10547,30 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>Edit…</source>
         <translation>Ändern…</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>As the trade writes it, with plies and filaments: %1. The diameter follows from it.</source>
+        <translation>Wie im Handel üblich, mit Fachung und Filamenten: %1. Der Durchmesser folgt daraus.</translation>
+    </message>
+    <message>
+        <source>Of the free, round yarn. Typed here, it takes the place of the count.</source>
+        <translation>Des freien, runden Garns. Hier eingegeben, tritt er an die Stelle der Feinheit.</translation>
+    </message>
+    <message>
+        <source>from the count</source>
+        <translation>aus der Feinheit</translation>
+    </message>
+    <message>
+        <source>Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for what is usual of such a yarn. Acts in the closure “pores” only.</source>
+        <translation>Variationskoeffizient der Feinheit entlang des Garns (Uster CVm). Leer lassen für das, was bei einem solchen Garn üblich ist. Wirkt nur im Saugmodell mit Poren.</translation>
     </message>
 </context>
 <context>

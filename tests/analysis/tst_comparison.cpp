@@ -297,6 +297,20 @@ private Q_SLOTS:
                                Row{"outline", "0, 0 mm; 10, 5 mm"}, Row{"strip", "25 × 200 mm"}})
             QVERIFY2(std::find(rows.begin(), rows.end(), row) != rows.end(), row.first.c_str());
     }
+    void convertedInputsHaveFewDigits()
+    {
+        const ReaderUnits inches = [](const std::string& unit) {
+            return unit == "mm" ? ReaderUnit{"in", 1 / 25.4} : unit == "tex" ? ReaderUnit{"Ne", 590.5, 0, true} : ReaderUnit{unit};
+        };
+        const ProjectJson value{{"sample_mm", {80, 80}},    {"diameter_mm", 0.05},      {"linear_density_tex", 19.6833},
+                                {"strip_mm", {25, 200000}}, {"density_kg_m3", 1543.25}, {"fibre_diffusivity_m2_s", 1.25e-13}};
+        using Rows = std::vector<std::pair<std::string, std::string>>;
+        const Rows expected{{"sample", "3.15 × 3.15 in"},  {"diameter", "0.001969 in"},  {"linear density", "30 Ne"},
+                            {"strip", "0.9843 × 7874 in"}, {"density", "1543.25 kg/m³"}, {"fibre diffusivity", "1.25e-13 m²/s"}};
+        const Rows rows = inputs_in_words(value, inches);
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            QCOMPARE(QString::fromStdString(rows[i].second), QString::fromStdString(expected[i].second));
+    }
     void theReportSaysWhatTheExperimentWas()
     {
         Comparison c = of_drops({{"a", 3.0}, {"b", 9.0}});

@@ -115,7 +115,7 @@ private Q_SLOTS:
     }
     void warningsAreShownByCheckAndCountedByOthers()
     {
-        const QStringList dense{example("textile-F.hygro"), "--set", "fabrics[0].ends_per_cm=37"};
+        const QStringList dense{example("textile-F.hygro"), "--set", "fabrics[0].ends_per_cm=45"};
         const Answer check = run_cli(QStringList{"check"} + dense), plan = run_cli(QStringList{"plan", "--json"} + dense);
         const qsizetype warnings = check.err.count(": warning: ");
         QVERIFY(warnings > 0);
@@ -322,6 +322,11 @@ private Q_SLOTS:
         QCOMPARE(fabric["weave"].toObject()["floats"].toObject()["warp_face"].toObject()["longest"].toInt(), 7);
         QCOMPARE(fabric["weave"].toObject()["shafts"].toInt(), 8);
         QVERIFY(qAbs(fabric["jam"].toObject()["warp"].toObject()["ashenhurst_percent"].toDouble() - 87.5) < 1e-9);
+        // sqrt 3 x 0.1414 mm of solid yarn x 35 per cm over a weave factor of sqrt(3/1.0625).
+        QVERIFY2(qAbs(fabric["sett_share_of_limit"].toDouble() - 0.5102) < 1e-4, qPrintable(fabric["sett_share_of_limit"].toString()));
+        QVERIFY2(text.out.contains("both setts together are 51 % of their limit"), text.out);
+        const Answer uneven = run_cli({"check", example("textile-F.hygro"), "--set", "fabrics[0].picks_per_cm=25"});
+        QVERIFY2(!uneven.out.contains("Ashenhurst") && uneven.out.contains("of Peirce's limit"), uneven.out);
     }
     void importReportsWhatItUnderstoodAndWritesAProject()
     {

@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QJsonArray>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -63,6 +64,18 @@ class TestCommandLineFiles : public QObject {
     }
 
 private Q_SLOTS:
+    void everydayClothIsNotWarnedOf()
+    {
+        QTemporaryDir folder;
+        for (const char* name : {"Poplin shirting", "Denim", "Sports micro-twill", "Polyester taffeta", "Cotton sateen", "Wool serge"}) {
+            const QString file = folder.filePath(QString(name) + ".hygro");
+            QCOMPARE(run_cli({"presets", name, "-o", file}).code, 0);
+            const QJsonArray issues = run_cli({"check", file, "--json"}).json()["issues"].toArray();
+            for (const QJsonValue& issue : issues) {
+                QVERIFY2(issue["severity"].toString() == "note", qPrintable(issue["text"].toString()));
+            }
+        }
+    }
     void aLargeRunEndsAtOnceWhereverItIs()
     {
         QTemporaryDir folder;

@@ -53,7 +53,7 @@ def test_issues_say_where(examples):
     [
         ("fabrics[0].contct_angle_deg", 3, "contct_angle_deg"),
         ("fabrics[9].ends_per_cm", 3, "There is no fabrics.9."),
-        ("fabrics[0].ends_per_cm", "many", "must be a number; given is .many."),
+        ("fabrics[0].ends_per_cm", "many", "must be a number in /cm; given is .many."),
         ("fabrics[0].ends_per_cm", {"a": 1}, "ends_per_cm"),
         ("", 3, "path is empty"),
         ("fabrics[", 3, "missing"),

@@ -97,6 +97,7 @@ const Change changes[] = {
     {"yarn.core.material", WARP "core/material", R"("polypropylene")", WARP "core", spun_round},
     {"yarn.core.share", WARP "core/share", "0.2", WARP "core", spun_round},
     {"yarn.diameter_mm", WARP "diameter_mm", "0.6"},
+    {"yarn.count", WARP "count", R"("160 tex")", WARP "packing_factor", "null"},
     {"yarn.linear_density_tex", WARP "linear_density_tex", "160", WARP "packing_factor", "null"},
     {"yarn.packing_factor", WARP "packing_factor", "0.6"},
     {"yarn.filament_count", WARP "filament_count", "200"},

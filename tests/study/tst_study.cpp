@@ -190,6 +190,46 @@ private Q_SLOTS:
                     .startsWith("factors[0].distribution.high: The distribution "));
     }
 
+    void whatNoRunReadsIsAnIssue()
+    {
+        Design design = drop_design();
+        design.fabrics.push_back(design.fabrics[0]);
+        design.fabrics[1].name = "other";
+        design.fabrics[1].warp.material = {{"mine", 1}};
+        design.experiments.push_back(design.experiments[0]);
+        design.experiments[1].name = "later";
+        design.experiments[1].liquid = "oil";
+        design.materials.push_back(*find_library_material("cotton"));
+        design.materials[0].name = "mine";
+        design.liquids.push_back({"oil", 30, 5, 900});
+        const std::string first = design.fabrics[0].name, now = design.experiments[0].name;
+        const auto said = [&](const std::string& path, const std::string& fabric, const std::string& experiment,
+                              const std::string& more = "") {
+            const std::string factors = R"({ "path": ")" + path + R"(", "low": 20, "high": 30 })" + more;
+            const std::string runs = R"("fabrics": [")" + fabric + R"("], "experiments": [")" + experiment + R"("])";
+            QString all;
+            for (const Issue& issue : validate(parse_study(file_with(factors, sobol, runs), "s.json"), design))
+                all += QString::fromStdString(issue.where + ": " + issue.text + "\n");
+            return all;
+        };
+        QCOMPARE(said("fabrics[1].ends_per_cm", first, now),
+                 QString("factors[0].path: The study does not run the fabric \"other\", so this changes nothing. It runs \"%1\".\n")
+                     .arg(QString::fromStdString(first)));
+        QCOMPARE(said("fabrics[1].ends_per_cm", "other", now), QString());
+        QVERIFY(said("fabrics.other.ends_per_cm", first, now).contains("does not run the fabric \"other\"")); // by its name
+        QVERIFY(said("experiments[1].duration_s", first, now).contains("does not run the experiment \"later\""));
+        QCOMPARE(said("experiments[1].duration_s", first, "later"), QString());
+        QVERIFY(said("materials[0].fibre_radius_um", first, now).contains("No fabric of the study has \"mine\""));
+        QCOMPARE(said("materials[0].fibre_radius_um", "other", now), QString());
+        QVERIFY(said("liquids[0].viscosity_mpa_s", "other", now).contains("No experiment of the study has \"oil\""));
+        QCOMPARE(said("liquids[0].viscosity_mpa_s", "other", "later"), QString());
+        // Another factor may bring it in.
+        QCOMPARE(
+            said("materials[0].fibre_radius_um", first, now, R"(, { "path": "fabrics[0].warp.material", "values": ["cotton", "mine"] })"),
+            QString());
+        QCOMPARE(said("fidelity.fibre_shells", first, now), QString());
+    }
+
     void twoPathsToOneValueAreAnIssue()
     {
         const std::string both = range + R"(, { "path": "fabrics.cloth.ends_per_cm", "low": 20, "high": 30 })";

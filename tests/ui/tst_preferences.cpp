@@ -83,8 +83,8 @@ private Q_SLOTS:
         choose("Sett", 1);
         QVERIFY2(field("Ends")->text().endsWith("/in"), qPrintable(field("Ends")->text()));
         choose("Yarn count", 1);
-        const QLineEdit* density = field("Linear density");
-        QVERIFY2((density->text() + density->placeholderText()).endsWith("Ne"), qPrintable(density->text() + density->placeholderText()));
+        const QLineEdit* count = field("Count");
+        QVERIFY2((count->text() + count->placeholderText()).contains("Ne"), qPrintable(count->text() + count->placeholderText()));
         window_->setWorkspace(Workspace::simulate);
         choose("Temperature", 1);
         bool found = false;

@@ -184,7 +184,7 @@ private Q_SLOTS:
         QString text = editor_->notes()->text();
         QVERIFY2(text.contains("Longest floats: warp 4, weft 4."), qPrintable(text));
         QVERIFY2(text.contains("40 % of the crossings interlace"), qPrintable(text));
-        QVERIFY2(text.contains("Warp sett:"), qPrintable(text));
+        QVERIFY2(text.contains("Setts: ") && text.contains("% of their limit"), qPrintable(text));
         setGrid("101\n100\n");
         text = editor_->notes()->text();
         QVERIFY2(text.contains("Ends that never interlace: 1, 2."), qPrintable(text));

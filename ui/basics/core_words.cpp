@@ -43,6 +43,7 @@ constexpr const char* words[] = {
     // Why a number is missing, and what limits it.
     QT_TRANSLATE_NOOP("core", "no 10 s without growth before the end"),
     QT_TRANSLATE_NOOP("core", "liquid is left on the cloth, or falls through it"),
+    QT_TRANSLATE_NOOP("core", "only a part of the test is there"),
     QT_TRANSLATE_NOOP("core", "some of the liquid dripped off instead of being absorbed"),
     QT_TRANSLATE_NOOP("core", "nothing is wet"),
     QT_TRANSLATE_NOOP("core", "this face stayed dry"),
@@ -52,6 +53,16 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "still changing"),
     QT_TRANSLATE_NOOP("core", "the regain did not change"),
     QT_TRANSLATE_NOOP("core", "the computed value is not a finite number"),
+    // Why a text is no yarn count: core/design/yarn_count.cpp.
+    QT_TRANSLATE_NOOP("core", "it cannot be read"),
+    QT_TRANSLATE_NOOP("core", "it needs a unit"),
+    QT_TRANSLATE_NOOP("core", "it names two units"),
+    QT_TRANSLATE_NOOP("core", "it names the plies twice"),
+    QT_TRANSLATE_NOOP("core", "a yarn has 1 to 6 plies"),
+    QT_TRANSLATE_NOOP("core", "a yarn of filaments has 2 to 100000 of them"),
+    QT_TRANSLATE_NOOP("core", "a yarn has 0.05 to 50000 tex"),
+    QT_TRANSLATE_NOOP("core", "filaments go with den, dtex or tex"),
+    QT_TRANSLATE_NOOP("core", "a stroke after tex may mean plies or filaments; write × 2 or f2"),
     // Classes of moisture management: core/analysis/management.cpp.
     QT_TRANSLATE_NOOP("core", "water-proof or water-repellent"),
     QT_TRANSLATE_NOOP("core", "moisture management"),

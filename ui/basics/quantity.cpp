@@ -15,17 +15,20 @@ namespace hygroloom {
 
 namespace {
 
-double same(double value) { return value; }
+QString unicode(std::string_view utf8) { return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size())); }
+QString spelled(const TradeUnit& unit) { return unicode(unit.spellings.front()); }
 
-Quantity quantity(const QString& unit, std::vector<TypedUnit> units, double minimum, double maximum, double step, int decimals)
+/// Shown in the unit that is stored, unless the preferences choose another.
+Quantity quantity(Stored kind, double minimum, double maximum, double step, int decimals, Measure measure = Measure::other)
 {
     Quantity q;
-    q.unit = unit;
-    q.units = std::move(units);
+    q.units = trade_units(kind);
+    q.unit = spelled(q.units.front());
     q.minimum = minimum;
     q.maximum = maximum;
     q.step = step;
     q.decimals = decimals;
+    q.measure = measure;
     return q;
 }
 
@@ -93,137 +96,66 @@ QString bytesText(double bytes)
 
 Quantity Quantity::length(double minimum_mm, double maximum_mm)
 {
-    Quantity q = quantity("mm",
-                          {{{"mm"}, same},
-                           {{"µm", "um", "micron"}, [](double v) { return v * 1e-3; }},
-                           {{"cm"}, [](double v) { return v * 10; }, [](double v) { return v / 10; }},
-                           {{"m"}, [](double v) { return v * 1000; }},
-                           {{"in", "inch", "\""}, [](double v) { return v * 25.4; }, [](double v) { return v / 25.4; }}},
-                          minimum_mm, maximum_mm, 0, 4);
-    q.measure = Measure::length;
-    return q;
+    return quantity(Stored::mm, minimum_mm, maximum_mm, 0, 4, Measure::length);
 }
 
 Quantity Quantity::linearDensity(double minimum_tex, double maximum_tex)
 {
-    Quantity q = quantity("tex",
-                          {{{"tex"}, same},
-                           {{"Ne", "NeC"}, tex_from_ne, ne_from_tex},
-                           {{"Nm"}, tex_from_nm, [](double tex) { return 1000 / tex; }},
-                           {{"den", "denier", "D"}, tex_from_denier, [](double tex) { return 9 * tex; }},
-                           {{"dtex"}, [](double v) { return v * 0.1; }}},
-                          minimum_tex, maximum_tex, 0, 2);
-    q.measure = Measure::linear_density;
-    return q;
+    return quantity(Stored::tex, minimum_tex, maximum_tex, 0, 2, Measure::linear_density);
 }
 
 Quantity Quantity::sett(double minimum_per_cm, double maximum_per_cm)
 {
-    Quantity q = quantity("/cm",
-                          {{{"/cm", "per cm", "je cm", "1/cm"}, same},
-                           {{"/in", "epi", "ppi", "per inch", "per in", "/inch"}, per_cm_from_per_inch, per_inch_from_per_cm}},
-                          minimum_per_cm, maximum_per_cm, 1, 2);
-    q.measure = Measure::sett;
-    return q;
+    return quantity(Stored::per_cm, minimum_per_cm, maximum_per_cm, 1, 2, Measure::sett);
 }
 
-Quantity Quantity::twist(double maximum_per_m)
-{
-    return quantity("/m",
-                    {{{"/m", "tpm", "t/m", "per m", "je m"}, same},
-                     {{"/cm", "tpc"}, [](double v) { return v * 100; }},
-                     {{"/in", "tpi", "per inch"}, [](double v) { return v / 0.0254; }}},
-                    0, maximum_per_m, 50, 1);
-}
+Quantity Quantity::twist(double maximum_per_m) { return quantity(Stored::per_m, 0, maximum_per_m, 50, 1); }
 
-Quantity Quantity::perMillimetre(double maximum)
-{
-    return quantity("/mm", {{{"/mm", "per mm", "je mm"}, same}, {{"/cm", "per cm", "je cm"}, [](double v) { return v * 0.1; }}}, 0, maximum,
-                    1, 2);
-}
+Quantity Quantity::perMillimetre(double maximum) { return quantity(Stored::per_mm, 0, maximum, 1, 2); }
 
-Quantity Quantity::fraction(double minimum, double maximum)
-{
-    return quantity({}, {{{""}, same}, {{"%"}, [](double v) { return v * 0.01; }}}, minimum, maximum, 0.01, 3);
-}
+Quantity Quantity::fraction(double minimum, double maximum) { return quantity(Stored::fraction, minimum, maximum, 0.01, 3); }
 
 Quantity Quantity::percent(double minimum, double maximum)
 {
-    Quantity q = quantity("%", {{{"%"}, [](double v) { return v * 0.01; }}}, minimum, maximum, 5, 1);
+    Quantity q = quantity(Stored::fraction, minimum, maximum, 5, 1);
+    q.units.erase(q.units.begin()); // a number alone is one of percent
+    q.unit = spelled(q.units.front());
     q.shown_per_stored = 100;
     return q;
 }
 
-Quantity Quantity::count(int minimum, int maximum) { return quantity({}, {{{""}, same}}, minimum, maximum, 1, 0); }
+Quantity Quantity::count(int minimum, int maximum) { return quantity(Stored::number, minimum, maximum, 1, 0); }
 
-Quantity Quantity::angle(double minimum_deg, double maximum_deg)
-{
-    return quantity("°", {{{"°", "deg", "degree", "degrees", "Grad"}, same}, {{"rad"}, [](double v) { return v * 180 / pi; }}}, minimum_deg,
-                    maximum_deg, 5, 1);
-}
+Quantity Quantity::angle(double minimum_deg, double maximum_deg) { return quantity(Stored::degree, minimum_deg, maximum_deg, 5, 1); }
 
 Quantity Quantity::temperature(double minimum_c, double maximum_c)
 {
-    Quantity q = quantity("°C",
-                          {{{"°C", "C"}, same},
-                           {{"K"}, celsius_from_kelvin},
-                           {{"°F", "F"}, [](double v) { return (v - 32) / 1.8; }, [](double v) { return 32 + 1.8 * v; }}},
-                          minimum_c, maximum_c, 1, 1);
-    q.measure = Measure::temperature;
-    return q;
+    return quantity(Stored::celsius, minimum_c, maximum_c, 1, 1, Measure::temperature);
 }
 
-Quantity Quantity::speed(double maximum_m_s)
-{
-    return quantity("m/s", {{{"m/s"}, same}, {{"cm/s"}, [](double v) { return v * 0.01; }}, {{"km/h"}, [](double v) { return v / 3.6; }}},
-                    0, maximum_m_s, 0.1, 2);
-}
+Quantity Quantity::speed(double maximum_m_s) { return quantity(Stored::metre_per_second, 0, maximum_m_s, 0.1, 2); }
 
-Quantity Quantity::volume(double minimum_ul, double maximum_ul)
-{
-    return quantity("µl",
-                    {{{"µl", "ul", "mm3", "mm³"}, same},
-                     {{"ml", "cm3"}, [](double v) { return v * 1000; }},
-                     {{"nl"}, [](double v) { return v * 1e-3; }}},
-                    minimum_ul, maximum_ul, 1, 2);
-}
+Quantity Quantity::volume(double minimum_ul, double maximum_ul) { return quantity(Stored::microlitre, minimum_ul, maximum_ul, 1, 2); }
 
-Quantity Quantity::time(double minimum_s, double maximum_s)
-{
-    return quantity("s",
-                    {{{"s", "sec"}, same},
-                     {{"ms"}, [](double v) { return v * 1e-3; }},
-                     {{"min"}, [](double v) { return v * 60; }},
-                     {{"h"}, [](double v) { return v * 3600; }}},
-                    minimum_s, maximum_s, 1, 3);
-}
+Quantity Quantity::time(double minimum_s, double maximum_s) { return quantity(Stored::second, minimum_s, maximum_s, 1, 3); }
 
-Quantity Quantity::arealDensity(double maximum_g_m2)
-{
-    return quantity("g/m²", {{{"g/m²", "g/m2", "gsm"}, same}, {{"kg/m²", "kg/m2"}, [](double v) { return v * 1000; }}}, 0, maximum_g_m2, 10,
-                    1);
-}
+Quantity Quantity::arealDensity(double maximum_g_m2) { return quantity(Stored::g_per_m2, 0, maximum_g_m2, 10, 1); }
 
-Quantity Quantity::arealRate(double maximum_g_m2_h)
-{
-    return quantity("g/(m² h)", {{{"g/(m² h)", "g/(m2 h)", "g/m2/h"}, same}}, 0, maximum_g_m2_h, 50, 1);
-}
+Quantity Quantity::arealRate(double maximum_g_m2_h) { return quantity(Stored::g_per_m2_hour, 0, maximum_g_m2_h, 50, 1); }
 
 Quantity Quantity::surfaceTension(double minimum_mn_m, double maximum_mn_m)
 {
-    return quantity("mN/m", {{{"mN/m", "dyn/cm"}, same}, {{"N/m"}, [](double v) { return v * 1000; }}}, minimum_mn_m, maximum_mn_m, 1, 2);
+    return quantity(Stored::mn_per_m, minimum_mn_m, maximum_mn_m, 1, 2);
 }
 
 Quantity Quantity::viscosity(double minimum_mpa_s, double maximum_mpa_s)
 {
-    return quantity("mPa s", {{{"mPa s", "mPas", "cP"}, same}, {{"Pa s", "Pas"}, [](double v) { return v * 1000; }}}, minimum_mpa_s,
-                    maximum_mpa_s, 0.1, 4);
+    return quantity(Stored::mpa_second, minimum_mpa_s, maximum_mpa_s, 0.1, 4);
 }
 
 Quantity Quantity::density(double minimum_kg_m3, double maximum_kg_m3)
 {
-    return quantity("kg/m³", {{{"kg/m³", "kg/m3", "g/l"}, same}, {{"g/cm³", "g/cm3", "g/ml"}, [](double v) { return v * 1000; }}},
-                    minimum_kg_m3, maximum_kg_m3, 10, 1);
+    return quantity(Stored::kg_per_m3, minimum_kg_m3, maximum_kg_m3, 10, 1);
 }
 
 namespace {
@@ -249,19 +181,19 @@ QString withUnit(const QString& number, const QString& unit)
 
 } // namespace
 
-const TypedUnit* Quantity::preferred() const
+const TradeUnit* Quantity::preferred() const
 {
     const QString wanted = preferredSpelling(measure);
     if (wanted.isEmpty()) { return nullptr; }
-    for (const TypedUnit& candidate : units) {
-        if (candidate.shown && candidate.spellings.first() == wanted) { return &candidate; }
+    for (const TradeUnit& candidate : units) {
+        if (spelled(candidate) == wanted) { return &candidate; }
     }
     return nullptr;
 }
 
-QString Quantity::shownUnit() const { return preferred() ? preferred()->spellings.first() : unit; }
+QString Quantity::shownUnit() const { return preferred() ? spelled(*preferred()) : unit; }
 
-double Quantity::toShown(double stored) const { return preferred() ? preferred()->shown(stored) : stored * shown_per_stored; }
+double Quantity::toShown(double stored) const { return preferred() ? preferred()->typed(stored) : stored * shown_per_stored; }
 
 double Quantity::fromShown(double shown) const { return preferred() ? preferred()->stored(shown) : shown / shown_per_stored; }
 
@@ -269,7 +201,7 @@ double Quantity::fromShown(double shown) const { return preferred() ? preferred(
 int Quantity::shownDecimals(double stored) const
 {
     if (measure != Measure::length || !preferred() || decimals == 0 || stored == 0) { return decimals; }
-    return decimals + static_cast<int>(std::ceil(std::log10(stored / preferred()->shown(stored))));
+    return decimals + static_cast<int>(std::ceil(std::log10(stored / preferred()->typed(stored))));
 }
 
 bool Quantity::shortens(double stored) const
@@ -331,21 +263,23 @@ std::optional<double> Quantity::parse(const QString& typed, QString* complaint) 
     if (decimals == 0 && number != std::round(number)) {
         return complain(QCoreApplication::translate("hygroloom::Quantity", "“%1” is not a whole number.").arg(typed.trimmed()));
     }
-    const QString spelled = QString(match.captured(2)).replace(QChar(0x03bc), QChar(0x00b5));
-    if (spelled.isEmpty()) { return fromShown(number); }
+    const QString unit = QString(match.captured(2)).replace(QChar(0x03bc), QChar(0x00b5));
+    if (unit.isEmpty()) { return fromShown(number); }
     for (const Qt::CaseSensitivity sensitivity : {Qt::CaseSensitive, Qt::CaseInsensitive}) {
-        for (const TypedUnit& candidate : units) {
-            if (candidate.spellings.contains(spelled, sensitivity)) { return candidate.stored(number); }
+        for (const TradeUnit& candidate : units) {
+            for (const std::string_view spelling : candidate.spellings) {
+                if (unicode(spelling).compare(unit, sensitivity) == 0) { return candidate.stored(number); }
+            }
         }
     }
     QStringList known;
-    for (const TypedUnit& candidate : units) { known << candidate.spellings.first(); }
+    for (const TradeUnit& candidate : units) { known << spelled(candidate); }
     known.removeAll(QString());
     if (known.isEmpty()) {
-        return complain(QCoreApplication::translate("hygroloom::Quantity", "This number has no unit; remove “%1”.").arg(spelled));
+        return complain(QCoreApplication::translate("hygroloom::Quantity", "This number has no unit; remove “%1”.").arg(unit));
     }
     return complain(
-        QCoreApplication::translate("hygroloom::Quantity", "“%1” is not a unit of this field. Use %2.").arg(spelled, known.join(", ")));
+        QCoreApplication::translate("hygroloom::Quantity", "“%1” is not a unit of this field. Use %2.").arg(unit, known.join(", ")));
 }
 
 double Quantity::stepped(double stored, double steps) const

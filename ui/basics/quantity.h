@@ -2,6 +2,8 @@
 // Numbers with units as people type and read them: "30 Ne", "0.2mm", "100 epi". The stored unit is the design's.
 #pragma once
 
+#include "core/base/trade_units.h"
+
 #include <QCoreApplication>
 #include <QString>
 #include <QStringList>
@@ -11,20 +13,13 @@
 
 namespace hygroloom {
 
-/// A unit people may type, and how a number in it becomes one in the stored unit.
-struct TypedUnit {
-    QStringList spellings; ///< the first is the proper one; compared without case unless it would be ambiguous
-    double (*stored)(double typed);
-    double (*shown)(double stored) = nullptr; ///< back, where numbers may be shown in it
-};
-
 /// Of which numbers the preferences choose the unit that is shown.
 enum class Measure { other, length, linear_density, sett, temperature };
 
 /// One kind of number: what it is shown in, what may be typed, what is allowed.
 struct Quantity {
     QString unit;                 ///< of the stored number, or that times shown_per_stored; empty for a plain one
-    std::vector<TypedUnit> units; ///< the one of unit first
+    std::vector<TradeUnit> units; ///< the one of unit first; compared without case unless it would be ambiguous
     Measure measure = Measure::other;
     double shown_per_stored = 1;
     double minimum = 0; ///< stored unit
@@ -65,7 +60,7 @@ struct Quantity {
     QString besideText(double stored) const;
 
 private:
-    const TypedUnit* preferred() const; ///< nullptr: unit is shown
+    const TradeUnit* preferred() const; ///< nullptr: unit is shown
     double toShown(double stored) const;
     double fromShown(double shown) const;
     int shownDecimals(double stored) const;

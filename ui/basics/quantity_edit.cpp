@@ -8,6 +8,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QKeyEvent>
+#include <QMetaMethod>
 #include <QPainter>
 #include <QStatusTipEvent>
 #include <QToolTip>
@@ -23,10 +24,7 @@ QuantityEdit::QuantityEdit(Quantity quantity, QWidget* parent) : QLineEdit(paren
     mark_ = addAction(themedIcon("warning"), QLineEdit::TrailingPosition);
     mark_->setVisible(false);
     connect(mark_, &QAction::triggered, this, [this] { QToolTip::showText(mapToGlobal(QPoint(0, height())), toolTip(), this); });
-    connect(this, &QLineEdit::textEdited, this, [this] {
-        complaint_.clear();
-        updateMarks();
-    });
+    connect(this, &QLineEdit::textEdited, this, [this] { complain({}); });
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, [this] {
         if (quantity_.measure == Measure::other) { return; }
         if (!isModified()) { restoreText(); }
@@ -38,7 +36,7 @@ QuantityEdit::QuantityEdit(Quantity quantity, QWidget* parent) : QLineEdit(paren
 
 std::optional<double> QuantityEdit::read(QString* complaint) const
 {
-    return value_ && text() == quantity_.text(*value_) ? value_ : quantity_.parse(text(), complaint);
+    return value_ && text() == textOf(*value_) ? value_ : parse(text(), complaint);
 }
 
 std::optional<double> QuantityEdit::typed(QString* complaint) const
@@ -54,9 +52,9 @@ std::optional<double> QuantityEdit::typed(QString* complaint) const
 
 void QuantityEdit::setValue(std::optional<double> value)
 {
-    const bool same = value == value_ && complaint_.isEmpty();
+    const bool stays = value == value_ && isModified() && (hasFocus() || !complaint_.isEmpty());
     value_ = value;
-    if (!(same && isModified() && hasFocus())) { restoreText(); }
+    if (!stays) { restoreText(); }
 }
 
 void QuantityEdit::setOptional(bool optional)
@@ -65,10 +63,17 @@ void QuantityEdit::setOptional(bool optional)
     setPlaceholderText(optional ? tr("auto") : QString());
 }
 
+void QuantityEdit::setRange(double minimum, double maximum)
+{
+    quantity_.minimum = minimum;
+    quantity_.maximum = maximum;
+    updateMarks();
+}
+
 void QuantityEdit::setDerived(std::optional<double> derived)
 {
     derived_ = derived;
-    setPlaceholderText(derived ? tr("auto %1").arg(quantity_.shortText(*derived)) : tr("auto"));
+    setPlaceholderText(derived ? tr("auto %1").arg(shortTextOf(*derived)) : tr("auto"));
     updateMarks();
 }
 
@@ -161,21 +166,28 @@ void QuantityEdit::paintEvent(QPaintEvent* event)
 void QuantityEdit::commit()
 {
     if (!isModified()) { return; }
-    std::optional<double> typed;
-    if (!(optional_ && text().trimmed().isEmpty())) {
-        typed = read(&complaint_);
-        if (!typed) {
-            updateMarks();
-            QToolTip::showText(mapToGlobal(QPoint(0, height())), "<p>" + complaint_.toHtmlEscaped() + "</p>", this);
-            return;
-        }
-    }
-    const bool changed = typed != value_;
-    value_ = typed;
+    QString why;
+    const std::optional<double> wanted = typed(&why);
+    complain(why);
+    if (!why.isEmpty()) { return; }
+    const bool changed = differs(wanted);
+    value_ = wanted;
     restoreText();
     if (changed) {
         Q_EMIT strokeEnded();
         Q_EMIT edited(value_, false);
+    }
+}
+
+void QuantityEdit::complain(const QString& sentence)
+{
+    const bool news = sentence != complaint_;
+    complaint_ = sentence;
+    updateMarks();
+    if (isSignalConnected(QMetaMethod::fromSignal(&QuantityEdit::complained))) {
+        if (news) { Q_EMIT complained(); }
+    } else if (!sentence.isEmpty()) {
+        QToolTip::showText(mapToGlobal(QPoint(0, height())), "<p>" + sentence.toHtmlEscaped() + "</p>", this);
     }
 }
 
@@ -184,7 +196,7 @@ void QuantityEdit::step(double steps)
     commit();
     const std::optional<double> from = value_ ? value_ : derived_;
     if (isReadOnly() || !isEnabled() || !from) { return; }
-    const double stepped = quantity_.stepped(*from, quantity_.decimals == 0 && std::abs(steps) < 1 ? (steps > 0 ? 1 : -1) : steps);
+    const double stepped = next(*from, quantity_.decimals == 0 && std::abs(steps) < 1 ? (steps > 0 ? 1 : -1) : steps);
     if (value_ && stepped == *value_) { return; }
     value_ = stepped;
     stepped_ = true;
@@ -195,11 +207,10 @@ void QuantityEdit::step(double steps)
 
 void QuantityEdit::restoreText()
 {
-    complaint_.clear();
-    setText(value_ ? quantity_.text(*value_) : QString());
+    setText(value_ ? textOf(*value_) : QString());
     setModified(false);
     setCursorPosition(0);
-    updateMarks();
+    complain({});
 }
 
 void QuantityEdit::updateMarks()

@@ -79,17 +79,26 @@ CompareMaps::CompareMaps(QWidget* parent)
     layout->addWidget(grey_);
     layout->addWidget(value_);
     layout->addLayout(foot);
-    connect(face_, &QComboBox::currentIndexChanged, this, [this] {
-        maximum_ = 0;
-        readMaps();
-    });
-    connect(shown_, &QComboBox::currentIndexChanged, this, [this] {
-        maximum_ = 0;
-        readMaps();
-    });
+    for (QComboBox* box : {face_, shown_}) {
+        connect(box, &QComboBox::currentIndexChanged, this, [this] {
+            largest_difference_ = 0;
+            readMaps();
+        });
+    }
+    shareRanges(own_ranges_);
     connect(time_, &QSlider::valueChanged, this, [this] {
         readMaps();
         Q_EMIT timeChanged(static_cast<double>(time_->value()) / time_steps);
+    });
+}
+
+void CompareMaps::shareRanges(ColorRanges& ranges)
+{
+    ranges_->disconnect(this);
+    ranges_ = &ranges;
+    connect(ranges_, &ColorRanges::changed, this, &CompareMaps::showRange);
+    connect(ranges_, &ColorRanges::fitWanted, this, [this] {
+        if (isVisible()) { readMaps(); }
     });
 }
 
@@ -140,7 +149,7 @@ void CompareMaps::setRuns(const std::vector<KeptRun>& runs, const QStringList& t
     identities_ = identities;
     qDeleteAll(maps_);
     maps_.clear();
-    maximum_ = 0;
+    largest_difference_ = 0;
     value_->clear();
     for (const QString& title : titles) {
         auto* map = new WaterMap(title);
@@ -197,9 +206,10 @@ void CompareMaps::readMaps()
 void CompareMaps::showMaps(const MapsRead& read)
 {
     bool any = false;
+    double most = 0;
     for (std::size_t i = 0; i < maps_.size(); ++i) {
         const FaceMap& map = read.maps[i];
-        maximum_ = std::max(maximum_, map.cells.maximum());
+        most = std::max(most, map.cells.maximum());
         maps_[i]->setMap(map.cells, map.stain, map.size);
         maps_[i]->setReplicates(read.ranges[i]);
         maps_[i]->setVisible(true);
@@ -207,6 +217,8 @@ void CompareMaps::showMaps(const MapsRead& read)
     }
     grey_->setText(tr("Each cloth as given. Under the pointer also the range of its replicates, of larger cells."));
     grey_->setVisible(any);
+    any_water_ = most > 0;
+    ranges_->widenWater(most);
     showRange();
     Q_EMIT mapsChanged();
 }
@@ -235,7 +247,7 @@ void CompareMaps::showDifferences(const MapsRead& read)
             paired ? MapDifference{paired->cells, paired->real} : differenceOf(map.cells, baseline.cells, each);
         if (paired) { pairs = pairs == 0 ? paired->pairs : std::min(pairs, paired->pairs); }
         if (!paired) { unpaired << titles_[static_cast<qsizetype>(i)]; }
-        maximum_ = std::max(maximum_, largestOf(difference));
+        largest_difference_ = std::max(largest_difference_, largestOf(difference));
         maps_[i]->setDifference(difference, map.size);
         ++drawn;
         for (const auto& [run, name] :
@@ -311,22 +323,25 @@ void CompareMaps::showProblem(const QString& sentence)
 
 void CompareMaps::showRange()
 {
-    for (WaterMap* map : maps_) { map->setRange(rounded_up(maximum_), colors_); }
+    const double end = differs() && baseline_ ? rounded_up(largest_difference_) : ranges_->mostWater();
+    for (WaterMap* map : maps_) { map->setRange(end, colors_); }
     update();
 }
 
 void CompareMaps::paintEvent(QPaintEvent*)
 {
-    if (maps_.empty() || !(maximum_ > 0)) { return; }
+    const bool differences = differs() && baseline_;
+    if (maps_.empty() || !(differences ? largest_difference_ > 0 : any_water_)) { return; }
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF room(legend_->mapTo(this, QPoint(0, 0)), legend_->size());
     const QRectF area = room.adjusted(4, 0, -4, -std::max(0.0, room.height() - 240));
-    if (differs() && baseline_) {
-        drawDifferenceLegend(painter, area, tr("Difference"), 1000 * rounded_up(maximum_), tr("g/m²"));
+    if (differences) {
+        drawDifferenceLegend(painter, area, tr("Difference"), 1000 * rounded_up(largest_difference_), tr("g/m²"));
     } else {
-        drawLegend(painter, area, tr("Water"), 1000 * rounded_up(maximum_), tr("g/m²"), colors_);
+        drawLegend(painter, area, legendTitle(tr("Water"), *ranges_, ShownQuantity::water), 1000 * ranges_->mostWater(), tr("g/m²"),
+                   colors_);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "ui/basics/newest_job.h"
 #include "ui/compare/map_reader.h"
+#include "ui/results/color_ranges.h"
 
 #include <QWidget>
 
@@ -26,6 +27,8 @@ public:
     enum class Shown { maps, differences };
     void show(Shown shown);
     void setWaterColors(WaterColors colors);
+    /// Of the maps' water; differences have an end of their own. Precondition: it lives as long as this.
+    void shareRanges(ColorRanges& ranges);
     /// From 0 to 1 of the experiment.
     void setTime(double share);
     const std::vector<WaterMap*>& maps() const { return maps_; }
@@ -69,8 +72,11 @@ private:
     QLabel* problem_;
     QLabel* grey_; ///< what grey cells are
     std::vector<WaterMap*> maps_;
-    long requests_ = 0;  ///< for maps
-    double maximum_ = 0; ///< kg/m2, of all times of these runs that were shown
+    long requests_ = 0;             ///< for maps
+    bool any_water_ = false;        ///< on a map that is shown
+    double largest_difference_ = 0; ///< kg/m2, of all times of these runs that were shown
+    ColorRanges own_ranges_;
+    ColorRanges* ranges_ = &own_ranges_;
     WaterColors colors_ = WaterColors::blue;
     NewestJob reader_;
 };

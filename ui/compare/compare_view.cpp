@@ -202,6 +202,8 @@ void CompareView::setWaterColors(WaterColors colors)
     cloths_->setWaterColors(colors);
 }
 
+void CompareView::shareRanges(ColorRanges& ranges) { maps_->shareRanges(ranges); }
+
 const std::vector<WaterMap*>& CompareView::maps() const { return maps_->maps(); }
 
 QImage CompareView::picture() const { return maps_->maps().empty() ? QImage() : lower_->currentWidget()->grab().toImage(); }

@@ -20,6 +20,7 @@ namespace hygroloom {
 class CandidateTable;
 class ClothsView;
 class CompareBar;
+class ColorRanges;
 class CompareMaps;
 class CurvesView;
 class FingerprintView;
@@ -48,6 +49,7 @@ public:
     /// The maps or the chart as it is seen; null while nothing is compared.
     QImage picture() const;
     void setWaterColors(WaterColors colors);
+    void shareRanges(ColorRanges& ranges);
     /// The experiment on screen, judged; of the overview it has no candidates.
     const Comparison& comparison() const { return numbers_; }
     /// The numbers as a CSV file, the best run first.

@@ -284,6 +284,8 @@ void GarmentPanel::refresh()
     if (!garment) { return; }
     const std::string where = "garments[" + std::to_string(choice_.garmentIndex()) + "].";
     for (const SizeField& field : sizes_) {
+        const SizeRange range = size_range(garment->built_in.kind, field.value);
+        field.edit->setRange(range.least, range.most);
         field.edit->setValue(garment->built_in.*field.value);
         field.edit->setIssues(choice_.document().issuesAt(where + "source." + field.key));
         const bool used = field.key != "sleeve_mm" || garment->built_in.kind == "tee";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/panels/candidates_panel.h"
 
+#include "core/base/units.h"
+
 #include "core/base/error.h"
 #include "core/base/words.h"
 #include "ui/basics/appearance.h"
@@ -143,8 +145,8 @@ void CandidatesPanel::addFabric()
 {
     Fabric fabric;
     fabric.name = tr("New fabric").toStdString();
-    fabric.warp.diameter_mm = 0.25;
-    fabric.weft.diameter_mm = 0.25;
+    fabric.warp.linear_density_tex = fabric.weft.linear_density_tex = tex_from_ne(30); // a sheeting
+    fabric.ends_per_cm = fabric.picks_per_cm = 24;
     addFabric(tr("add fabric"), std::move(fabric));
     list_->setFocus(); // F2 names the new one
 }

@@ -49,6 +49,9 @@ protected:
 DesignForm::DesignForm(Document& document, QWidget* parent) : QWidget(parent), document_(document), grid_(formGrid(this)), target_(grid_)
 {
     connect(&document_, &Document::designChanged, this, &DesignForm::refresh);
+    connect(&document_, &Document::replaced, this, [this] {
+        for (const Row& row : rows_) { row.edit->takeBack(); }
+    });
 }
 
 void FormSection::open() const { heading->setChecked(true); }
@@ -115,17 +118,44 @@ QWidget* DesignForm::addGroup()
 QuantityEdit* DesignForm::addQuantity(const Quantity& quantity, const DesignField& field, bool optional)
 {
     auto* edit = new QuantityEdit(quantity);
+    addField(edit, field, optional);
+    return edit;
+}
+
+void DesignForm::addField(QuantityEdit* edit, const DesignField& field, bool optional)
+{
     edit->setOptional(optional);
     edit->setHelp(field.help);
     edit->setAccessibleName(field.label);
     edit->setObjectName(field.undo);
     addRow(field.label, edit, field.where);
+    auto* complaint = new QLabel;
+    complaint->setWordWrap(true);
+    complaint->setVisible(false);
+    addWide(complaint);
+    rows_.push_back({edit, field, complaint, {}});
     connect(edit, &QuantityEdit::edited, this, [this, field](std::optional<double> value, bool) {
         document_.edit(field.undo, field.where(), [&](Design& design) { field.write(design, value); });
     });
     connect(edit, &QuantityEdit::strokeEnded, this, [this] { document_.endStroke(); });
-    rows_.push_back({edit, field});
-    return edit;
+    connect(edit, &QuantityEdit::complained, this, [this, place = rows_.size() - 1] { showComplaint(rows_[place]); });
+}
+
+void DesignForm::showComplaint(const Row& row) const
+{
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, severityColor(Severity::error, colors));
+    row.complaint->setPalette(colors);
+    row.complaint->setText(row.edit->complaint());
+    row.complaint->setVisible(!row.edit->complaint().isEmpty());
+}
+
+void DesignForm::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange) {
+        for (const Row& row : rows_) { showComplaint(row); }
+    }
+    QWidget::changeEvent(event);
 }
 
 QLabel* DesignForm::addRow(const QString& label, QWidget* widget, std::function<std::string()> where)
@@ -193,9 +223,12 @@ QLabel* DesignForm::noteBeside(QWidget* field)
 
 void DesignForm::refresh()
 {
-    for (const Row& row : rows_) {
+    for (Row& row : rows_) {
+        std::string at = row.field.where();
+        if (at != row.at) { row.edit->takeBack(); } // another fabric's value
+        row.at = std::move(at);
         row.edit->setValue(row.field.read());
-        auto issues = document_.issuesAt(row.field.where());
+        auto issues = document_.issuesAt(row.at);
         if (issues.empty() && row.field.within) { issues = document_.issuesAt(row.field.within()); }
         row.edit->setIssues(issues);
     }

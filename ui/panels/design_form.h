@@ -49,6 +49,8 @@ public:
     /// A part without a heading, for rows that are shown and hidden together; it ends with the next section or group.
     QWidget* addGroup();
     QuantityEdit* addQuantity(const Quantity& quantity, const DesignField& field, bool optional = false);
+    /// The same with a field of another kind. What it refuses is said under it.
+    void addField(QuantityEdit* edit, const DesignField& field, bool optional);
     /// Any other widget in the field column, with its label, and the path of what it edits where an issue may be about that.
     QLabel* addRow(const QString& label, QWidget* widget, std::function<std::string()> where = {});
     /// A button that has the room of notes, beside a choice that was just added.
@@ -74,11 +76,17 @@ public:
 
     Document& document() { return document_; }
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     struct Row {
         QuantityEdit* edit;
         DesignField field;
+        QLabel* complaint;
+        std::string at; ///< where the value stood that is shown
     };
+    void showComplaint(const Row& row) const;
     bool canBeShown(const QWidget* field) const;
     int nextRow();
     int nextSection();

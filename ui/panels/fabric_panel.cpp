@@ -216,7 +216,7 @@ void FabricPanel::addCrimps()
 {
     Quantity percent = Quantity::fraction(0, 100);
     percent.unit = "%";
-    percent.units = {{{"%"}, [](double v) { return v; }}};
+    percent.units = {TradeUnit{{"%"}}};
     percent.step = 0.5;
     percent.decimals = 1;
     const auto add = [&](const QString& label, const QString& undo, const char* where, std::optional<double> Fabric::*member) {
@@ -303,15 +303,14 @@ void FabricPanel::addMeasured()
     };
     Quantity weight = Quantity::fraction(1, 10000);
     weight.unit = "g/m²";
-    weight.units = {{{"g/m²", "g/m2", "gsm"}, [](double v) { return v; }},
-                    {{"oz/yd²", "oz/yd2", "oz"}, [](double v) { return v * 33.906; }}};
+    weight.units = trade_units(Stored::g_per_m2);
     weight.step = 1;
     Quantity radius = Quantity::length(0.05, 1000);
     radius.unit = "µm";
-    radius.units = {{{"µm", "um"}, [](double v) { return v; }}, {{"mm"}, [](double v) { return v * 1000; }}};
+    radius.units = trade_units(Stored::um);
     Quantity crimp = Quantity::fraction(0, 100);
     crimp.unit = "%";
-    crimp.units = {{{"%"}, [](double v) { return v; }}};
+    crimp.units = {TradeUnit{{"%"}}};
     crimp.step = 0.5;
     QuantityEdit* porosity = add(tr("Porosity"), tr("measured porosity"), "porosity", &Measured::porosity, Quantity::fraction(0.01, 0.999));
     QuantityEdit* areal = add(tr("Weight"), tr("measured weight"), "areal_density_g_m2", &Measured::areal_density_g_m2, weight);

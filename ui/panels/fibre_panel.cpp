@@ -17,10 +17,10 @@ namespace hygroloom {
 
 namespace {
 
-Quantity inUnit(Quantity quantity, const QStringList& spellings, double step, int decimals)
+Quantity inUnit(Quantity quantity, const std::vector<std::string_view>& spellings, double step, int decimals)
 {
-    quantity.unit = spellings.front();
-    quantity.units = {{spellings, [](double v) { return v; }}};
+    quantity.unit = QString::fromUtf8(spellings.front().data(), static_cast<qsizetype>(spellings.front().size()));
+    quantity.units = {TradeUnit{spellings}};
     quantity.step = step;
     quantity.decimals = decimals;
     return quantity;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/panels/yarn_panel.h"
 
-#include "core/design/yarn_sections.h"
 #include "ui/basics/ask.h"
 #include "ui/basics/core_words.h"
+#include "ui/basics/count_edit.h"
 #include "ui/basics/number_label.h"
 #include "ui/weave/cloth_picture.h"
 
@@ -78,8 +78,8 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
         true);
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
-    fields_ = {fibre_,           blend_, share_,     core_,          core_share_, diameter_, density_, packing_, twist_,
-               twist_direction_, plies_, ply_twist_, ply_direction_, color_,      filaments, fibres,   evenness};
+    fields_ = {fibre_,           blend_, share_,     core_,          core_share_, diameter_, count_, packing_, twist_,
+               twist_direction_, plies_, ply_twist_, ply_direction_, color_,      filaments, fibres, evenness};
     form.onRefresh([this] { refresh(); });
 }
 
@@ -93,7 +93,8 @@ DesignField YarnPanel::field(const QString& label, const QString& undo, const ch
             help};
 }
 
-/// Diameter, linear density and packing factor determine one another: when two are set, the third is cleared.
+/// Count, diameter and packing factor determine one another. Count and diameter take each other's place; emptied, one leaves the other as
+/// it was calculated, so that the yarn keeps its size.
 void YarnPanel::addSizes()
 {
     const auto sizeField = [&](auto&&... arguments) {
@@ -101,26 +102,36 @@ void YarnPanel::addSizes()
         made.within = [this] { return path("").substr(0, path("").size() - 1); };
         return made;
     };
+    count_ = new CountEdit;
+    form_.addField(
+        count_,
+        sizeField(
+            tr("Count"), tr("count"), "linear_density_tex", [](const Yarn& y) { return y.linear_density_tex; },
+            [this](Yarn& y, std::optional<double> v) {
+                if (v) {
+                    set_count(y, count_->count());
+                } else {
+                    y.linear_density_tex.reset();
+                    if (!y.diameter_mm && free_) { y.diameter_mm = free_->diameter; }
+                }
+            },
+            tr("As the trade writes it, with plies and filaments: %1. The diameter follows from it.").arg(QString::fromUtf8(count_forms))),
+        true);
+    count_note_ = form_.noteBeside(count_);
     diameter_ = form_.addQuantity(Quantity::length(0.01, 10),
                                   sizeField(
                                       tr("Diameter"), tr("diameter"), "diameter_mm", [](const Yarn& y) { return y.diameter_mm; },
-                                      [](Yarn& y, std::optional<double> v) {
+                                      [this](Yarn& y, std::optional<double> v) {
+                                          if (v) {
+                                              y.linear_density_tex.reset();
+                                          } else if (!y.linear_density_tex && free_) {
+                                              y.linear_density_tex = free_->linear_density_tex;
+                                          }
                                           y.diameter_mm = v;
-                                          if (v && y.linear_density_tex && y.packing_factor) { y.linear_density_tex.reset(); }
                                       },
-                                      tr("Of the free, round yarn. Leave empty to calculate it from linear density and packing.")),
+                                      tr("Of the free, round yarn. Typed here, it takes the place of the count.")),
                                   true);
-    density_ = form_.addQuantity(Quantity::linearDensity(0.5, 5000),
-                                 sizeField(
-                                     tr("Linear density"), tr("linear density"), "linear_density_tex",
-                                     [](const Yarn& y) { return y.linear_density_tex; },
-                                     [](Yarn& y, std::optional<double> v) {
-                                         y.linear_density_tex = v;
-                                         if (v && y.diameter_mm && y.packing_factor) { y.diameter_mm.reset(); }
-                                     },
-                                     tr("Grams per kilometre (tex). You can type Ne, Nm or denier: “30 Ne”.")),
-                                 true);
-    density_note_ = form_.noteBeside(density_);
+    diameter_note_ = form_.noteBeside(diameter_);
     packing_ = form_.addQuantity(Quantity::fraction(loosest_packing, densest_packing),
                                  sizeField(
                                      tr("Packing"), tr("packing factor"), "packing_factor", [](const Yarn& y) { return y.packing_factor; },
@@ -289,6 +300,7 @@ void YarnPanel::refresh()
         return;
     }
     refreshMaterials();
+    count_->setYarn(*y);
     twist_direction_->setCurrentIndex(y->twist_direction == TwistDirection::s ? 0 : 1);
     ply_direction_->setCurrentIndex(y->ply_twist_direction == TwistDirection::s ? 0 : 1);
     color_->setIcon(swatch(yarnColor(*y, isWarp()), form_.palette()));
@@ -330,21 +342,23 @@ void YarnPanel::refreshDerived()
 {
     const auto& fitted = form_.document().fitted();
     const YarnQuantities* q = nullptr;
-    std::optional<FreeYarn> free;
+    free_.reset();
     if (use_ == YarnUse::stripes) {
         if (fitted && stripe() < fitted->stripes.size()) {
             const StripeYarn& lying = fitted->stripes[stripe()];
-            free = lying.free;
+            free_ = lying.free;
             q = lying.as_end ? &*lying.as_end : lying.as_pick ? &*lying.as_pick : nullptr;
         }
     } else if (fitted) {
         q = use_ == YarnUse::weft ? &fitted->derived.weft : &fitted->derived.warp;
-        free = FreeYarn{q->diameter_mm, q->linear_density_tex, q->packing_factor};
+        free_ = FreeYarn{q->diameter_mm, q->linear_density_tex, q->packing_factor};
     }
-    diameter_->setDerived(free ? std::optional(free->diameter) : std::nullopt);
-    density_->setDerived(free ? std::optional(free->linear_density_tex) : std::nullopt);
-    packing_->setDerived(free ? std::optional(free->packing_factor) : std::nullopt);
-    density_note_->setText(free ? density_->quantity().besideText(free->linear_density_tex) : QString());
+    diameter_->setDerived(free_ ? std::optional(free_->diameter) : std::nullopt);
+    count_->setDerived(free_ ? std::optional(free_->linear_density_tex) : std::nullopt);
+    packing_->setDerived(free_ ? std::optional(free_->packing_factor) : std::nullopt);
+    const Yarn* y = yarn();
+    count_note_->setText(y && y->linear_density_tex ? count_->otherSystem(*y->linear_density_tex) : QString());
+    diameter_note_->setText(y && y->linear_density_tex && !y->diameter_mm ? tr("from the count") : QString());
     if (q) {
         showNumbers(*crimp_, {q->crimp_percent}, "%");
         showNumbers(*pore_, {q->pore_radius_um}, "µm");

@@ -2,6 +2,7 @@
 // Fields of one yarn of the chosen fabric: the warp's, the weft's, or the chosen one of those in its stripes.
 #pragma once
 
+#include "core/design/yarn_sections.h"
 #include "ui/panels/design_form.h"
 
 class QCheckBox;
@@ -9,6 +10,7 @@ class QToolButton;
 
 namespace hygroloom {
 
+class CountEdit;
 enum class YarnUse { warp, weft, stripes };
 
 class YarnPanel : public QObject {
@@ -78,12 +80,13 @@ private:
     QuantityEdit* share_ = nullptr;
     QuantityEdit* core_share_ = nullptr;
     QuantityEdit* diameter_ = nullptr;
-    QuantityEdit* density_ = nullptr;
+    CountEdit* count_ = nullptr;
     QuantityEdit* packing_ = nullptr;
-    QLabel* density_note_ = nullptr;
+    QLabel* count_note_ = nullptr;
     QLabel* diameter_note_ = nullptr;
     QLabel* crimp_ = nullptr;
     QLabel* pore_ = nullptr;
+    std::optional<FreeYarn> free_; ///< that the shown yarn makes, where it can be fitted
     std::vector<QWidget*> fields_;
     std::string unlinked_; ///< fabric whose equal weft the user wants to edit apart
 };

@@ -65,7 +65,7 @@ std::shared_ptr<Answer> answerTo(const Design& design, Fidelity fidelity, bool w
     answer->bottom = faceMap(*answer->run, *last, *first, MapSide::bottom, cells_across);
     answer->most = most;
     const Metrics metrics = collector.metrics();
-    answer->numbers = resultsOf(*answer->run, metrics);
+    answer->numbers = resultsOf(*answer->run, metrics, !whole);
     answer->edge_is_wet = metrics.edge_time.has_value();
     return answer;
 }
@@ -85,7 +85,7 @@ bool Answer::ofAllTime() const { return run->design.experiments[0].duration_s >=
 
 bool Answer::ofAllCloth() const { return run->design.experiments[0].sample_mm == asked.sample_mm; }
 
-LiveAnswer::LiveAnswer(const std::optional<LiveCut>& first, QObject* parent) : QObject(parent), first_(first) {}
+LiveAnswer::LiveAnswer(const std::optional<LiveCut>& cut, QObject* parent) : QObject(parent), cut_(cut) {}
 
 LiveAnswer::~LiveAnswer() { stop(); }
 
@@ -95,52 +95,41 @@ void LiveAnswer::ask(const std::shared_ptr<const Design>& design, int fabric, in
     control_ = std::make_shared<RunControl>();
     working_ = true;
     const Experiment& asked = design->experiments.at(static_cast<std::size_t>(experiment));
-    const double duration = asked.duration_s - beginOf(asked);
     const Fabric& cloth = design->fabrics.at(static_cast<std::size_t>(fabric));
-    const std::string key = cloth.name + '\n' + asked.name + '\n' + name_of(asked.type) + '\n' + std::to_string(asked.sample_mm[0]) + ' ' +
-                            std::to_string(asked.sample_mm[1]);
     const bool cuts = fidelity == Fidelity::live && !whole;
-    LiveCut cut{.length = all_of_it};
-    if (cuts) {
-        const auto known = cuts_.find(key);
-        cut = known != cuts_.end() ? known->second : first_ ? *first_ : firstCut(cloth, asked);
-    }
-    job_.run(
-        [this, design, fabric, experiment, fidelity, cuts, cut, duration, key, control = control_](const NewestJob::Turn& turn) mutable {
-            const auto begun = std::chrono::steady_clock::now();
-            std::shared_ptr<Answer> answer;
-            QString refusal;
-            try {
-                refusal = firstError(cutDesign(*design, fabric, experiment, {.length = all_of_it}));
-                for (bool fits = !refusal.isEmpty(); !fits;) {
-                    const Design one = cutDesign(*design, fabric, experiment, cut);
-                    const QString error = firstError(one);
-                    if (error.isEmpty()) { answer = answerTo(one, fidelity, !cuts, *control); }
-                    if (cut.halvings == 0) { refusal = error; }
-                    fits = cut.halvings == 0 || (error.isEmpty() && !answer->edge_is_wet);
-                    if (!fits) { cut = withMoreOfTheSample(cut); }
-                }
-                if (answer) {
-                    answer->asked = design->experiments[static_cast<std::size_t>(experiment)];
-                    answer->whole = !cuts;
-                    answer->wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-                    answer->wall_of_all = cuts ? wallOfAll(*design, fabric, experiment, cut) : answer->wall;
-                    cut = nextCut(cut, duration, answer->wall);
-                }
-            } catch (const Cancelled&) {
-                return;
-            } catch (const std::bad_alloc&) {
-                refusal = tr("Not enough memory for this experiment. Choose a smaller sample.");
-            } catch (const std::exception& error) {
-                refusal = QString::fromStdString(error.what());
+    const LiveCut first = cuts ? cut_.value_or(cutOf(cloth, asked)) : LiveCut{.length = all_of_it};
+    job_.run([this, design, fabric, experiment, fidelity, cuts, cut = first, control = control_](const NewestJob::Turn& turn) mutable {
+        const auto begun = std::chrono::steady_clock::now();
+        std::shared_ptr<Answer> answer;
+        QString refusal;
+        try {
+            refusal = firstError(cutDesign(*design, fabric, experiment, {.length = all_of_it}));
+            for (bool fits = !refusal.isEmpty(); !fits;) {
+                const Design one = cutDesign(*design, fabric, experiment, cut);
+                const QString error = firstError(one);
+                if (error.isEmpty()) { answer = answerTo(one, fidelity, !cuts, *control); }
+                if (cut.halvings == 0) { refusal = error; }
+                fits = cut.halvings == 0 || (error.isEmpty() && !answer->edge_is_wet);
+                if (!fits) { --cut.halvings; } // so little is no experiment, or water has reached its edge
             }
-            if (!refusal.isEmpty()) { answer.reset(); }
-            turn.deliver([this, control, answer, refusal, cuts, cut, key] {
-                if (control != control_) { return; }
-                if (cuts && answer) { cuts_[key] = cut; }
-                end(answer, refusal);
-            });
+            if (answer) {
+                answer->asked = design->experiments[static_cast<std::size_t>(experiment)];
+                answer->whole = !cuts;
+                answer->wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+                answer->wall_of_all = cuts ? wallOfAll(*design, fabric, experiment, cut) : answer->wall;
+            }
+        } catch (const Cancelled&) {
+            return;
+        } catch (const std::bad_alloc&) {
+            refusal = tr("Not enough memory for this experiment. Choose a smaller sample.");
+        } catch (const std::exception& error) {
+            refusal = QString::fromStdString(error.what());
+        }
+        if (!refusal.isEmpty()) { answer.reset(); }
+        turn.deliver([this, control, answer, refusal] {
+            if (control == control_) { end(answer, refusal); }
         });
+    });
 }
 
 void LiveAnswer::end(const std::shared_ptr<const Answer>& answer, const QString& refusal)

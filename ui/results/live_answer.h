@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What an edit comes to, while the hand is still on the slider: the experiment on one core, cut to what 0.2 s are enough for.
+// What an edit comes to, while the hand is still on the slider: the experiment on one core, cut to a part of its time and its sample.
 #pragma once
 
 #include "core/run/run_options.h"
@@ -8,7 +8,6 @@
 #include "ui/results/results_panel.h"
 #include "ui/results/water_map.h"
 
-#include <map>
 #include <optional>
 
 namespace hygroloom {
@@ -17,7 +16,7 @@ struct Answer {
     std::shared_ptr<const RunRecord> run; ///< with its plan
     FaceMap top, bottom;
     double most = 0;             ///< mostOnFaces() of all its frames, kg/m2
-    std::vector<Result> numbers; ///< those by which fabrics are compared come first
+    std::vector<Result> numbers; ///< those by which fabrics are compared come first; of a part without indices, grades and classes
     Experiment asked;            ///< the whole; the run's own is what was computed of it
     bool whole = false;          ///< nothing was cut, neither time nor sample nor frames
     bool edge_is_wet = false;
@@ -31,8 +30,8 @@ struct Answer {
 class LiveAnswer : public QObject {
     Q_OBJECT
 public:
-    /// first: what an experiment's first answer is cut to; none: firstCut().
-    explicit LiveAnswer(const std::optional<LiveCut>& first = {}, QObject* parent = nullptr);
+    /// cut: what experiments are cut to; none: cutOf().
+    explicit LiveAnswer(const std::optional<LiveCut>& cut = {}, QObject* parent = nullptr);
     ~LiveAnswer() override;
 
     /// Begins anew with an experiment of a fabric; what is under way for an older question is cancelled. At live the experiment is
@@ -51,8 +50,7 @@ private:
     void end(const std::shared_ptr<const Answer>& answer, const QString& refusal);
 
     std::shared_ptr<RunControl> control_; ///< of what is under way
-    std::optional<LiveCut> first_;
-    std::map<std::string, LiveCut> cuts_; ///< that fit, by fabric and experiment
+    std::optional<LiveCut> cut_;
     bool working_ = false;
     NewestJob job_; // last: it ends before the rest goes
 };

@@ -4,43 +4,14 @@
 #include "core/base/units.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace hygroloom {
 
 namespace {
 
-constexpr double moment = 0.2;         // s, that an answer may take
-constexpr double room_for_more = 0.08; // s; the next longer one takes at most 2.5 times as long
-constexpr double room_for_all = 0.04;  // s; twice the sides are four times the cloth
-constexpr double shortest = 0.1;       // s, of an experiment
-
-/// 1, 2, 5, 10, …, s: from half a decade below to a decade above.
-std::array<double, 5> roundLengths(double length)
-{
-    const double decade = std::pow(10.0, std::floor(std::log10(length) + 1e-9));
-    return {0.5 * decade, decade, 2 * decade, 5 * decade, 10 * decade};
-}
-
-/// The next round one.
-double longer(double length)
-{
-    for (const double round : roundLengths(length)) {
-        if (round > length * 1.001) { return round; }
-    }
-    return length;
-}
-
-/// The round one before, but not below the shortest.
-double shorter(double length)
-{
-    double next = length;
-    for (const double round : roundLengths(length)) {
-        if (round < length * 0.999) { next = round; }
-    }
-    return std::max(std::min(shortest, length), next);
-}
+/// s, from the first drop on, in the order of ExperimentType: until most cloths show what they are like.
+constexpr double lengths[experiment_types] = {1, 2, 5, 2, 60, 60, 10};
 
 /// mm, of a side of what is left, at the least.
 double leastSide(const Fabric& fabric, const Experiment& experiment)
@@ -82,10 +53,11 @@ void cutSample(Experiment& experiment, const Fabric& fabric, int halvings)
 
 } // namespace
 
-LiveCut firstCut(const Fabric& fabric, const Experiment& experiment)
+LiveCut cutOf(const Fabric& fabric, const Experiment& experiment)
 {
-    constexpr double most_crossings = 5000; // take about 0.2 s
-    LiveCut cut;
+    constexpr double most_crossings = 5000;
+    constexpr int most_halvings = 5;
+    LiveCut cut{lengths[static_cast<std::size_t>(experiment.type)], 0};
     const auto sampleOf = [&](int halvings) {
         Experiment part = experiment;
         cutSample(part, fabric, halvings);
@@ -95,38 +67,11 @@ LiveCut firstCut(const Fabric& fabric, const Experiment& experiment)
         const auto [along_weft, along_warp] = sample_extent_mm(sampleOf(cut.halvings));
         return 0.01 * along_weft * fabric.ends_per_cm * along_warp * fabric.picks_per_cm;
     };
-    while (cut.most_halvings > 0 && sampleOf(cut.most_halvings).sample_mm == sampleOf(cut.most_halvings - 1).sample_mm) {
-        --cut.most_halvings;
+    while (cut.halvings < most_halvings && crossings() > most_crossings &&
+           sampleOf(cut.halvings + 1).sample_mm != sampleOf(cut.halvings).sample_mm) {
+        ++cut.halvings;
     }
-    while (cut.halvings < cut.most_halvings && crossings() > most_crossings) { ++cut.halvings; }
     return cut;
-}
-
-LiveCut nextCut(LiveCut last, double duration, double wall)
-{
-    LiveCut next = last;
-    next.wall = wall;
-    const double computed = std::max(std::min(last.length, duration), std::min(last.length, shortest));
-    if (wall > moment && last.halvings < last.most_halvings) {
-        ++next.halvings;
-        next.too_long = std::numeric_limits<double>::infinity();
-    } else if (wall > moment) {
-        next.length = shorter(computed);
-        next.too_long = computed;
-        next.wall_before = last.wall;
-    } else if (wall < room_for_more && computed < duration) {
-        const double length = longer(computed);
-        if (length < last.too_long || wall < 0.5 * last.wall_before) { next.length = length; }
-    } else if (wall < room_for_all && last.halvings > 0) {
-        --next.halvings;
-    }
-    return next;
-}
-
-LiveCut withMoreOfTheSample(LiveCut last)
-{
-    last.most_halvings = --last.halvings;
-    return last;
 }
 
 Design cutDesign(const Design& design, int fabric, int experiment, const LiveCut& cut)

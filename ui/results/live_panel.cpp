@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/live_panel.h"
 
-#include "core/base/round_up.h"
+#include "core/analysis/outcomes.h"
 #include "core/base/text.h"
 #include "ui/basics/elided_label.h"
 #include "ui/basics/preferences.h"
@@ -59,18 +59,12 @@ bool runsOnBattery(const QString& folder)
     return false;
 }
 
-double keptRange(double range, double most, bool may_shrink)
-{
-    constexpr double least_share = 0.4; // of the colours, below which water is hard to see
-    if (!(most > 0) || (most <= range && (most >= least_share * range || !may_shrink))) { return range; }
-    return rounded_up(most); // as of the maps in Simulate
-}
-
 LivePanel::LivePanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), map_(new WaterMap(tr("Top"))), legend_(new QWidget), status_(new QLabel),
       refine_(new QCheckBox(tr("Refine when I pause"))), numbers_(new QGridLayout)
 {
     build();
+    shareRanges(own_ranges_);
     pause_.setSingleShot(true);
     connect(&document_, &Document::designChanged, this, &LivePanel::ask);
     connect(&live_, &LiveAnswer::answered, this, &LivePanel::take);
@@ -147,8 +141,31 @@ void LivePanel::resizeEvent(QResizeEvent* event)
 void LivePanel::setWaterColors(WaterColors colors)
 {
     colors_ = colors;
-    if (range_ > 0) { map_->setRange(range_, colors_); }
+    showRange();
+}
+
+void LivePanel::shareRanges(ColorRanges& ranges)
+{
+    ranges_->disconnect(this);
+    ranges_ = &ranges;
+    connect(ranges_, &ColorRanges::changed, this, &LivePanel::showRange);
+    connect(ranges_, &ColorRanges::fitWanted, this, [this] {
+        if (isVisible() && shown_) { ranges_->widenWater(shown_->most); }
+    });
+}
+
+void LivePanel::showRange()
+{
+    map_->setRange(ranges_->mostWater(), colors_);
     update();
+}
+
+void LivePanel::setOutdated(bool outdated)
+{
+    map_->setOutdated(outdated);
+    for (int row = 0; row < leading_numbers; ++row) {
+        for (int column = 0; column < 2; ++column) { numbers_->itemAtPosition(row, column)->widget()->setEnabled(!outdated); }
+    }
 }
 
 void LivePanel::ask()
@@ -165,7 +182,9 @@ void LivePanel::ask()
     } else if (runsOnBattery()) {
         refuse(tr("Off while this machine runs on its battery."));
     } else {
-        if (map_->map().columns == 0) { say(tr("The answer follows.")); }
+        const bool any = map_->map().columns > 0;
+        setOutdated(any);
+        say(any ? tr("Computing. Hatched: the cloth before.") : tr("The answer follows."));
         live_.ask(document_.design(), document_.fabricIndex(), document_.experimentIndex());
     }
 }
@@ -189,18 +208,19 @@ void LivePanel::askFiner()
 void LivePanel::take(const std::shared_ptr<const Answer>& answer)
 {
     shown_ = answer;
-    // Of a part of the experiment less is to be expected than of the whole, which follows.
-    const bool last = answer->whole || answer->wall_of_all > longest_unasked;
-    if (std::exchange(range_of_, answer->run->experiment) != answer->run->experiment) { last_range_ = 0; }
-    last_range_ = keptRange(last_range_, answer->most, last);
-    range_ = answer->most > 0 ? last_range_ : 0; // of dry cloth there is no scale
-    map_->setRange(range_ > 0 ? range_ : 1, colors_);
+    setOutdated(false);
+    scaled_ = answer->most > 0; // of dry cloth there is no scale
+    ranges_->widenWater(answer->most);
+    showRange();
     map_->setMap(answer->top.cells, answer->top.stain, answer->top.size);
     showNumbers(answer->numbers);
     const QString name = QString::fromStdString(answer->run->experiment);
+    const std::vector<OutcomeInfo> all = reported_by(answer->run->design.experiments[0].type);
+    const bool indices = std::any_of(all.begin(), all.end(), [](const OutcomeInfo& info) { return info.of_whole_test; });
     say(tr("%1: %2, %3; %4.")
             .arg(fidelityName(answer->run->plan.fidelity), name, extentText(*answer),
                  answer->whole ? expectedError(answer->run->plan) : tr("20 frames, numerical error not known")));
+    if (indices && !answer->whole) { say(status_->text() + " " + tr("Indices and grades need the whole test.")); }
     if (!answer->whole) {
         pause_.start(short_pause_ms); // numbers of the whole can be told apart from those after another edit
     } else if (refine_->isChecked() && answer->run->plan.fidelity != Fidelity::standard) {
@@ -231,8 +251,9 @@ void LivePanel::refuse(const QString& sentence)
     pause_.stop();
     shown_.reset();
     map_->clear();
+    setOutdated(false);
     showNumbers({});
-    range_ = 0;
+    scaled_ = false;
     update();
     say(sentence);
     Q_EMIT changed();
@@ -253,10 +274,11 @@ void LivePanel::hideEvent(QHideEvent* event)
 
 void LivePanel::paintEvent(QPaintEvent*)
 {
-    if (!(range_ > 0)) { return; }
+    if (!scaled_) { return; }
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    drawLegend(painter, QRectF(legend_->geometry()).adjusted(4, 0, -4, -4), tr("Water"), 1000 * range_, tr("g/m²"), colors_);
+    drawLegend(painter, QRectF(legend_->geometry()).adjusted(4, 0, -4, -4), legendTitle(tr("Water"), *ranges_, ShownQuantity::water),
+               1000 * range(), tr("g/m²"), colors_);
 }
 
 } // namespace hygroloom

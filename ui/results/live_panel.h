@@ -2,6 +2,7 @@
 // The wet map beside the picture while a fabric is edited: what the chosen experiment comes to, its leading numbers, how sure they are.
 #pragma once
 
+#include "ui/results/color_ranges.h"
 #include "ui/results/live_answer.h"
 
 #include <QTimer>
@@ -17,10 +18,6 @@ class Document;
 /// Whether this machine runs on a battery that is being used up, as the kernel says it.
 bool runsOnBattery(const QString& folder = QStringLiteral("/sys/class/power_supply"));
 
-/// Where the colours end after an answer with that much water at most, kg/m2: as before while it fits. may_shrink: also where it fills
-/// little of the colours.
-double keptRange(double range, double most, bool may_shrink);
-
 /// Works only while it is seen, on one core.
 class LivePanel : public QWidget {
     Q_OBJECT
@@ -29,9 +26,13 @@ public:
 
     /// To the design as it is; nullptr where there is none.
     const std::shared_ptr<const Answer>& answer() const { return shown_; }
+    /// Whether what is seen is the cloth before the edit, marked as such.
+    bool outdated() const { return map_->outdated(); }
     QString status() const;
-    /// Where the colours end, kg/m2.
-    double range() const { return range_; }
+    /// Where the colours end, kg/m2; 0: there is no scale.
+    double range() const { return scaled_ ? ranges_->mostWater() : 0; }
+    /// Takes the place of a range of its own. Precondition: it lives as long as this.
+    void shareRanges(ColorRanges& ranges);
     void setWaterColors(WaterColors colors);
 
 Q_SIGNALS:
@@ -53,6 +54,8 @@ private:
     void take(const std::shared_ptr<const Answer>& answer);
     void showNumbers(const std::vector<Result>& numbers);
     void refuse(const QString& sentence);
+    void setOutdated(bool outdated);
+    void showRange();
 
     Document& document_;
     LiveAnswer live_;
@@ -63,9 +66,9 @@ private:
     QCheckBox* refine_;
     QGridLayout* numbers_;
     std::shared_ptr<const Answer> shown_;
-    double range_ = 0;      ///< kg/m2, of the colours; 0: there is no scale
-    double last_range_ = 0; ///< the last that was not 0
-    std::string range_of_;  ///< the experiment that it belongs to
+    bool scaled_ = false; ///< there is water on the map
+    ColorRanges own_ranges_;
+    ColorRanges* ranges_ = &own_ranges_;
     WaterColors colors_ = WaterColors::blue;
 };
 

@@ -124,10 +124,14 @@ QString outcomeTitle(const OutcomeInfo& info)
     return largest ? ResultsPanel::tr("largest wetted radius") : coreWord(info.title);
 }
 
-std::vector<Result> resultsOf(const RunRecord& run, const Metrics& m)
+std::vector<Result> resultsOf(const RunRecord& run, const Metrics& m, bool part)
 {
     std::vector<Result> results;
-    addOutcomes(results, outcomes_of(run, m));
+    std::vector<Outcome> outcomes = outcomes_of(run, m, part);
+    if (part) {
+        std::erase_if(outcomes, [](const Outcome& outcome) { return outcome.of_whole_test; });
+    }
+    addOutcomes(results, outcomes);
     for (const BalanceRow& row : water_balance(m.ledger)) {
         if (row.value == 0) { continue; }
         const QString unit = QString::fromStdString(row.unit);

@@ -25,8 +25,8 @@ struct Result {
     QString about = {};                  ///< what is measured, where another number could be taken for it
 };
 
-/// The numbers of the run's type of experiment, then the water balance.
-std::vector<Result> resultsOf(const RunRecord& run, const Metrics& metrics);
+/// The numbers of the run's type of experiment, then the water balance. part: of a part of the test, without what only the whole tells.
+std::vector<Result> resultsOf(const RunRecord& run, const Metrics& metrics, bool part = false);
 
 /// How the numbers were computed, in one line: "Draft, expected numerical error 4.8 %, on the CPU, 22/11/2026 18:40, took 5.4 s".
 QString originOf(const RunRecord& run, bool live);

@@ -114,6 +114,13 @@ void WaterMap::clear()
     update();
 }
 
+void WaterMap::setOutdated(bool outdated)
+{
+    if (outdated_ == outdated) { return; }
+    outdated_ = outdated;
+    update();
+}
+
 void WaterMap::setRange(double maximum, WaterColors colors, double minimum)
 {
     if (maximum != maximum_ || minimum != minimum_ || colors != colors_) {
@@ -256,6 +263,13 @@ void WaterMap::paintEvent(QPaintEvent*)
     const QSizeF cells(map_.columns * map_.cell_width * pixelsPerMetre, map_.rows * map_.cell_height * pixelsPerMetre);
     painter.setClipRect(area);
     painter.drawImage(QRectF(QPointF(area.left(), area.bottom() - cells.height()), cells), image_);
+    if (outdated_) {
+        QColor paper = palette().color(QPalette::Window), line = ink;
+        paper.setAlphaF(0.45F);
+        line.setAlphaF(0.5F);
+        painter.fillRect(area, paper);
+        painter.fillRect(area, QBrush(line, Qt::BDiagPattern));
+    }
     painter.setClipping(false);
     if (circle_.radius > 0) {
         const QPointF centre(area.center().x() + circle_.x * pixelsPerMetre, area.center().y() - circle_.y * pixelsPerMetre);

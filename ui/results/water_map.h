@@ -48,6 +48,9 @@ public:
     /// Instead of the map, its difference to a baseline.
     void setDifference(const MapDifference& difference, const QSizeF& size);
     void clear();
+    /// Hatched: what is shown is of before, and what follows is being computed.
+    void setOutdated(bool outdated);
+    bool outdated() const { return outdated_; }
     /// All that stand in one row, this among them: they have one scale, and bars of one length. They live as long as this.
     void setRow(const std::vector<WaterMap*>& row) { row_ = row; }
     double pixelsPerMetre() const;
@@ -88,6 +91,7 @@ private:
     Circle circle_;
     bool stain_ = true; ///< whether there is one to speak of
     bool difference_ = false;
+    bool outdated_ = false;
     std::optional<MapRange> replicates_;
     std::vector<bool> real_; ///< cells of a difference, see MapDifference
     QSizeF size_;

@@ -3,7 +3,6 @@
 
 #include "core/analysis/map_picture.h"
 #include "core/base/error.h"
-#include "core/base/round_up.h"
 #include "core/base/units.h"
 #include "core/run/recording.h"
 #include "ui/basics/design_undo.h"
@@ -52,8 +51,19 @@ WaterMapView::WaterMapView(Playback& playback, QWidget* parent)
     layOut();
     setMinimumWidth(280);
     connectParts();
+    shareRanges(own_ranges_);
     offerQuantities();
     refresh();
+}
+
+void WaterMapView::shareRanges(ColorRanges& ranges)
+{
+    ranges_->disconnect(this);
+    ranges_ = &ranges;
+    connect(ranges_, &ColorRanges::changed, this, &WaterMapView::showRange);
+    connect(ranges_, &ColorRanges::fitWanted, this, [this] {
+        if (isVisible()) { startOver(); }
+    });
 }
 
 void WaterMapView::layOut()
@@ -108,9 +118,11 @@ void WaterMapView::connectParts()
 
 void WaterMapView::startOver()
 {
-    maximum_ = 0;
-    known_.reset();
-    if (playback_.frame()) { widen(0, range_of_values(*playback_.frame(), quantity())); }
+    any_water_ = false;
+    if (playback_.frame() && quantity() != ShownQuantity::water) {
+        ranges_->widen(quantity(), range_of_values(*playback_.frame(), quantity()));
+    }
+    showRange();
     refresh();
     scan();
 }
@@ -140,6 +152,7 @@ void WaterMapView::offerQuantities()
 void WaterMapView::setWaterColors(WaterColors colors)
 {
     colors_ = colors;
+    showRange();
     refresh();
 }
 
@@ -163,7 +176,7 @@ void WaterMapView::save(MapSide side, const QString& file) const
     if (water) {
         picture.image.most = range();
     } else {
-        picture.image.range = values_;
+        picture.image.range = values();
     }
     const std::filesystem::path path = file.toStdString();
     if (file.endsWith(".csv", Qt::CaseInsensitive)) {
@@ -196,7 +209,9 @@ void WaterMapView::refresh()
         }
         turn.deliver([this, of, cells, shown, atStart, top, bottom, values = range_of_values(*frame, shown)] {
             if (of != playback_.generation() || cells != cells_->value() || shown != quantity()) { return; }
-            widen(std::max({atStart, top.cells.maximum(), bottom.cells.maximum()}), values);
+            const double most = std::max({atStart, top.cells.maximum(), bottom.cells.maximum()});
+            any_water_ = any_water_ || most > 0;
+            ranges_->widen(shown, shown == ShownQuantity::water ? ValueRange{0, most} : values);
             top_->setMap(top.cells, top.stain, top.size);
             bottom_->setMap(bottom.cells, bottom.stain, bottom.size);
             update();
@@ -224,7 +239,14 @@ void WaterMapView::scan()
                 return !turn.outdated();
             });
             turn.deliver([this, of, cells, shown, most, values] {
-                if (of == playback_.generation() && cells == cells_->value() && shown == quantity()) { widen(most, values); }
+                if (of != playback_.generation() || cells != cells_->value() || shown != quantity()) { return; }
+                any_water_ = any_water_ || most > 0;
+                if (shown == ShownQuantity::water) {
+                    ranges_->widenWater(most);
+                } else if (values) {
+                    ranges_->widen(shown, *values);
+                }
+                update();
             });
         } catch (const Error&) {
             // The reader of the frames reports what is wrong with the recording.
@@ -232,23 +254,17 @@ void WaterMapView::scan()
     });
 }
 
-double WaterMapView::range() const { return rounded_up(maximum_); }
-
-void WaterMapView::widen(double maximum, const std::optional<ValueRange>& values)
+void WaterMapView::showRange()
 {
-    maximum_ = std::max(maximum_, maximum);
-    if (values) { known_ = known_ ? united(*known_, *values) : *values; }
-    if (known_ && *known_ != values_) {
-        values_ = *known_;
-        Q_EMIT quantityChanged();
-    }
+    const ValueRange ends = values();
     for (WaterMap* map : {top_, bottom_}) {
         if (quantity() == ShownQuantity::water) {
             map->setRange(range(), colors_);
         } else {
-            map->setRange(values_.high, quantity() == ShownQuantity::temperature ? WaterColors::warmth : colors_, values_.low);
+            map->setRange(ends.high, quantity() == ShownQuantity::temperature ? WaterColors::warmth : colors_, ends.low);
         }
     }
+    if (quantity() != ShownQuantity::water) { Q_EMIT quantityChanged(); }
     update();
 }
 
@@ -260,7 +276,8 @@ void WaterMapView::resizeEvent(QResizeEvent* event)
 
 void WaterMapView::paintEvent(QPaintEvent*)
 {
-    if (!playback_.frame() || top_->map().columns < 1 || !(maximum_ > 0)) {
+    const bool water = quantity() == ShownQuantity::water;
+    if (!playback_.frame() || top_->map().columns < 1 || !ranges_->of(quantity()) || (water && !any_water_)) {
         return; // no scale while all is dry
     }
     QPainter painter(this);
@@ -268,12 +285,14 @@ void WaterMapView::paintEvent(QPaintEvent*)
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF room = legend_->geometry();
     const QRectF area(room.left() + 4, room.top(), room.width() - 8, std::min(240.0, room.height()));
+    const ValueRange ends = values();
+    const auto title = [this](const QString& name) { return legendTitle(name, *ranges_, quantity()); };
     switch (quantity()) {
-    case ShownQuantity::water: return drawLegend(painter, area, tr("Water"), 1000 * range(), tr("g/m²"), colors_);
-    case ShownQuantity::humidity: return drawLegend(painter, area, tr("Humidity"), 100 * values_.low, 100 * values_.high, "%", colors_);
+    case ShownQuantity::water: return drawLegend(painter, area, title(tr("Water")), 1000 * range(), tr("g/m²"), colors_);
+    case ShownQuantity::humidity: return drawLegend(painter, area, title(tr("Humidity")), 100 * ends.low, 100 * ends.high, "%", colors_);
     case ShownQuantity::temperature: {
         const UserUnit user = userUnit(QStringLiteral("°C"));
-        drawLegend(painter, area, tr("Temperature"), user.of(celsius_from_kelvin(values_.low)), user.of(celsius_from_kelvin(values_.high)),
+        drawLegend(painter, area, title(tr("Temperature")), user.of(celsius_from_kelvin(ends.low)), user.of(celsius_from_kelvin(ends.high)),
                    user.unit, WaterColors::warmth);
     }
     }

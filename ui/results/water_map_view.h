@@ -2,6 +2,7 @@
 // Both faces side by side with one range of colours: their water, or how warm or damp they are.
 #pragma once
 
+#include "ui/results/color_ranges.h"
 #include "ui/results/playback.h"
 #include "ui/results/water_map.h"
 
@@ -20,12 +21,14 @@ public:
 
     const WaterMap& top() const { return *top_; }
     const WaterMap& bottom() const { return *bottom_; }
-    /// The end of the colour scale, kg/m2: of the shown frames while the run is live, of all frames afterwards.
-    double range() const;
+    /// Takes the place of a range of its own. Precondition: it lives as long as this.
+    void shareRanges(ColorRanges& ranges);
+    /// The end of the colours of water, kg/m2.
+    double range() const { return ranges_->mostWater(); }
     void setCrossingsPerCell(int crossings);
     ShownQuantity quantity() const;
-    /// Of temperatures and humidities, K and shares: of the frames that are known.
-    const ValueRange& values() const { return values_; }
+    /// Of temperatures and humidities, K and shares: where their colours end.
+    ValueRange values() const { return ranges_->of(quantity()).value_or(ValueRange{}); }
     QComboBox& quantityChoice() { return *quantity_; }
     void setWaterColors(WaterColors colors);
     /// In the menus of the right button.
@@ -50,7 +53,7 @@ private:
     void refresh();
     /// Widens the range to all frames of a recording.
     void scan();
-    void widen(double maximum, const std::optional<ValueRange>& values = {});
+    void showRange();
     /// What the run does not model cannot be chosen.
     void offerQuantities();
 
@@ -63,9 +66,9 @@ private:
     QSpinBox* cells_;
     QWidget* legend_;
     QBoxLayout* maps_;
-    double maximum_ = 0; ///< kg/m2, of all maps of this run that are known
-    std::optional<ValueRange> known_;
-    ValueRange values_;
+    bool any_water_ = false; ///< on a map of this run that is known
+    ColorRanges own_ranges_;
+    ColorRanges* ranges_ = &own_ranges_;
     WaterColors colors_ = WaterColors::blue;
     NewestJob mapper_;
     NewestJob scanner_;

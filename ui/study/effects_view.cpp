@@ -11,33 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hygroloom {
 
 namespace {
 
 constexpr std::size_t most_factors = 16;
-
-/// Over the bands of all factors, so that their effects can be compared.
-StudyAxis commonAxis(const std::vector<std::vector<EffectBin>>& effects)
-{
-    StudyAxis up;
-    up.low = std::numeric_limits<double>::infinity();
-    up.high = -up.low;
-    for (const std::vector<EffectBin>& effect : effects) {
-        for (const EffectBin& bin : effect) {
-            up.low = std::min(up.low, bin.mean - bin.sd);
-            up.high = std::max(up.high, bin.mean + bin.sd);
-        }
-    }
-    up.empty = !(up.low <= up.high);
-    if (up.low == up.high) {
-        up.low -= 0.5;
-        up.high += 0.5;
-    }
-    return up;
-}
 
 } // namespace
 
@@ -71,11 +50,6 @@ void EffectsChart::drawPicture(QPainter& painter)
     for (const StudyAxis& axis : data_->axes) {
         if (axis.is_factor && !axis.empty && factors.size() < most_factors) { factors.push_back(&axis); }
     }
-    std::vector<std::vector<EffectBin>> effects;
-    effects.reserve(factors.size());
-    for (const StudyAxis* factor : factors) { effects.push_back(effectBins(*factor, *metric_)); }
-    const StudyAxis up = commonAxis(effects);
-    if (up.empty) { return; }
     const int count = static_cast<int>(factors.size());
     const int columns = std::max(1, std::min(count, static_cast<int>(std::ceil(std::sqrt(count)))));
     const int rows = (count + columns - 1) / columns;
@@ -87,44 +61,61 @@ void EffectsChart::drawPicture(QPainter& painter)
         painter.setPen(palette().color(QPalette::Text));
         painter.drawText(QRectF(area.left(), cell.top() + 4, area.width(), line), Qt::AlignCenter,
                          painter.fontMetrics().elidedText(factors[static_cast<std::size_t>(i)]->title, Qt::ElideMiddle, int(area.width())));
-        drawEffect(painter, area, *factors[static_cast<std::size_t>(i)], up, effects[static_cast<std::size_t>(i)]);
+        drawEffect(painter, area, *factors[static_cast<std::size_t>(i)]);
     }
 }
 
-void EffectsChart::drawEffect(QPainter& painter, const QRectF& area, const StudyAxis& factor, const StudyAxis& up,
-                              const std::vector<EffectBin>& effect)
+void EffectsChart::drawEffect(QPainter& painter, const QRectF& area, const StudyAxis& factor)
 {
+    const StudyAxis& up = *metric_; // the same for all factors, so that their effects can be compared
     drawAxes(painter, area, factor, up, palette());
-    const auto at = [&](const EffectBin& bin, double sds) {
-        return QPointF(area.left() + factor.placeOf(bin.at) * area.width(),
-                       area.bottom() - up.placeOf(bin.mean + sds * bin.sd) * area.height());
+    const auto at = [&](double along, double value) {
+        return QPointF(area.left() + factor.placeOf(along) * area.width(), area.bottom() - up.placeOf(value) * area.height());
     };
     const QColor ink = strokeOf(0, palette()).color();
-    QColor faint = ink;
-    faint.setAlphaF(0.2F);
-    if (factor.words.empty()) {
+    QColor faint = ink, dots = palette().color(QPalette::Text);
+    faint.setAlphaF(0.25F);
+    dots.setAlphaF(data_->table.rows() > 500 ? 0.25F : 0.5F);
+    painter.save();
+    painter.setClipRect(area.adjusted(-4, -4, 4, 4)); // the band of a mean may pass all rows
+    QPolygonF rows;
+    for (std::size_t row = 0; row < up.numbers.size(); ++row) {
+        if (std::isfinite(up.numbers[row]) && std::isfinite(factor.numbers[row])) { rows << at(factor.numbers[row], up.numbers[row]); }
+    }
+    painter.setPen(QPen(dots, 4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPoints(rows);
+    const EffectCurve effect = effectCurve(factor, up);
+    if (effect.smooth) {
         QPolygonF band, line;
-        for (const EffectBin& bin : effect) {
-            band << at(bin, 1);
-            line << at(bin, 0);
+        for (const EffectPoint& point : effect.points) {
+            band << at(point.at, point.mean + point.off);
+            line << at(point.at, point.mean);
         }
-        for (auto bin = effect.rbegin(); bin != effect.rend(); ++bin) { band << at(*bin, -1); }
+        for (auto point = effect.points.rbegin(); point != effect.points.rend(); ++point) {
+            band << at(point->at, point->mean - point->off);
+        }
         painter.setPen(Qt::NoPen);
         painter.setBrush(faint);
         painter.drawPolygon(band);
         painter.setPen(QPen(ink, 2));
         painter.drawPolyline(line);
-    }
-    for (const EffectBin& bin : effect) {
-        painter.setPen(QPen(ink, 1.5));
-        if (!factor.words.empty()) { painter.drawLine(at(bin, -1), at(bin, 1)); }
+    } else {
         painter.setBrush(ink);
-        painter.drawEllipse(at(bin, 0), 3, 3);
-        told_.emplace_back(at(bin, 0), tr("%1 %2: mean %3 of %4, standard deviation %5, %6 rows")
-                                           .arg(factor.title, factor.text(bin.at), up.text(bin.mean), metric_->title, up.text(bin.sd))
-                                           .arg(bin.count));
+        for (const EffectPoint& point : effect.points) {
+            painter.setPen(QPen(ink, 2));
+            if (std::isfinite(point.off)) { painter.drawLine(at(point.at, point.mean - point.off), at(point.at, point.mean + point.off)); }
+            painter.drawEllipse(at(point.at, point.mean), 4, 4);
+        }
     }
     painter.setBrush(Qt::NoBrush);
+    painter.restore();
+    for (const EffectPoint& point : effect.points) {
+        const QString mean =
+            std::isfinite(point.off)
+                ? tr("%1 %2: mean %3 ± %4 of %5, %6 rows").arg(factor.title, factor.text(point.at), up.text(point.mean), up.text(point.off))
+                : tr("%1 %2: %3 of %4, %5 row").arg(factor.title, factor.text(point.at), up.text(point.mean));
+        told_.emplace_back(at(point.at, point.mean), mean.arg(metric_->title).arg(point.rows));
+    }
 }
 
 EffectsView::EffectsView(QWidget* parent) : QWidget(parent), metric_(new QComboBox), chart_(new EffectsChart)
@@ -137,8 +128,8 @@ EffectsView::EffectsView(QWidget* parent) : QWidget(parent), metric_(new QComboB
     head->addStretch();
     QLabel* note = makeNote(tr("What the effects show"));
     note->setText(
-        tr("Line: the mean over all rows near a factor's value, whatever the others are. Band: one standard deviation of the rows "
-           "either way."));
+        tr("Points: the rows. Line, or large points where a factor has a few values: their mean, whatever the other factors are. Band and "
+           "bars: where that mean lies, with 90 %."));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(head);

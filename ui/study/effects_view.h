@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Main effects: the mean of a metric over each factor, and how far its rows spread.
+// Main effects: the rows over each factor, and the mean of the metric through them.
 #pragma once
 
+#include "ui/study/effect_curve.h"
 #include "ui/study/study_chart.h"
 
 namespace hygroloom {
@@ -18,8 +19,7 @@ protected:
     void drawPicture(QPainter& painter) override;
 
 private:
-    void drawEffect(QPainter& painter, const QRectF& area, const StudyAxis& factor, const StudyAxis& up,
-                    const std::vector<EffectBin>& effect);
+    void drawEffect(QPainter& painter, const QRectF& area, const StudyAxis& factor);
 
     const StudyAxis* metric_ = nullptr;
     std::vector<std::pair<QPointF, QString>> told_; ///< the means that are drawn, with their numbers

@@ -24,13 +24,32 @@ std::optional<double> numberOf(const QString& text)
     return is && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-QString textOf(const std::optional<double>& number) { return number ? QString::fromStdString(factor_value(*number).text) : QString(); }
+/// As it is in the project, or with 6 digits in another unit, which has endlessly many.
+QString textOf(const std::optional<double>& number, const UserUnit& unit)
+{
+    if (!number) { return {}; }
+    const bool own = unit.per_one == 1 && unit.at_zero == 0;
+    return own ? QString::fromStdString(factor_value(*number).text) : QString::number(unit.of(*number), 'g', 6);
+}
 
-FactorValue valueOf(const QString& text)
+/// A distance of two numbers.
+QString widthText(const std::optional<double>& number, UserUnit unit)
+{
+    unit.at_zero = 0;
+    return textOf(number, unit);
+}
+
+QString textOf(const FactorValue& value, const UserUnit& unit)
+{
+    return value.is_number ? textOf(std::optional(value.number), unit) : QString::fromStdString(value.text);
+}
+
+FactorValue valueOf(const QString& text, const UserUnit& unit)
 {
     bool is = false;
     const double number = text.toDouble(&is);
-    return is ? factor_value(number) : factor_value(text.toStdString());
+    if (!is) { return factor_value(text.toStdString()); }
+    return unit.per_one == 1 && unit.at_zero == 0 ? factor_value(number) : factor_value((number - unit.at_zero) / unit.per_one);
 }
 
 /// With few digits: 0.9 times 35 is 31.5, not 31.500000000000004.
@@ -38,22 +57,23 @@ double shortened(double number) { return QString::number(number, 'g', 3).toDoubl
 
 } // namespace
 
-QString spreadText(const Factor& factor)
+QString spreadText(const Factor& factor, const UserUnit& unit)
 {
     const FactorDistribution& d = factor.distribution;
     if (factor.is_list()) {
         QStringList words;
-        for (const FactorValue& value : factor.values) { words << QString::fromStdString(value.text); }
+        for (const FactorValue& value : factor.values) { words << textOf(value, unit); }
         return words.join(", ");
     }
-    const auto number = [](const std::optional<double>& at) { return at ? studyNumber(*at) : QString("?"); };
+    const auto number = [&unit](const std::optional<double>& at) { return at ? studyNumber(unit.of(*at)) : QString("?"); };
+    const auto width = [&unit](double sd) { return studyNumber(unit.per_one * sd); };
     const QString range = FactorForm::tr("%1 to %2").arg(number(d.low), number(d.high));
     switch (d.type) {
-    case Type::uniform: return factor.step ? FactorForm::tr("%1, step %2").arg(range, studyNumber(*factor.step)) : range;
+    case Type::uniform: return factor.step ? FactorForm::tr("%1, step %2").arg(range, width(*factor.step)) : range;
     case Type::log_uniform: return FactorForm::tr("%1, logarithmic").arg(range);
-    case Type::normal: return FactorForm::tr("normal, %1 ± %2").arg(studyNumber(d.mean), studyNumber(d.sd));
-    case Type::lognormal: return FactorForm::tr("lognormal, %1 ± %2").arg(studyNumber(d.mean), studyNumber(d.sd));
-    case Type::triangular: return FactorForm::tr("%1, most often %2").arg(range, studyNumber(d.mode));
+    case Type::normal: return FactorForm::tr("normal, %1 ± %2").arg(number(d.mean), width(d.sd));
+    case Type::lognormal: return FactorForm::tr("lognormal, %1 ± %2").arg(number(d.mean), width(d.sd));
+    case Type::triangular: return FactorForm::tr("%1, most often %2").arg(range, number(d.mode));
     }
     return range;
 }
@@ -132,8 +152,9 @@ void FactorForm::showFields()
     fields_.at("high")->setPlaceholderText(bound);
 }
 
-void FactorForm::setFactor(const Factor& factor)
+void FactorForm::setFactor(const Factor& factor, const UserUnit& unit)
 {
+    unit_ = unit;
     const QSignalBlocker quiet(spread_);
     path_ = factor.path;
     const FactorDistribution& d = factor.distribution;
@@ -141,15 +162,15 @@ void FactorForm::setFactor(const Factor& factor)
                                   Spread::triangular}; // as Type has them
     setSpread(factor.is_list() ? Spread::list : spreads[static_cast<int>(d.type)]);
     const bool bell = d.type == Type::normal || d.type == Type::lognormal;
-    fields_.at("values")->setText(factor.is_list() ? spreadText(factor) : QString());
-    fields_.at("mean")->setText(bell ? textOf(d.mean) : QString());
-    fields_.at("sd")->setText(bell ? textOf(d.sd) : QString());
-    fields_.at("low")->setText(textOf(d.low));
-    fields_.at("high")->setText(textOf(d.high));
-    fields_.at("mode")->setText(d.type == Type::triangular ? textOf(d.mode) : QString());
-    fields_.at("step")->setText(textOf(factor.step));
+    fields_.at("values")->setText(factor.is_list() ? spreadText(factor, unit_) : QString());
+    fields_.at("mean")->setText(bell ? textOf(d.mean, unit_) : QString());
+    fields_.at("sd")->setText(bell ? widthText(d.sd, unit_) : QString());
+    fields_.at("low")->setText(textOf(d.low, unit_));
+    fields_.at("high")->setText(textOf(d.high, unit_));
+    fields_.at("mode")->setText(d.type == Type::triangular ? textOf(d.mode, unit_) : QString());
+    fields_.at("step")->setText(widthText(factor.step, unit_));
     fields_.at("levels")->setText(factor.levels ? QString::number(*factor.levels) : QString());
-    fields_.at("base")->setText(factor.base ? QString::fromStdString(factor.base->text) : QString());
+    fields_.at("base")->setText(factor.base ? textOf(*factor.base, unit_) : QString());
     showFields();
 }
 
@@ -165,10 +186,20 @@ std::optional<double> FactorForm::number(const QString& name, const QString& tit
     return number;
 }
 
+std::optional<double> FactorForm::stored(std::optional<double> shown) const
+{
+    return shown && (unit_.per_one != 1 || unit_.at_zero != 0) ? std::optional((*shown - unit_.at_zero) / unit_.per_one) : shown;
+}
+
+std::optional<double> FactorForm::storedWidth(std::optional<double> shown) const
+{
+    return shown && unit_.per_one != 1 ? std::optional(*shown / unit_.per_one) : shown;
+}
+
 void FactorForm::readList(DraftFactor& draft) const
 {
     for (const QString& word : fields_.at("values")->text().split(',', Qt::SkipEmptyParts)) {
-        if (!word.trimmed().isEmpty()) { draft.factor.values.push_back(valueOf(word.trimmed())); }
+        if (!word.trimmed().isEmpty()) { draft.factor.values.push_back(valueOf(word.trimmed(), unit_)); }
     }
     if (draft.factor.values.empty()) { draft.complaint = tr("The list is empty; type values separated by commas."); }
 }
@@ -182,17 +213,17 @@ void FactorForm::readNumbers(DraftFactor& draft) const
     d.type = types[static_cast<int>(at)];
     const bool bell = at == Spread::normal || at == Spread::lognormal;
     if (bell) {
-        d.mean = number("mean", tr("The mean"), true, complaint).value_or(0);
-        d.sd = number("sd", tr("The standard deviation"), true, complaint).value_or(0);
+        d.mean = stored(number("mean", tr("The mean"), true, complaint)).value_or(0);
+        d.sd = storedWidth(number("sd", tr("The standard deviation"), true, complaint)).value_or(0);
     }
-    d.low = number("low", tr("The lowest value"), !bell, complaint);
-    if (at == Spread::triangular) { d.mode = number("mode", tr("The most frequent value"), true, complaint).value_or(0); }
-    d.high = number("high", tr("The highest value"), !bell, complaint);
+    d.low = stored(number("low", tr("The lowest value"), !bell, complaint));
+    if (at == Spread::triangular) { d.mode = stored(number("mode", tr("The most frequent value"), true, complaint)).value_or(0); }
+    d.high = stored(number("high", tr("The highest value"), !bell, complaint));
 }
 
 void FactorForm::readOptions(DraftFactor& draft) const
 {
-    if (spread() == Spread::range) { draft.factor.step = number("step", tr("The step"), false, draft.complaint); }
+    if (spread() == Spread::range) { draft.factor.step = storedWidth(number("step", tr("The step"), false, draft.complaint)); }
     if (spread() != Spread::list && !draft.factor.step) {
         if (const auto levels = number("levels", tr("The number of levels"), false, draft.complaint)) {
             if (*levels != std::floor(*levels) || *levels < 2 || *levels > 10000) {
@@ -202,7 +233,7 @@ void FactorForm::readOptions(DraftFactor& draft) const
             }
         }
     }
-    if (const QString base = fields_.at("base")->text().trimmed(); !base.isEmpty()) { draft.factor.base = valueOf(base); }
+    if (const QString base = fields_.at("base")->text().trimmed(); !base.isEmpty()) { draft.factor.base = valueOf(base, unit_); }
 }
 
 DraftFactor FactorForm::factor() const

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/study/study.h"
+#include "ui/basics/quantity.h"
 
 #include <QWidget>
 
@@ -21,7 +22,7 @@ struct DraftFactor {
 };
 
 /// How a factor is spread, in words: "26 to 36", "20, 40, 60", "normal, 800 ± 40".
-QString spreadText(const Factor& factor);
+QString spreadText(const Factor& factor, const UserUnit& unit = {});
 /// A range round the present value of a field, or from 0 to 1 where it has none.
 Factor proposedFactor(const std::string& path, std::optional<double> now);
 
@@ -30,7 +31,8 @@ class FactorForm : public QWidget {
 public:
     explicit FactorForm(QWidget* parent = nullptr);
 
-    void setFactor(const Factor& factor);
+    /// Fields show and take numbers in the unit; the factor has them in its own.
+    void setFactor(const Factor& factor, const UserUnit& unit = {});
     DraftFactor factor() const;
 
     enum class Spread { range, list, log_range, normal, lognormal, triangular };
@@ -46,11 +48,14 @@ private:
     Spread spread() const;
     void showFields();
     std::optional<double> number(const QString& name, const QString& title, bool needed, QString& complaint) const;
+    std::optional<double> stored(std::optional<double> shown) const;
+    std::optional<double> storedWidth(std::optional<double> shown) const;
     void readList(DraftFactor& draft) const;
     void readNumbers(DraftFactor& draft) const;
     void readOptions(DraftFactor& draft) const;
 
     std::string path_;
+    UserUnit unit_;
     QFormLayout* form_;
     QComboBox* spread_;
     std::map<QString, QLineEdit*> fields_;

@@ -19,7 +19,7 @@ constexpr int field_role = Qt::UserRole;
 
 } // namespace
 
-FieldPicker::FieldPicker(const Design& design, const QStringList& taken, QWidget* parent)
+FieldPicker::FieldPicker(const Design& design, const Study& study, const QStringList& taken, QWidget* parent)
     : QDialog(parent), fields_(studyFields(design)), letters_(new QLineEdit), tree_(new QTreeWidget),
       buttons_(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
@@ -31,7 +31,7 @@ FieldPicker::FieldPicker(const Design& design, const QStringList& taken, QWidget
     tree_->setHeaderLabels({tr("Field"), tr("Now"), tr("Unit"), tr("Path")});
     tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     tree_->setUniformRowHeights(true);
-    fill(taken);
+    fill(design, study, taken);
     buttons_->button(QDialogButtonBox::Ok)->setText(tr("&Add"));
     auto* about = new QLabel(tr("A study changes these. Hold Ctrl to choose several."));
     auto* layout = new QVBoxLayout(this);
@@ -52,12 +52,12 @@ FieldPicker::FieldPicker(const Design& design, const QStringList& taken, QWidget
     resize(640, 520);
 }
 
-void FieldPicker::fill(const QStringList& taken)
+void FieldPicker::fill(const Design& design, const Study& study, const QStringList& taken)
 {
-    QTreeWidgetItem* group = nullptr;
+    QTreeWidgetItem *group = nullptr, *first = nullptr; // of those that can be chosen
     QString name;
     for (std::size_t i = 0; i < fields_.size(); ++i) {
-        const StudyField& field = fields_[i];
+        const StudyField field = inReadersUnit(fields_[i]);
         if (!group || name != field.group) {
             name = field.group;
             group = new QTreeWidgetItem(tree_, {field.group});
@@ -71,10 +71,17 @@ void FieldPicker::fill(const QStringList& taken)
         auto* item = new QTreeWidgetItem(group, {field.name, field.value ? studyNumber(*field.value) : tr("not set"), field.unit, path});
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         item->setData(0, field_role, static_cast<int>(i));
-        item->setDisabled(taken.contains(path));
-        if (item->isDisabled()) { item->setToolTip(0, tr("It is a factor already.")); }
+        const bool is_taken = taken.contains(path);
+        const bool is_run = out_of_reach(study, design, field.path).empty();
+        item->setDisabled(is_taken || !is_run);
+        if (item->isDisabled()) { item->setToolTip(0, is_taken ? tr("It is a factor already.") : tr("The study does not run this one.")); }
+        if (is_run && !first) { first = item; }
     }
     tree_->expandAll();
+    if (first) {
+        QMetaObject::invokeMethod(
+            this, [this, first] { tree_->scrollToItem(first->parent(), QTreeWidget::PositionAtTop); }, Qt::QueuedConnection);
+    }
     tree_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     tree_->header()->setStretchLastSection(true);
 }

@@ -2,6 +2,7 @@
 // The choice of fields that a study changes: the numbers of a project, found by letters of their names.
 #pragma once
 
+#include "core/study/study.h"
 #include "ui/study/study_fields.h"
 
 #include <QDialog>
@@ -16,8 +17,8 @@ namespace hygroloom {
 class FieldPicker : public QDialog {
     Q_OBJECT
 public:
-    /// taken: paths that are factors already, which cannot be chosen again.
-    FieldPicker(const Design& design, const QStringList& taken, QWidget* parent = nullptr);
+    /// taken: paths that are factors already, which cannot be chosen again; nor can what the study does not run.
+    FieldPicker(const Design& design, const Study& study, const QStringList& taken, QWidget* parent = nullptr);
 
     std::vector<StudyField> chosen() const;
     void setFilter(const QString& letters);
@@ -27,7 +28,7 @@ public:
     void select(const QStringList& paths);
 
 private:
-    void fill(const QStringList& taken);
+    void fill(const Design& design, const Study& study, const QStringList& taken);
     void filter();
 
     std::vector<StudyField> fields_;

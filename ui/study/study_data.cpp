@@ -21,8 +21,6 @@ namespace {
 
 using Role = StudyColumnRole;
 
-constexpr int most_levels = 12, bins = 10;
-
 /// Whether a file is there and none of the folder's rows came since.
 bool isFresh(const std::filesystem::path& file)
 {
@@ -204,43 +202,6 @@ KeptPoints keptBy(const StudyData& data, const std::vector<AxisBrush>& brushes)
         }
     }
     return kept;
-}
-
-std::vector<EffectBin> effectBins(const StudyAxis& factor, const StudyAxis& metric)
-{
-    std::set<double> levels;
-    for (const double number : factor.numbers) {
-        if (std::isfinite(number)) { levels.insert(number); }
-        if (levels.size() > most_levels && factor.words.empty()) { break; }
-    }
-    const bool each = levels.size() <= most_levels || !factor.words.empty();
-    const std::vector<double> known(levels.begin(), levels.end());
-    std::vector<EffectBin> made(each ? known.size() : bins);
-    for (std::size_t i = 0; i < made.size(); ++i) { made[i].at = each ? known[i] : factor.numberAt((static_cast<double>(i) + 0.5) / bins); }
-    const auto binOf = [&](double number) {
-        if (each) { return static_cast<std::size_t>(std::lower_bound(known.begin(), known.end(), number) - known.begin()); }
-        return static_cast<std::size_t>(std::clamp(factor.placeOf(number) * bins, 0.0, bins - 1.0));
-    };
-    for (const bool spread : {false, true}) { // the mean first: sums of squares would lose digits
-        for (std::size_t row = 0; row < metric.numbers.size(); ++row) {
-            if (!std::isfinite(metric.numbers[row]) || !std::isfinite(factor.numbers[row])) { continue; }
-            EffectBin& bin = made[binOf(factor.numbers[row])];
-            if (spread) {
-                bin.sd += (metric.numbers[row] - bin.mean) * (metric.numbers[row] - bin.mean);
-            } else {
-                bin.mean += metric.numbers[row];
-                ++bin.count;
-            }
-        }
-        for (EffectBin& bin : made) {
-            if (bin.count == 0) { continue; }
-            double& number = spread ? bin.sd : bin.mean;
-            number /= static_cast<double>(bin.count);
-            if (spread) { number = std::sqrt(number); }
-        }
-    }
-    std::erase_if(made, [](const EffectBin& bin) { return bin.count == 0; });
-    return made;
 }
 
 } // namespace hygroloom

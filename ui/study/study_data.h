@@ -62,12 +62,4 @@ struct AxisBrush {
 };
 KeptPoints keptBy(const StudyData& data, const std::vector<AxisBrush>& brushes);
 
-/// A factor cut in bins: the mean of a metric in each and its spread.
-struct EffectBin {
-    double at = 0;           ///< middle, on the factor's axis
-    double mean = 0, sd = 0; ///< of the metric
-    std::size_t count = 0;   ///< rows; bins without any are left out
-};
-std::vector<EffectBin> effectBins(const StudyAxis& factor, const StudyAxis& metric);
-
 } // namespace hygroloom

@@ -188,6 +188,20 @@ StudyField fieldAt(const Design& design, const std::string& path)
     return field;
 }
 
+UserUnit unitOfFactor(const QString& unit)
+{
+    const UserUnit user = userUnit(unit);
+    return user.inverse ? UserUnit{unit, 1} : user;
+}
+
+StudyField inReadersUnit(StudyField field)
+{
+    const UserUnit user = unitOfFactor(field.unit);
+    field.unit = user.unit;
+    if (field.value) { field.value = user.of(*field.value); }
+    return field;
+}
+
 QString fieldTitle(const StudyField& field, bool with_group)
 {
     const QString name = titleWithUnit(field.name, field.unit);
@@ -219,7 +233,7 @@ QString studyNumber(double number)
 {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    return locale.toString(number, 'g', 6);
+    return locale.toString(number, 'g', 4);
 }
 
 } // namespace hygroloom

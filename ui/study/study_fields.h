@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/design/design.h"
+#include "ui/basics/quantity.h"
 
 #include <QString>
 
@@ -24,6 +25,10 @@ std::vector<StudyField> studyFields(const Design& design);
 
 /// Of any path; where the project has no such member the group is the path's own.
 StudyField fieldAt(const Design& design, const std::string& path);
+/// The reader's unit of a factor's numbers. A count stays in tex: a range of it would turn round.
+UserUnit unitOfFactor(const QString& unit);
+/// With unit and value as the reader has them.
+StudyField inReadersUnit(StudyField field);
 /// "ends (/cm)"; with the group before it where a study has factors of several.
 QString fieldTitle(const StudyField& field, bool with_group);
 
@@ -37,7 +42,7 @@ MetricName metricName(const std::string& key);
 /// "title (unit)"
 QString titleWithUnit(const QString& title, const QString& unit);
 
-/// A number as it is read in tables and on axes, at most 6 digits.
+/// A number as it is read in tables and on axes, at most 4 digits.
 QString studyNumber(double number);
 
 } // namespace hygroloom

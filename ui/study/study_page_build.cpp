@@ -212,7 +212,9 @@ void StudyPage::connectParts()
     connect(folder_, &QComboBox::editTextChanged, this, &StudyPage::refreshSetup);
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, [this, before = unitsShown()]() mutable {
         const QStringList now = unitsShown();
-        if (std::exchange(before, now) != now && data_) { openResults(data_->path); }
+        if (std::exchange(before, now) == now) { return; }
+        setup_->refreshUnits();
+        if (data_) { openResults(data_->path); }
     });
     connect(&document_, &Document::pathChanged, this, &StudyPage::proposeFolder);
     connect(&document_, &Document::replaced, this, [this] {

@@ -149,7 +149,7 @@ void StudySetup::connectFields()
         const int row = factors_->indexOfTopLevelItem(item);
         form_->setVisible(row >= 0);
         remove_->setEnabled(row >= 0);
-        if (row >= 0 && !filling_) { form_->setFactor(drafts_[static_cast<std::size_t>(row)].factor); }
+        if (row >= 0 && !filling_) { showFactor(static_cast<std::size_t>(row)); }
     });
     connect(&document_, &Document::designChanged, this, [this] {
         stale_ = true;
@@ -210,7 +210,7 @@ void StudySetup::pickFields()
 {
     QStringList taken;
     for (const DraftFactor& draft : drafts_) { taken << QString::fromStdString(draft.factor.path); }
-    FieldPicker picker(*document_.design(), taken, this);
+    FieldPicker picker(*document_.design(), read(), taken, this);
     if (picker.exec() == QDialog::Accepted) { addFactors(picker.chosen()); }
 }
 
@@ -232,13 +232,26 @@ void StudySetup::removeFactor()
     edited();
 }
 
+void StudySetup::showFactor(std::size_t row)
+{
+    const Factor& factor = drafts_[row].factor;
+    form_->setFactor(factor, unitOfFactor(fieldAt(*document_.design(), factor.path).unit));
+}
+
 void StudySetup::selectFactor(int row)
 {
     factors_->setCurrentItem(factors_->topLevelItem(row));
     const bool is = row >= 0 && row < static_cast<int>(drafts_.size());
     form_->setVisible(is);
     remove_->setEnabled(is);
-    if (is) { form_->setFactor(drafts_[static_cast<std::size_t>(row)].factor); }
+    if (is) { showFactor(static_cast<std::size_t>(row)); }
+}
+
+void StudySetup::refreshUnits()
+{
+    refreshFactors();
+    selectFactor(factors_->indexOfTopLevelItem(factors_->currentItem()));
+    refreshProblems();
 }
 
 void StudySetup::takeFactor()

@@ -36,6 +36,8 @@ public:
     void removeFactor();
     void selectFactor(int row);
     FactorForm& form() { return *form_; }
+    /// The reader has others now.
+    void refreshUnits();
     void setPoints(Sampling sampling, int points);
     void setFidelity(Fidelity fidelity);
 
@@ -56,6 +58,7 @@ private:
     void refreshFactors();
     void refreshProblems();
     void pickFields();
+    void showFactor(std::size_t row);
     void takeFactor();
     void edited();
     Study read() const;

@@ -120,10 +120,11 @@ void StudySetup::refreshFactors()
     while (factors_->topLevelItemCount() < static_cast<int>(drafts_.size())) { new QTreeWidgetItem(factors_); }
     for (int i = 0; i < factors_->topLevelItemCount(); ++i) {
         const DraftFactor& draft = drafts_[static_cast<std::size_t>(i)];
-        const StudyField field = fieldAt(*document_.design(), draft.factor.path);
+        const StudyField own = fieldAt(*document_.design(), draft.factor.path);
+        const StudyField field = inReadersUnit(own);
         QTreeWidgetItem* item = factors_->topLevelItem(i);
         item->setText(0, fieldTitle(field, true));
-        item->setText(1, draft.complaint.isEmpty() ? spreadText(draft.factor) : tr("incomplete"));
+        item->setText(1, draft.complaint.isEmpty() ? spreadText(draft.factor, unitOfFactor(own.unit)) : tr("incomplete"));
         const QString now = field.value ? tr("Now %1.").arg(studyNumber(*field.value)) : QString();
         item->setToolTip(0, "<p>" + QString::fromStdString(draft.factor.path).toHtmlEscaped() + ". " + now + "</p>");
     }
@@ -167,7 +168,9 @@ QString StudySetup::placeInWords(const std::string& where) const
     static const QRegularExpression form(R"(^factors\[(\d+)\])");
     const auto match = form.match(QString::fromStdString(where));
     const std::size_t at = match.captured(1).toULong();
-    if (match.hasMatch() && at < drafts_.size()) { return fieldTitle(fieldAt(*document_.design(), drafts_[at].factor.path), false); }
+    if (match.hasMatch() && at < drafts_.size()) {
+        return fieldTitle(inReadersUnit(fieldAt(*document_.design(), drafts_[at].factor.path)), false);
+    }
     return QString::fromStdString(where);
 }
 
@@ -175,9 +178,10 @@ void StudySetup::refreshProblems()
 {
     numbers_->setRowVisible(error_, fidelity_->currentIndex() == static_cast<int>(all_fidelities.size()));
     points_->setEnabled(static_cast<Sampling>(sampling_->currentIndex()) != Sampling::one_at_a_time);
+    add_->setEnabled(!ticked(*fabrics_).empty() && !ticked(*experiments_).empty()); // else no field would change a run
     problems_.clear();
     for (const DraftFactor& draft : drafts_) {
-        const QString title = fieldTitle(fieldAt(*document_.design(), draft.factor.path), false);
+        const QString title = fieldTitle(inReadersUnit(fieldAt(*document_.design(), draft.factor.path)), false);
         if (!draft.complaint.isEmpty()) { problems_ << tr("%1: %2").arg(title, draft.complaint); }
     }
     bool is_number = false;

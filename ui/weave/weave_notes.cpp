@@ -16,7 +16,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr double full_scale_percent = 125;
+constexpr double limit_percent = 100 * most_sett_share, full_scale_percent = 125;
 
 QString threads(const std::vector<int>& numbers)
 {
@@ -49,11 +49,11 @@ void LimitGauge::paintEvent(QPaintEvent*)
     painter.setPen(Qt::NoPen);
     painter.setBrush(trough);
     painter.drawRoundedRect(bar, 3, 3);
-    const double limit = bar.width() * 100 / full_scale_percent;
+    const double limit = bar.width() * limit_percent / full_scale_percent;
     if (percent_ >= 0) {
         QRectF filled = bar;
         filled.setWidth(bar.width() * std::clamp(percent_ / full_scale_percent, 0.0, 1.0));
-        painter.setBrush(percent_ > 100 ? severityColor(Severity::warning, palette()) : palette().color(QPalette::Highlight));
+        painter.setBrush(percent_ > limit_percent ? severityColor(Severity::warning, palette()) : palette().color(QPalette::Highlight));
         painter.drawRoundedRect(filled, 3, 3);
     }
     painter.fillRect(QRectF(limit - 0.75, 0, 1.5, height()), palette().color(QPalette::Text));
@@ -81,14 +81,12 @@ WeaveNotes::WeaveNotes(Document& document, QWidget* parent)
     facts_->setForegroundRole(QPalette::PlaceholderText);
     layout->addWidget(warnings_);
     layout->addWidget(facts_);
-    for (int system = 0; system < 2; ++system) {
-        setts_[system] = new QLabel;
-        setts_[system]->setForegroundRole(QPalette::PlaceholderText);
-        gauges_[system] = new LimitGauge;
-        gauges_[system]->setAccessibleName(system == 0 ? tr("Warp sett against its limit") : tr("Weft sett against its limit"));
-        layout->addWidget(setts_[system]);
-        layout->addWidget(gauges_[system]);
-    }
+    sett_ = new QLabel;
+    sett_->setForegroundRole(QPalette::PlaceholderText);
+    gauge_ = new LimitGauge;
+    gauge_->setAccessibleName(tr("Setts against their limit"));
+    layout->addWidget(sett_);
+    layout->addWidget(gauge_);
     layout->addStretch();
     setWidget(all);
     all->setAutoFillBackground(false);
@@ -98,11 +96,11 @@ WeaveNotes::WeaveNotes(Document& document, QWidget* parent)
     refresh();
 }
 
-/// Room for the facts, the gauges and two lines of warnings.
+/// Room for the facts, the gauge and two lines of warnings.
 void WeaveNotes::fixHeight()
 {
-    constexpr int lines_of_text = 3 + 2 + 2, gaps = 24;
-    setFixedHeight(lines_of_text * fontMetrics().lineSpacing() + gauges_[0]->height() + gauges_[1]->height() + gaps);
+    constexpr int lines_of_text = 3 + 1 + 2, gaps = 18;
+    setFixedHeight(lines_of_text * fontMetrics().lineSpacing() + gauge_->height() + gaps);
 }
 
 void WeaveNotes::changeEvent(QEvent* event)
@@ -118,7 +116,7 @@ void WeaveNotes::refresh()
         facts_->setText(tr("Add a fabric to draw its weave."));
         warnings_->clear();
         shown_.reset();
-        refreshGauges();
+        refreshGauge();
         return;
     }
     if (!shown_ || !shown_->same_matrix(fabric->weave)) {
@@ -153,33 +151,32 @@ void WeaveNotes::refresh()
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, severityColor(Severity::warning, palette()));
     warnings_->setPalette(colors);
-    refreshGauges();
+    refreshGauge();
 }
 
-void WeaveNotes::refreshGauges()
+void WeaveNotes::refreshGauge()
 {
     const Fabric* fabric = document_.fabric();
-    std::optional<JamGauge> jam;
-    if (fabric && document_.fitted()) { jam = jam_gauge(*fabric, document_.fitted()->yarns); }
-    for (int system = 0; system < 2; ++system) {
-        setts_[system]->setVisible(jam.has_value());
-        gauges_[system]->setVisible(jam.has_value());
-        if (!jam) { continue; }
-        const JamOfSystem& one = system == 0 ? jam->warp : jam->weft;
-        const QString share = shownNumber(one.ashenhurst_percent, 0);
-        setts_[system]->setText(system == 0 ? tr("Warp sett: %1 % of its limit").arg(share)
-                                            : tr("Weft sett: %1 % of its limit").arg(share));
-        const QString help =
-            tr("Ashenhurst's limit is %1 per cm: yarns side by side, with room to change sides. A firm cloth has about 75 % of it. "
-               "Peirce's limit is %2 per cm (%3 %): circular arcs that touch.")
-                .arg(shownNumber(one.ashenhurst_per_cm, 1), shownNumber(one.peirce_per_cm, 1), shownNumber(one.peirce_percent, 0));
-        setts_[system]->setToolTip("<p>" + help + "</p>");
-        gauges_[system]->setToolTip("<p>" + help + "</p>");
-        gauges_[system]->setAccessibleDescription(setts_[system]->text());
-        gauges_[system]->setPercent(one.ashenhurst_percent);
+    const bool known = fabric && document_.fitted();
+    sett_->setVisible(known);
+    gauge_->setVisible(known);
+    if (!known) { return; }
+    const double percent = 100 * sett_share_of_limit(*fabric, document_.fitted()->yarns);
+    sett_->setText(tr("Setts: %1 % of their limit").arg(shownNumber(percent, 0)));
+    QString help =
+        tr("Both setts together, for these yarns and this weave: at 100 % solid round yarns would jam. Looms stop at about %1 %.")
+            .arg(shownNumber(limit_percent, 0));
+    if (is_square(fabric->ends_per_cm, fabric->picks_per_cm)) {
+        const JamGauge jam = jam_gauge(*fabric, document_.fitted()->yarns);
+        help += " " + tr("Ashenhurst's limit for square cloth, of which a firm one has about 75 %, is %1 ends and %2 picks.")
+                          .arg(valueText(jam.warp.ashenhurst_per_cm, "/cm"), valueText(jam.weft.ashenhurst_per_cm, "/cm"));
     }
+    sett_->setToolTip("<p>" + help + "</p>");
+    gauge_->setToolTip("<p>" + help + "</p>");
+    gauge_->setAccessibleDescription(sett_->text());
+    gauge_->setPercent(percent);
 }
 
-QString WeaveNotes::text() const { return QStringList{facts_->text(), setts_[0]->text(), setts_[1]->text(), warnings_->text()}.join('\n'); }
+QString WeaveNotes::text() const { return QStringList{facts_->text(), sett_->text(), warnings_->text()}.join('\n'); }
 
 } // namespace hygroloom

@@ -10,7 +10,7 @@ class QLabel;
 
 namespace hygroloom {
 
-/// A bar that fills to a share of a limit, which a line marks.
+/// A bar that fills to a share of a limit, where looms stop, which a line marks.
 class LimitGauge : public QWidget {
     Q_OBJECT
 public:
@@ -43,13 +43,13 @@ protected:
 private:
     void fixHeight();
     void refresh();
-    void refreshGauges();
+    void refreshGauge();
 
     Document& document_;
     std::optional<Weave> shown_;
     QLabel* facts_;
-    QLabel* setts_[2]; ///< warp, weft
-    LimitGauge* gauges_[2];
+    QLabel* sett_;
+    LimitGauge* gauge_;
     QLabel* warnings_;
 };
 

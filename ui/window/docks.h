@@ -2,6 +2,8 @@
 // Panels of the window that can be moved, hidden and shown.
 #pragma once
 
+#include "ui/window/scrolled.h"
+
 #include <QDockWidget>
 #include <QMainWindow>
 
@@ -13,7 +15,7 @@ inline QDockWidget* makeDock(QMainWindow& window, const char* name, const QStrin
     auto* dock = new QDockWidget(title, &window);
     dock->setObjectName(name);
     dock->setAccessibleName(title);
-    dock->setWidget(content);
+    dock->setWidget(new Scrolled(content));
     return dock;
 }
 

@@ -9,6 +9,7 @@
 #include "ui/garment/garment_view.h"
 #include "ui/panels/issues_panel.h"
 #include "ui/picture/textile_canvas.h"
+#include "ui/results/live_panel.h"
 #include "ui/results/simulation_panel.h"
 #include "ui/results/timeline.h"
 #include "ui/results/water_map_view.h"
@@ -20,6 +21,7 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLayout>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QSessionManager>
@@ -30,17 +32,6 @@
 #include <QToolButton>
 
 namespace hygroloom {
-
-namespace {
-
-/// Whether the window must be large enough for a page of the middle: one that is not seen would widen it beyond the screen.
-void takeRoom(QWidget& page, bool takes)
-{
-    const QSizePolicy::Policy policy = takes ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-    page.setSizePolicy(policy, policy);
-}
-
-} // namespace
 
 MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
 {
@@ -79,6 +70,9 @@ void MainWindow::buildPanels()
     compare_ = std::make_unique<CompareWorkspace>(document_, recovery_);
     simulate_ = std::make_unique<SimulateWorkspace>(document_, compare_->runs(), compare_->project(), *viewport_, *this);
     garment_ = std::make_unique<GarmentWorkspace>(document_, compare_->runs(), compare_->project(), *this);
+    design_->live().shareRanges(ranges_);
+    compare_->view().shareRanges(ranges_);
+    simulate_->maps().shareRanges(ranges_);
     issues_ = new IssuesPanel(document_);
     issues_dock_ = makeDock(*this, "issues", tr("Issues"), issues_);
 
@@ -95,10 +89,8 @@ void MainWindow::buildPanels()
     middle_->addWidget(&garment_->view());
     study_ = new StudyPage(document_);
     middle_->addWidget(study_);
-    takeRoom(compare_->view(), false);
-    takeRoom(garment_->view(), false);
-    takeRoom(*study_, false);
-    setCentralWidget(middle_);
+    setCentralWidget(new Scrolled(middle_));
+    showPage(0);
 
     issue_count_ = new QToolButton;
     issue_count_->setAutoRaise(true);
@@ -110,10 +102,53 @@ void MainWindow::buildPanels()
     });
 }
 
+/// The others ask for no room: one that is not seen would push the panels together.
+void MainWindow::showPage(int shown)
+{
+    for (int page = 0; page < middle_->count(); ++page) {
+        const QSizePolicy::Policy policy = page == shown ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        middle_->widget(page)->setSizePolicy(policy, policy);
+    }
+    middle_->setCurrentIndex(shown);
+}
+
+/// Panels ask for all of their content where the window has room for it, else for an equal share of it, and scroll. The window itself never
+/// grows for them, also while panels of two workspaces are there for a moment, and so stays within the screen and maximised.
+void MainWindow::fitPanels()
+{
+    const auto panels = findChildren<Scrolled*>();
+    QList<QSize> asked{size()};
+    for (const Scrolled* panel : panels) { asked << (panel->isVisibleTo(this) ? panel->asked() : QSize()); }
+    if (std::exchange(asked_, asked) == asked) { return; }
+    constexpr int all = 100, least = 10, step = 5; // %
+    const auto leastSize = [&](int wide, int high) {
+        for (Scrolled* panel : panels) { panel->setShares(0.01 * wide, 0.01 * high); }
+        layout()->invalidate();
+        return layout()->totalMinimumSize();
+    };
+    int wide = all, high = all;
+    while (wide > least && leastSize(wide, high).width() > width()) { wide -= step; }
+    while (high > least && leastSize(wide, high).height() > height()) { high -= step; }
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    if (event->type() == QEvent::LayoutRequest) { fitPanels(); }
+    return QMainWindow::event(event);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event)
+{
+    fitPanels();
+    QMainWindow::resizeEvent(event);
+}
+
 void MainWindow::restoreLayout()
 {
+    layout()->setSizeConstraint(QLayout::SetNoConstraint); // see fitPanels()
     // With its frame the window fits the screen it opens on.
     const QSize room = screen()->availableSize() - QSize(16, 48);
+    setMinimumSize(QSize(800, 520).boundedTo(room));
     resize(QSize(1360, 860).boundedTo(room));
     for (const Workspace workspace : {Workspace::study, Workspace::garment, Workspace::compare, Workspace::simulate, Workspace::design}) {
         arrange(workspace);
@@ -130,9 +165,22 @@ void MainWindow::restoreLayout()
     if (!states_[0].isEmpty()) { restoreState(states_[0], layout_version); }
     simulate_->maps().setVisible(false);
     showRunCommands();
-    // While panels were arranged, those of other workspaces took room, too.
     layout()->activate();
     if (!settings.contains("window/geometry")) { resize(QSize(1360, 860).boundedTo(room)); }
+    stayOnScreen();
+}
+
+/// The screen may be another one, or smaller, than when the window was closed.
+void MainWindow::stayOnScreen()
+{
+    if (isMaximized() || isFullScreen()) { return; }
+    const QRect room = screen()->availableGeometry();
+    QRect place = geometry();
+    place.setSize(place.size().boundedTo(room.size()));
+    place.moveRight(std::min(place.right(), room.right()));
+    place.moveBottom(std::min(place.bottom(), room.bottom()));
+    place.moveTopLeft({std::max(place.left(), room.left()), std::max(place.top(), room.top())});
+    if (place != geometry()) { setGeometry(place); }
 }
 
 std::vector<QDockWidget*> MainWindow::docks() const
@@ -221,24 +269,16 @@ void MainWindow::setWorkspace(Workspace workspace)
 {
     if (workspace == workspace_) { return; }
     states_[static_cast<int>(workspace_)] = saveState(layout_version);
-    const QSize before = size();
     workspace_ = workspace;
-    if (workspace != Workspace::compare) { takeRoom(compare_->view(), false); }
-    if (workspace != Workspace::garment) { takeRoom(garment_->view(), false); }
-    if (workspace != Workspace::study) { takeRoom(*study_, false); }
-    const QByteArray& state = states_[static_cast<int>(workspace)];
-    restoreState(state.isEmpty() ? first_states_[static_cast<int>(workspace)] : state, layout_version);
+    constexpr int pages[] = {0, 0, 1, 2, 3};
+    const auto at = static_cast<std::size_t>(workspace);
+    showPage(pages[at]);
     simulate_->maps().setVisible(workspace == Workspace::simulate);
+    restoreState(states_[at].isEmpty() ? first_states_[at] : states_[at], layout_version);
+    fitPanels();
     simulate_->setShown(workspace == Workspace::simulate);
     showRunCommands();
     compare_->project().setCompared(workspace == Workspace::compare);
-    constexpr int pages[] = {0, 0, 1, 2, 3};
-    middle_->setCurrentIndex(pages[static_cast<int>(workspace)]);
-    if (workspace == Workspace::compare) { takeRoom(compare_->view(), true); }
-    if (workspace == Workspace::garment) { takeRoom(garment_->view(), true); }
-    if (workspace == Workspace::study) { takeRoom(*study_, true); }
-    layout()->activate();
-    if (size() != before && !isMaximized() && !isFullScreen()) { resize(before); } // panels of both were there for a moment
     workspaces_->actions().at(static_cast<int>(workspace))->setChecked(true);
     for (const QAction* action : workspaces_->actions()) // the sentence of the command that led here
         if (statusBar()->currentMessage() == action->statusTip()) { statusBar()->clearMessage(); }
@@ -268,6 +308,7 @@ void MainWindow::connectParts()
         refreshPicture();
         refreshIssueCount();
     });
+    connect(&document_, &Document::replaced, &ranges_, &ColorRanges::clear);
     connect(&document_, &Document::pathChanged, this, &MainWindow::refreshTitle);
     connect(&document_, &Document::modifiedChanged, this, &MainWindow::refreshTitle);
     connect(&document_, &Document::failed, this, &MainWindow::showProblem);

@@ -5,6 +5,7 @@
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 #include "ui/picture/viewport.h"
+#include "ui/results/color_ranges.h"
 #include "ui/window/compare_workspace.h"
 #include "ui/window/garment_workspace.h"
 #include "ui/window/simulate_workspace.h"
@@ -67,6 +68,8 @@ public Q_SLOTS:
     void resetLayout();
 
 protected:
+    bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -78,6 +81,9 @@ private:
     void buildPanels();
     void connectParts();
     void restoreLayout();
+    void showPage(int shown);
+    void fitPanels();
+    void stayOnScreen();
     std::vector<QDockWidget*> docks() const;
     void arrange(Workspace workspace);
     void showDocks(Workspace workspace);
@@ -136,6 +142,7 @@ private:
     void stopExport();
 
     Document document_;
+    ColorRanges ranges_; ///< of the maps of all workspaces
     Recovery recovery_{document_};
     QPointer<ExportDialog> export_;
     QPointer<StartPage> start_page_;
@@ -148,6 +155,7 @@ private:
     Workspace workspace_ = Workspace::design;
     QByteArray states_[5]; ///< by workspace
     QByteArray first_states_[5];
+    QList<QSize> asked_;   ///< by the window's size and what is in its panels, when their shares were chosen last
     int water_colors_ = 0; ///< that are shown
     bool asking_room_ = false;
     bool closing_ = false;    ///< a question is open, or an export is ending
