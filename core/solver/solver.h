@@ -4,7 +4,7 @@
 // Liquid and yarns meet at synchronisation points: the liquid takes its small steps up to one, then the yarns take one step.
 #pragma once
 
-#include "core/solver/free_liquid.h"
+#include "core/solver/free_liquid_exchange.h"
 #include "core/solver/yarn_network_flow.h"
 #include "core/solver/yarn_network_stock.h"
 #include "core/solver/yarn_network_supply.h"

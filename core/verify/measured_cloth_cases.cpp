@@ -158,7 +158,8 @@ std::vector<VerifyResult> drying_of_cloths(const VerifyValues&, Backend& backend
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::string word = names[i];
         std::replace(word.begin(), word.end(), ' ', '_');
-        const DryingFrom one = drying_from(library_fabric(names[i]), 100, backend), two = drying_from(library_fabric(names[i]), 200, backend);
+        const DryingFrom one = drying_from(library_fabric(names[i]), 100, backend),
+                         two = drying_from(library_fabric(names[i]), 200, backend);
         results.push_back({"start_to_asked_100_" + word, one.at_start, 1, 1e-12});
         results.push_back({"start_to_asked_200_" + word, two.at_start, 1, 1e-12});
         const VerifyResult twice{"twice_the_water_" + word, two.time / one.time, 2, 0.1};

@@ -6618,7 +6618,7 @@ Klicken zeigt diese Zeit.</translation>
     </message>
     <message>
         <source>&amp;Fit the Colours of Maps</source>
-        <translation>Farben der Karten &amp;anpassen</translation>
+        <translation>Farben der Karten anpass&amp;en</translation>
     </message>
     <message>
         <source>The colours end where the maps that are shown do, in all workspaces.</source>

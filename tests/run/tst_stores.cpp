@@ -49,7 +49,11 @@ void fellInTheLaterHalf(const Run& found, double Ledger::*store)
     const Ledger &middle = found.frames[found.frames.size() / 2].ledger, &end = found.end().ledger;
     QVERIFY2(middle.*store > 0, "nothing is in the store that is tried");
     QVERIFY2(end.*store < middle.*store && end.water_evaporated > middle.water_evaporated,
-             qPrintable(QString("%1 kg, then %2; %3 kg gone, then %4").arg(middle.*store).arg(end.*store).arg(middle.water_evaporated).arg(end.water_evaporated)));
+             qPrintable(QString("%1 kg, then %2; %3 kg gone, then %4")
+                            .arg(middle.*store)
+                            .arg(end.*store)
+                            .arg(middle.water_evaporated)
+                            .arg(end.water_evaporated)));
     QVERIFY(end.water_delivered >= middle.water_delivered * (1 - 1e-15));
     for (const Frame& frame : found.frames) {
         QVERIFY(std::abs(frame.ledger.water_imbalance()) <= 1e-12 * (frame.ledger.water_delivered + frame.ledger.water_initial));

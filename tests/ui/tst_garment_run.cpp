@@ -71,7 +71,6 @@ private Q_SLOTS:
         recovery_.reset();
         document_.reset();
     }
-
     void framesAreShownAsTheyCome()
     {
         QSignalSpy frames(&workspace_->run(), &GarmentRun::frameArrived);
@@ -89,7 +88,6 @@ private Q_SLOTS:
         QCOMPARE(values.size(), map.values.size());
         for (std::size_t i = 0; i < values.size(); ++i) { QVERIFY(std::abs(values[i] - map.values[i]) <= 1e-12 * run.most_water); }
     }
-
     void aCellHasTheColourOfItsStep()
     {
         run();
@@ -109,7 +107,6 @@ private Q_SLOTS:
         // Names, arrows, outlines and pixels on a border between cells are in the way of few.
         QVERIFY2(seen > 0.8 * static_cast<double>(run.layout().cells.size() / 97), qPrintable(QString::number(seen)));
     }
-
     void theGarmentOrRunChosenLastIsShown()
     {
         run();
@@ -128,7 +125,6 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60000);
         QCOMPARE(view.newest().drawing(), workspace_->playback().run()->drawing);
     }
-
     void titlesOfAAndBKeepTheirEnds()
     {
         run();
@@ -146,7 +142,6 @@ private Q_SLOTS:
             QCOMPARE(pane->caption().shownText(), full);
         }
     }
-
     void theLegendNamesEightStepsUpToTheEnd()
     {
         run();
@@ -161,7 +156,6 @@ private Q_SLOTS:
         workspace_->playback().setMost(1.0);
         QCOMPARE(legend.texts().back(), QString("0 to 12.5"));
     }
-
     void theScaleOfSharesEndsJustAboveWhatTheRunsHold()
     {
         run();

@@ -49,11 +49,10 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     fidelity_->setPlaceholderText(tr("reading…"));
     setFidelity(Fidelity::draft); // as Simulate does
     for (const int count : {1, 4, 8, 16}) { replicates_->addItem(QString::number(count), count); }
-    replicates_->setToolTip(
-        "<p>" +
-        tr("Runs of each fabric. With more than one, all but the first have inputs drawn "
-           "within what is not known of the cloth; intervals then hold this scatter.") +
-        "</p>");
+    replicates_->setToolTip("<p>" +
+                            tr("Runs of each fabric. With more than one, all but the first have inputs drawn "
+                               "within what is not known of the cloth; intervals then hold this scatter.") +
+                            "</p>");
     progress_->setFixedWidth(120);
     progress_->setRange(0, 1000);
     progress_->setTextVisible(false);
