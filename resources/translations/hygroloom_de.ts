@@ -6609,16 +6609,16 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Datei &amp;ersetzen</translation>
     </message>
     <message>
-        <source>&amp;Keep the Colours of Maps</source>
-        <translation>Farben der Karten &amp;festhalten</translation>
+        <source>Keep the Colours of Maps</source>
+        <translation>Farben der Karten festhalten</translation>
     </message>
     <message>
         <source>The ends of the colours stay as they are, in all workspaces, whatever is shown.</source>
         <translation>Die Enden der Farben bleiben in allen Arbeitsbereichen, wie sie sind, was auch gezeigt wird.</translation>
     </message>
     <message>
-        <source>&amp;Fit the Colours of Maps</source>
-        <translation>Farben der Karten anpass&amp;en</translation>
+        <source>Fit the Colours of Maps</source>
+        <translation>Farben der Karten anpassen</translation>
     </message>
     <message>
         <source>The colours end where the maps that are shown do, in all workspaces.</source>

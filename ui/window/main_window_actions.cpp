@@ -145,14 +145,14 @@ void MainWindow::buildViewMenu()
     addChoices(menu->addMenu(tr("Colour &Range")), "view/range",
                {tr("Full: 0 to 100 %"), tr("Follow the run"), tr("Follow the time shown")},
                [this](int i) { viewport_->setWaterRange(static_cast<WaterRange>(i)); });
-    QAction* keep = addCommand(menu, {}, tr("&Keep the Colours of Maps"), {},
+    QAction* keep = addCommand(menu, {}, tr("Keep the Colours of Maps"), {},
                                tr("The ends of the colours stay as they are, in all workspaces, whatever is shown."));
     keep->setCheckable(true);
     connect(keep, &QAction::toggled, &ranges_, &ColorRanges::setKept);
     connect(&ranges_, &ColorRanges::changed, keep, [this, keep] { keep->setChecked(ranges_.kept()); });
-    connect(addCommand(menu, {}, tr("&Fit the Colours of Maps"), {},
-                       tr("The colours end where the maps that are shown do, in all workspaces.")),
-            &QAction::triggered, &ranges_, &ColorRanges::fit);
+    connect(
+        addCommand(menu, {}, tr("Fit the Colours of Maps"), {}, tr("The colours end where the maps that are shown do, in all workspaces.")),
+        &QAction::triggered, &ranges_, &ColorRanges::fit);
     addPreferred(*menu->addMenu(tr("&Water Colours")), &Preferences::water_colors, waterColorNames());
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &MainWindow::showWaterColors);
     showWaterColors();
