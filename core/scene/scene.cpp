@@ -399,8 +399,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     turn_lattices(scene.supply.droplets, seed);
     if (!scene.rules.heat) scene.cloth.start.warmth = 0; // as warm as the air from the start
     scene.rules.network_step = plan.knobs.network_step_limit;
-    constexpr double longest_calm_step = 3600; // s, far longer than any step's error allows while something happens
-    scene.rules.calm_network_step = longest_calm_step;
+    scene.rules.calm_network_step = experiment.duration_s;
     scene.rules.step_error = plan.knobs.step_error;
     scene.rules.rest_tolerance = plan.rest_tolerance;
     scene.rules.saturation_change = plan.knobs.saturation_change;

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <chrono>
-#include <cmath>
 
 namespace hygroloom::inline HL_PRECISION {
 
@@ -41,7 +40,6 @@ public:
         time_ = network_time_ = free_until_ = 0;
         sync_time_ = -1;
         delivered_ = 0;
-        way_on_.clear();
         yarns_.load(scene_);
         liquid_.load(scene_);
         const Stock stock = take_stock();
@@ -53,16 +51,12 @@ public:
         yarns_.begin_anew(liquid_.is_about());
     }
 
-    /// Towards until, for about the given wall time. Steps have ends of their own: what is reached depends neither on where a call ends
-    /// nor, but for drops of particles, on which times are asked for. One that lies within a step is reached on a side way, from whose
-    /// start the next call goes on.
+    /// Towards until, for about the given wall time; what is reached never depends on where a call ends.
     double advance(double until, double wall_seconds)
     {
         const auto start = std::chrono::steady_clock::now();
-        if (!way_on_.empty() && until > time_) come_back();
         while (time_ < until) {
-            if (sync_time_ < 0) plan_step();
-            if (sync_time_ >= until) leave_way(until);
+            if (sync_time_ < 0) plan_step(until);
             const bool stood = stands_on_cloth();
             if (liquid_.count() > 0) yarns_.expect_liquid();
             while (!liquid_.flow(time_, sync_time_, wall_seconds, yarns_.absorbed()))
@@ -103,11 +97,9 @@ public:
         return hygroloom::frame_of(stock, scene_);
     }
 
-    /// All that the scene has come to, between calls of advance() that reached what they were asked for: as it was at the end of the last
-    /// of its own steps, from which it goes on to what was reached.
+    /// All that the scene has come to, between calls of advance() that reached what they were asked for.
     std::vector<std::byte> state()
     {
-        if (!way_on_.empty()) return way_on_;
         StateSize size;
         pass_state(size);
         StateWriter writer(size.bytes());
@@ -118,7 +110,6 @@ public:
     /// on, goes on from there. Throws Error if it is another one's.
     void go_on_from(const std::vector<std::byte>& state)
     {
-        way_on_.clear();
         StateReader reader(state);
         pass_state(reader);
         yarns_.expect_liquid();
@@ -127,8 +118,6 @@ public:
     /// See Backend.
     void squeeze(double share)
     {
-        way_on_.clear(); // it goes on from here
-        sync_time_ = -1;
         yarns_.squeeze(share);
         yarns_.begin_anew(liquid_.is_about());
     }
@@ -139,30 +128,14 @@ private:
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     bool stands_on_cloth() const { return liquid_.is_on_top() || yarns_.pool_feeds(); }
-    /// Before a step that would end at the asked time or later: this one ends there. Particles go on from there; yarns come back.
-    void leave_way(double until)
-    {
-        if (liquid_.count() == 0) way_on_ = state();
-        sync_time_ = until;
-    }
-    void come_back()
-    {
-        StateReader reader(way_on_);
-        pass_state(reader);
-        way_on_.clear();
-    }
     /// Releases the drops that are due and chooses when liquid and yarns meet next.
-    void plan_step()
+    void plan_step(double until)
     {
         while (liquid_.next_drop() <= time_) {
             if (liquid_.rests()) yarns_.begin_anew(liquid_.is_about());
             delivered_ += liquid_.release_drop();
         }
-        const double target = std::min(liquid_.next_drop(), yarns_.next_event(time_));
-        if (!std::isfinite(target)) {
-            sync_time_ = time_ + yarns_.longest_step();
-            return;
-        }
+        const double target = std::min({until, liquid_.next_drop(), yarns_.next_event(time_)});
         const double steps = LiquidRules::steps_to(target - time_, yarns_.longest_step());
         sync_time_ = steps == 1.0 ? target : time_ + (target - time_) / steps;
     }
@@ -202,7 +175,6 @@ private:
     double time_ = 0, sync_time_ = -1, network_time_ = 0;     ///< s
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0; ///< kg, kg, J
     double free_until_ = 0;                                   ///< s, when drops or pools last stood on the cloth
-    std::vector<std::byte> way_on_;                           ///< state that a side way was left from; empty: there is none
 };
 
 } // namespace hygroloom::inline HL_PRECISION

@@ -19,10 +19,10 @@ double largest_change(const Scene& scene, const YarnParameters& yarn)
 /// Adds water that is still to come, or the first drops would have to be followed exactly. pores: m3, of all segments.
 void add_water_to_come(double& water, const Scene& scene, double pores)
 {
-    constexpr double filled = 0.2; // of the pores, by a bath or sweat
+    constexpr double filled = 0.2; // of the pores, by a bath
     if (!scene.supply.fed.empty()) water += filled * scene.climate.density * pores;
     for (const ScenePool& pool : scene.supply.pools) water += pool.rate * (pool.end - pool.start) * scene.climate.density;
-    if (sweat_rate(scene) > 0) water += filled * scene.climate.density * pores;
+    water += sweat_rate(scene) * scene.rules.calm_network_step;
 }
 
 /// kg/m3 in the pores.

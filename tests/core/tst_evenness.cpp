@@ -27,7 +27,7 @@ double typical(const Yarn& yarn) { return typical_unevenness(drop_design(), yarn
 
 class TestEvenness : public QObject {
     Q_OBJECT
-private slots:
+private Q_SLOTS:
     void aStapleYarnIsAsUnevenAsItsFibresAreFew()
     {
         // 14.76 tex of 0.16 tex are 92.25 fibres: 1.25 x 1.06 / 9.605

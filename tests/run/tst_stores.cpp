@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Wherever water lies it is accounted for: it gives to dry air, and drying tests begin with what they ask for. What a time finds does not
-// depend on what comes after.
+// Wherever water lies it is accounted for: it gives to dry air, and drying tests begin with what they ask for.
 #include "core/base/error.h"
 #include "core/project/library.h"
 #include "tests/support/run.h"
@@ -63,16 +62,6 @@ void fellInTheLaterHalf(const Run& found, double Ledger::*store)
 }
 
 RunOptions live() { return {.fidelity = Fidelity::live}; }
-
-/// Segments of the frame at a time, of a run of a duration.
-std::vector<float> liquid_at(Design design, double time, double duration, Fidelity fidelity)
-{
-    design.experiments[0].duration_s = duration;
-    const Run found = run(design, {.fidelity = fidelity});
-    for (const Frame& frame : found.frames)
-        if (std::abs(frame.time - time) < 1e-9 * time) return frame.liquid;
-    return {};
-}
 
 } // namespace
 
@@ -164,28 +153,6 @@ private Q_SLOTS:
             times[twice] = *found.metrics.drying->time_to_dry;
         }
         QVERIFY2(times[1] > 1.9 * times[0] && times[1] < 2.1 * times[0], qPrintable(QString("%1 and %2 s").arg(times[0]).arg(times[1])));
-    }
-
-    void whatATimeFindsDoesNotDependOnTheEnd_data()
-    {
-        QTest::addColumn<int>("type");
-        QTest::newRow("strip") << static_cast<int>(ExperimentType::vertical_wicking);
-        QTest::newRow("pool") << static_cast<int>(ExperimentType::horizontal_wicking);
-        QTest::newRow("sweat") << static_cast<int>(ExperimentType::sweat);
-        QTest::newRow("drop") << static_cast<int>(ExperimentType::droplet);
-    }
-    void whatATimeFindsDoesNotDependOnTheEnd()
-    {
-        QFETCH(int, type);
-        Design design = in_dry_air(static_cast<ExperimentType>(type), 35);
-        Experiment& experiment = design.experiments[0];
-        experiment.climate = {};
-        experiment.volume_ul = 10;
-        if (experiment.type == ExperimentType::vertical_wicking) experiment.sample_mm = {6, 60};
-        if (experiment.type == ExperimentType::droplet) experiment.droplets = drop_on(35, 1).experiments[0].droplets;
-        const std::vector<float> alone = liquid_at(design, 2, 2, Fidelity::live);
-        QVERIFY(!alone.empty());
-        for (double duration : {4.0, 20.0}) QVERIFY(liquid_at(design, 2, duration, Fidelity::live) == alone);
     }
 };
 

@@ -261,9 +261,11 @@ private Q_SLOTS:
         QVERIFY(!workspace_->pressKey(Qt::Key_Q));
         workspace_->view().flat().zoomBy(4); // a panel lies in the middle
         const FlatView& flat = workspace_->view().flat();
-        const auto* shape = workspace_->view().findChild<ShapeView*>(); // where it is seen, its middle counts
-        const bool panel =
-            (shape && shape->isVisible() ? shape->spotAt(QRectF(shape->rect()).center()) : flat.spotAt(flat.rect().center())).panel >= 0;
+        GarmentSpot middle = flat.spotAt(flat.rect().center());
+        for (const ShapeView* shape : workspace_->view().findChildren<ShapeView*>()) { // where one is seen, its middle counts
+            if (shape->isVisible()) { middle = shape->spotAt({0.5 * shape->width(), 0.5 * shape->height()}); }
+        }
+        const bool panel = middle.panel >= 0;
         QVERIFY(workspace_->pressKey(Qt::Key_Return));
         QCOMPARE(playback.pin().panel >= 0, panel);
         QVERIFY(workspace_->pressKey(Qt::Key_Escape));

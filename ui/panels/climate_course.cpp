@@ -66,7 +66,7 @@ public:
     {
         const auto* field = static_cast<QuantityEdit*>(editor);
         QString complaint;
-        const auto value = field->isModified() ? field->quantity().parse(field->text(), &complaint) : field->value();
+        const auto value = field->typed(&complaint); // what is out of range does not enter the design
         if (value) {
             course_->setCell(index.row(), index.column(), *value);
         } else {

@@ -113,22 +113,24 @@ void MainWindow::showPage(int shown)
 }
 
 /// Panels ask for all of their content where the window has room for it, else for an equal share of it, and scroll. The window itself never
-/// grows for them, also while panels of two workspaces are there for a moment, and so stays within the screen and maximised.
+/// grows for them, also while panels of two workspaces are there for a moment, and so stays within the screen and maximised. Of one size
+/// and the same panels shares only fall: a panel whose height follows from its width would let them swing.
 void MainWindow::fitPanels()
 {
-    const auto panels = findChildren<Scrolled*>();
-    QList<QSize> asked{size()};
-    for (const Scrolled* panel : panels) { asked << (panel->isVisibleTo(this) ? panel->asked() : QSize()); }
-    if (std::exchange(asked_, asked) == asked) { return; }
     constexpr int all = 100, least = 10, step = 5; // %
-    const auto leastSize = [&](int wide, int high) {
-        for (Scrolled* panel : panels) { panel->setShares(0.01 * wide, 0.01 * high); }
+    const auto panels = findChildren<Scrolled*>();
+    const auto ask = [&] {
+        for (Scrolled* panel : panels) { panel->setShares(0.01 * wide_, 0.01 * high_); }
         layout()->invalidate();
-        return layout()->totalMinimumSize();
     };
-    int wide = all, high = all;
-    while (wide > least && leastSize(wide, high).width() > width()) { wide -= step; }
-    while (high > least && leastSize(wide, high).height() > height()) { high -= step; }
+    QList<QSize> fitted{size()};
+    for (const Scrolled* panel : panels) { fitted << QSize(panel->isVisibleTo(this) ? 1 : 0, 0); }
+    if (std::exchange(fitted_, fitted) != fitted) {
+        wide_ = high_ = all;
+        ask();
+    }
+    for (; wide_ > least && layout()->totalMinimumSize().width() > width(); ask()) { wide_ -= step; }
+    for (; high_ > least && layout()->totalMinimumSize().height() > height(); ask()) { high_ -= step; }
 }
 
 bool MainWindow::event(QEvent* event)

@@ -155,8 +155,9 @@ private:
     Workspace workspace_ = Workspace::design;
     QByteArray states_[5]; ///< by workspace
     QByteArray first_states_[5];
-    QList<QSize> asked_;   ///< by the window's size and what is in its panels, when their shares were chosen last
-    int water_colors_ = 0; ///< that are shown
+    QList<QSize> fitted_;         ///< the window's size and which panels are seen, for which the shares are
+    int wide_ = 100, high_ = 100; ///< %, of what panels ask for
+    int water_colors_ = 0;        ///< that are shown
     bool asking_room_ = false;
     bool closing_ = false;    ///< a question is open, or an export is ending
     bool keeps_film_ = false; ///< as the user said when asked

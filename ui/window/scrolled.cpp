@@ -20,23 +20,18 @@ Scrolled::Scrolled(QWidget* content)
 
 int Scrolled::leastHeight(int width) const
 {
-    const int least = std::max(widget()->minimumSizeHint().height(), widget()->minimumHeight());
+    const int least = asked().height();
     const QLayout* layout = widget()->layout();
     return layout && layout->hasHeightForWidth() ? std::max(least, layout->minimumHeightForWidth(width)) : least;
 }
 
-QSize Scrolled::asked() const
-{
-    const int least = std::max(widget()->minimumSizeHint().width(), widget()->minimumWidth());
-    return {least, leastHeight(std::max(least, width()))};
-}
+QSize Scrolled::asked() const { return widget()->minimumSizeHint().expandedTo(widget()->minimumSize()); }
 
 void Scrolled::setShares(double width, double height)
 {
-    if (width == width_ && height == height_) { return; }
     width_ = width;
     height_ = height;
-    updateGeometry();
+    updateGeometry(); // also where they are as before: the content may ask for more
 }
 
 QSize Scrolled::minimumSizeHint() const

@@ -11,7 +11,7 @@ class Scrolled : public QScrollArea {
 public:
     explicit Scrolled(QWidget* content);
 
-    /// What the content asks for at least, in as much width as this has.
+    /// What the content asks for at least, whatever room it has.
     QSize asked() const;
     /// How much of that this asks for, as shares of its width and height; never less than what is of any use.
     void setShares(double width, double height);
