@@ -93,8 +93,7 @@ template <typename Executor> void FreeLiquid<Executor>::evaporate(std::int64_t q
     evaporated_.add(lost);
     flow_.above -= static_cast<std::int64_t>(share * static_cast<double>(flow_.above));
     flow_.absorbed += lost; // it changes the shape of what sleeps
-    flow_.left -= lost;
-    if (flow_.left <= 0) flow_.count = 0;
+    in_particles_ -= lost;
 }
 
 } // namespace hygroloom::inline HL_PRECISION

@@ -163,7 +163,7 @@ std::vector<VerifyResult> drying_of_cloths(const VerifyValues&, Backend& backend
         results.push_back({"start_to_asked_100_" + word, one.at_start, 1, 1e-12});
         results.push_back({"start_to_asked_200_" + word, two.at_start, 1, 1e-12});
         const VerifyResult twice{"twice_the_water_" + word, two.time / one.time, 2, 0.1};
-        results.push_back(i == 4 ? twice : known_miss(twice, bound, 0.45)); // the micro-twill binds next to nothing
+        results.push_back(i == 4 ? twice : known_miss(twice, bound, 0.6)); // the micro-twill binds next to nothing
     }
     double pairs = 0, alike = 0;
     for (const Drying& a : cloths)

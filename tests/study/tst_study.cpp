@@ -205,8 +205,8 @@ private Q_SLOTS:
         const std::string first = design.fabrics[0].name, now = design.experiments[0].name;
         const auto said = [&](const std::string& path, const std::string& fabric, const std::string& experiment,
                               const std::string& more = "") {
-            const std::string factors = R"({ "path": ")" + path + R"(", "low": 20, "high": 30 })" + more;
-            const std::string runs = R"("fabrics": [")" + fabric + R"("], "experiments": [")" + experiment + R"("])";
+            const std::string factors = "{ \"path\": \"" + path + "\", \"low\": 20, \"high\": 30 }" + more;
+            const std::string runs = "\"fabrics\": [\"" + fabric + "\"], \"experiments\": [\"" + experiment + "\"]";
             QString all;
             for (const Issue& issue : validate(parse_study(file_with(factors, sobol, runs), "s.json"), design))
                 all += QString::fromStdString(issue.where + ": " + issue.text + "\n");
