@@ -163,6 +163,14 @@ Fabric changed(const std::string& key)
     return design_from_json(project, "parts").fabrics.front();
 }
 
+/// A yarn's count is another way to write its linear density, plies and filaments.
+std::set<std::string> keys_without_counts()
+{
+    std::set<std::string> keys = keys_of_fabric();
+    std::erase_if(keys, [](const std::string& key) { return key.ends_with(".count"); });
+    return keys;
+}
+
 } // namespace
 
 class TestFabricParts : public QObject {
@@ -171,7 +179,7 @@ class TestFabricParts : public QObject {
 private Q_SLOTS:
     void eachKeyOfTheSchemaBelongsToOnePart()
     {
-        const std::set<std::string> keys = keys_of_fabric();
+        const std::set<std::string> keys = keys_without_counts();
         QVERIFY2(keys.size() > 60 && keys.contains("warp.twist_per_m") && keys.contains("weave.draft.tie_up"),
                  "the walk over the schema finds too few keys");
         for (const std::string& key : keys) {
@@ -189,7 +197,7 @@ private Q_SLOTS:
     void aChangeOfAKeyIsADifferenceOfItsPartAlone_data()
     {
         QTest::addColumn<QString>("key");
-        for (const std::string& key : keys_of_fabric()) QTest::newRow(key.c_str()) << QString::fromStdString(key);
+        for (const std::string& key : keys_without_counts()) QTest::newRow(key.c_str()) << QString::fromStdString(key);
     }
     void aChangeOfAKeyIsADifferenceOfItsPartAlone()
     {

@@ -50,11 +50,11 @@ private Q_SLOTS:
         for (const PlannedPart& part : plan.parts) QVERIFY(!part.reason.empty());
         QCOMPARE(plan.segments, 2 * plan.region.ends * plan.region.picks);
     }
-    void repellentClothNeedsOnlyTheLiquid()
+    void onRepellentClothADropDriesAndNothingWicks()
     {
         const ModelPlan plan = plan_of(drop_design(120));
         QVERIFY(plan.on("liquid"));
-        for (const char* part : {"wicking", "sorption", "vapour", "heat"}) QVERIFY(!plan.on(part));
+        for (const char* part : {"wicking", "sorption"}) QVERIFY(!plan.on(part));
     }
     void anAngleJustUnder90IsPrintedInFull()
     {

@@ -170,7 +170,8 @@ private Q_SLOTS:
         const double gone = frames[0].ledger.water_free - frames[1].ledger.water_free;
         const ClimateParameters& c = scene.climate;
         const FrameCap& cap = frames[0].caps.at(0);
-        const double angle = radian_from_degree(120); // that it shows, though its weight flattens it
+        const double weight = c.density * gravity_acceleration / c.surface_tension; // which flattens it
+        const double angle = CapShapes::table().shape(cap.volume, cap.base, weight).angle;
         const double rate =
             pi * cap.base * vapour_diffusivity(c.temperature) * evaporation_factor(angle) *
             drop_in_wind(c.air_speed, 2 * cap.base / std::sin(angle), air_kinematic_viscosity / vapour_diffusivity(c.temperature)) *
