@@ -70,6 +70,11 @@ template <typename Executor> std::vector<CapOnFace> FreeLiquid<Executor>::standi
     touched_.fill(0);
     exec_.for_each("touching", flow_.count, SumTouching{particle_views(), touched_.data(), touched_.data() + 1});
     in_particles_ = touched_.read(0);
+    if (in_particles_ == 0) { // all has dried
+        flow_.count = 0;
+        flow_.left = flow_.above = 0;
+        return drops;
+    }
     const double spacing = static_cast<double>(start_.spacing), area = 1e-6 * static_cast<double>(touched_.read(1)) * spacing * spacing;
     double faces = 0; // of like drops, as the square of their width
     for (const SceneDroplet* drop : landed) faces += std::pow(drop->volume, 2.0 / 3.0);
@@ -85,7 +90,7 @@ template <typename Executor> std::vector<CapOnFace> FreeLiquid<Executor>::standi
 
 template <typename Executor> void FreeLiquid<Executor>::evaporate(std::int64_t quanta)
 {
-    if (quanta <= 0 || in_particles_ <= 0) return; // what condenses on particles stays in the air
+    if (quanta == 0 || in_particles_ <= 0) return; // less than nothing condenses
     touched_.fill(0);
     const double share = static_cast<double>(quanta) / static_cast<double>(in_particles_);
     exec_.for_each("shrink", flow_.count, ShrinkInAir{particle_views(), share, touched_.data()});

@@ -118,12 +118,12 @@ template <typename Executor> StandingOnFace YarnNetwork<Executor>::standing(doub
     const auto add_face = [&](std::int64_t& water, double radius, double area) {
         if (water > 0) add({0, 0, radius, 0, water, 0, area * climate_.mass_transfer, area * climate_.heat_transfer}, &water);
     };
+    add_face(film_, -1.0, scene_->cloth.cell_area * scene_->cloth.segments()); // the first: see StandingLiquid
     for (std::size_t k = 0; k < pools_.standing.size(); ++k) {
         if (pools_.standing[k] <= 0) continue;
         const double radius = face_under(k).radius;
         add_face(pools_.standing[k], radius, pi * radius * radius);
     }
-    add_face(film_, -1.0, scene_->cloth.cell_area * scene_->cloth.segments());
     const std::vector<CapOnFace> drops = scene_->caps.on ? caps_.on_face(time) : drops_on_face_;
     for (std::size_t k = 0; k < drops.size(); ++k) {
         CapOnFace drop = drops[k];
