@@ -136,7 +136,7 @@ std::vector<VerifyResult> cap_evaporation(const VerifyValues& v, Backend&)
     }
     const double first = (pi - angle) / pi; // at 0: four exponentials of 1 over 4 pi times the place, times the tangent's slope
     const double expected = cap_steepness(angle) + 4.0 * (sum + first) / (3.0 * pieces);
-    return {{"factor", evaporation_factor(angle), expected, 1e-3}};
+    return {{"factor", evaporation_factor(angle), expected, 1e-4 * expected}};
 }
 
 /// Heat of evaporation that diffuses away is what the air conducts to a drop that nothing else warms; K.
