@@ -4,6 +4,7 @@
 #include "core/project/project_file.h"
 #include "ui/compare/compare_maps.h"
 #include "ui/compare/curves_view.h"
+#include "ui/compare/map_reader.h"
 #include "ui/compare/study_report.h"
 #include "ui/document/run_folder.h"
 
@@ -83,6 +84,15 @@ private:
                            [&text](const QLabel* label) { return !label->isHidden() && label->text().contains(text); });
     }
 
+    /// The maps of the first replicate, the project's own run, are in its recording alone.
+    static Candidate withMaps(const Workplace& place, const Candidate& candidate)
+    {
+        const auto& runs = place.history.runs();
+        const auto own =
+            std::find_if(runs.begin(), runs.end(), [&candidate](const KeptRun& run) { return run.run->fabric == candidate.fabric; });
+        return readMaps({{*own}, {candidate}}, [] { return false; }).candidates.front();
+    }
+
     static void check(Workplace& place)
     {
         CompareView& view = place.view;
@@ -101,7 +111,7 @@ private:
                                            [&view](const Candidate& each) { return each.fabric == view.comparison().baseline; });
         const auto& other =
             baseline == view.comparison().candidates.begin() ? view.comparison().candidates.back() : view.comparison().candidates.front();
-        const auto paired = paired_map(other, *baseline, MapSide::top, 1, 0);
+        const auto paired = paired_map(withMaps(place, other), withMaps(place, *baseline), MapSide::top, 1, 0);
         QVERIFY(paired && paired->pairs == replicates);
         QCOMPARE((*shown)->map().water, paired->cells.water); // of the replicates, not of the cloths as given
         std::map<std::string, QString> recordings;
