@@ -56,7 +56,13 @@ const MetricGroup& stain()
     using G = ManagementGrades;
     static const MetricGroup group{
         [](M) { return true; },
-        {{{"maximum_wetted_radius_top_mm", "wetted radius", "top", "mm", more},
+        {{{"equal_area_radius_mm", "radius of a circle as large as the stain", "top", "mm", more},
+          [](M m) -> Value { return mm_from_metre(m.equal_area_radius_top); }},
+         {{"equal_area_radius_bottom_mm", "radius of a circle as large as the stain", "bottom", "mm", more},
+          [](M m) -> Value { return mm_from_metre(m.equal_area_radius_bottom); }},
+         {{"wetted_area_mm2", "area of the stain", "top", "mm²", more},
+          [](M m) -> Value { return 1e6 * pi * m.equal_area_radius_top * m.equal_area_radius_top; }},
+         {{"maximum_wetted_radius_top_mm", "wetted radius", "top", "mm", more},
           [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_top); }},
          {{"maximum_wetted_radius_bottom_mm", "wetted radius", "bottom", "mm", more},
           [](M m) -> Value { return mm_from_metre(m.maximum_wetted_radius_bottom); }},
@@ -72,12 +78,6 @@ const MetricGroup& stain()
           [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_warp); }},
          {{"wetted_area_ellipse_weft_mm", "ellipse of equal moments on top, semi-axis along weft", "", "mm", neither},
           [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_weft); }},
-         {{"equal_area_radius_mm", "radius of a circle as large as the stain", "top", "mm", more},
-          [](M m) -> Value { return mm_from_metre(m.equal_area_radius_top); }},
-         {{"equal_area_radius_bottom_mm", "radius of a circle as large as the stain", "bottom", "mm", more},
-          [](M m) -> Value { return mm_from_metre(m.equal_area_radius_bottom); }},
-         {{"wetted_area_mm2", "area of the stain", "top", "mm²", more},
-          [](M m) -> Value { return 1e6 * pi * m.equal_area_radius_top * m.equal_area_radius_top; }},
          {{"time_of_arrest_s", "stain at rest from", "", "s", neither},
           [](M m) { return m.time_of_arrest; },
           "no 10 s without growth before the end"},
@@ -240,9 +240,10 @@ void compute_conditioning(Metrics& m, const Experiment&, double)
 /// In the order of ExperimentType.
 const TypeMetrics& metrics_of(ExperimentType type)
 {
-    constexpr const char *top = "maximum_wetted_radius_top_mm", *bottom = "maximum_wetted_radius_bottom_mm";
+    constexpr const char *top = "equal_area_radius_mm", *bottom = "equal_area_radius_bottom_mm"; // a single finger of a stain moves
+    constexpr const char *circle_top = "maximum_wetted_radius_top_mm", *circle_bottom = "maximum_wetted_radius_bottom_mm"; // these more
     static const std::array<TypeMetrics, experiment_types> table{
-        {/* droplet */ {{&stain(), &absorbency()}, {top, bottom, "absorbency_time_s"}, PlotName::radius},
+        {/* droplet */ {{&stain(), &absorbency()}, {top, bottom, "absorbency_time_s", circle_top, circle_bottom}, PlotName::radius},
          /* moisture_management */
          {{&stain(), &management()},
           {"ommc", "one_way_transport_pct", "spreading_speed_bottom_mm_s", "absorption_rate_bottom_pct_s", "wetting_time_top_s"},
@@ -251,14 +252,14 @@ const TypeMetrics& metrics_of(ExperimentType type)
          /* vertical_wicking */ {{&rise()}, {"wick_height_mm", "wick_rate_mm_s05"}, PlotName::height, compute_wicking},
          /* horizontal_wicking */
          {{&stain(), &absorbency(), &area_growth()},
-          {"wick_rate_mm2_s", top, "absorbency_time_s"},
+          {"wick_rate_mm2_s", top, "absorbency_time_s", circle_top},
           PlotName::radius,
           compute_horizontal_rate},
          /* drying */
          {{&drying()}, {"time_to_dry_s", "drying_rate_g_m2_h", "surface_temperature_steady_c"}, PlotName::temperature, compute_drying},
          /* conditioning */
          {{&conditioning()}, {"regain_half_time_s", "regain_end", "temperature_peak_rise_c"}, PlotName::temperature, compute_conditioning},
-         /* sweat */ {{&stain()}, {bottom, top}, PlotName::faces}}};
+         /* sweat */ {{&stain()}, {bottom, top, circle_bottom, circle_top}, PlotName::faces}}};
     return table[static_cast<std::size_t>(type)];
 }
 

@@ -211,8 +211,6 @@ Drawn drawn(const Design& design, const std::string& fabric, const std::string& 
     }
     Design& other = drawn.design;
     if (replicate.number == 0) return drawn;
-    for (Yarn* yarn : yarns_of(other.fabrics[at]))
-        if (!yarn->irregularity_cv) yarn->irregularity_cv = typical_unevenness(design, *yarn).cv;
     const Value value = [&](const UnknownInput& input) { return value_at(input, place_in_range(replicate, input.name)); };
     draw_angles(other, other.fabrics[at], value);
     draw_packing(other, at, value);

@@ -40,8 +40,7 @@ struct Drawn {
     std::vector<double> places;     ///< of each, see place_in_range()
 };
 
-/// Every unknown of the fabric at its place, yarns as uneven as given or as is usual, and the drops moved by up to half a repeat of the
-/// weave. A packing that does not fit the weave
+/// Every unknown of the fabric at its place, and the drops moved by up to half a repeat of the weave. A packing that does not fit the weave
 /// stays as given. Of several, number 0 has the inputs and the drops as given; one alone is the design itself.
 Drawn drawn(const Design& design, const std::string& fabric, const std::string& experiment, const Replicate& replicate);
 

@@ -229,7 +229,7 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             yarn.core = core_of_solids(design, yarn_in(fabric, warp, number));
             yarn.free = free_yarn(yarn_in(fabric, warp, number), yarn.fibre.density_kg_m3);
             yarn.unevenness = typical_unevenness(design, yarn_in(fabric, warp, number));
-            yarn.unevenness.cv = yarn_in(fabric, warp, number).irregularity_cv.value_or(0);
+            if (const auto& given = yarn_in(fabric, warp, number).irregularity_cv) yarn.unevenness.cv = *given;
             if (const auto& filaments = yarn_in(fabric, warp, number).filament_count)
                 yarn.fibre.fibre_radius_um =
                     filament_radius_um((1 - yarn.core) * yarn.free.linear_density_tex, *filaments, yarn.fibre.density_kg_m3);

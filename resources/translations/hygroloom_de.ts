@@ -10569,8 +10569,8 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>aus der Feinheit</translation>
     </message>
     <message>
-        <source>Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for an even yarn; replicates then take what is usual. Acts in the closure “pores” only.</source>
-        <translation>Variationskoeffizient der Feinheit entlang des Garns (Uster CVm). Leer lassen für ein gleichmäßiges Garn; Wiederholungen nehmen dann das Übliche. Wirkt nur im Saugmodell mit Poren.</translation>
+        <source>Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for what is usual of such a yarn. Acts in the closure “pores” only.</source>
+        <translation>Variationskoeffizient der Feinheit entlang des Garns (Uster CVm). Leer lassen für das, was bei einem solchen Garn üblich ist. Wirkt nur im Saugmodell mit Poren.</translation>
     </message>
 </context>
 <context>

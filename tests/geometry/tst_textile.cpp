@@ -90,7 +90,7 @@ private Q_SLOTS:
         QCOMPARE(derived.weft.types[0].receding_angle, 0.0); // cotton
         QCOMPARE(warp.perimeter_factor, 1.25);
         QCOMPARE(warp.unevenness.cv, 0.14);
-        QCOMPARE(derived.weft.types[0].unevenness.cv, 0.0);
+        QVERIFY(derived.weft.types[0].unevenness.cv > 0.1); // as is usual of cotton
         QVERIFY(std::abs(warp.helix_tortuosity - 1.1263) < 5e-5);
         QCOMPARE(warp.tortuosity, 1.2); // the other closures' own
         QVERIFY(!derived.face_angle);

@@ -84,7 +84,7 @@ const Change changes[] = {
     {"material.isotherm.k", FIBRE "isotherm/k", "0.8", FIBRE "isotherm", gab},
     {"material.fibre_diffusivity_m2_s", FIBRE "fibre_diffusivity_m2_s", "1e-14"},
     {"material.contact_angle_deg", FIBRE "contact_angle_deg", "55"},
-    {"material.receding_angle_deg", FIBRE "receding_angle_deg", "30", WARP "packing_factor", "0.75"}, // an even feed fills alike yarns only
+    {"material.receding_angle_deg", FIBRE "receding_angle_deg", "30", WARP "irregularity_cv", "0.4"}, // an even feed fills alike yarns only
     {"material.cross_section", FIBRE "cross_section", R"("round")"},
     {"material.thermal_conductivity_w_mk", FIBRE "thermal_conductivity_w_mk", "0.6"},
     {"material.specific_heat_j_kgk", FIBRE "specific_heat_j_kgk", "1800"},

@@ -68,15 +68,14 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
                                      [](const Yarn& y) { return std::optional<double>(y.fibres_per_yarn); },
                                      [](Yarn& y, std::optional<double> v) { y.fibres_per_yarn = static_cast<int>(v.value_or(1)); },
                                      tr("Per yarn, in pictures and exports. Each represents a bundle of real fibres.")));
-    QuantityEdit* evenness =
-        form.addQuantity(Quantity::percent(0, 0.4),
-                         field(
-                             tr("Irregularity"), tr("irregularity"), "irregularity_cv", [](const Yarn& y) { return y.irregularity_cv; },
-                             [](Yarn& y, std::optional<double> v) { y.irregularity_cv = v; },
-                             tr("Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for an even yarn; "
-                                "replicates then take what is usual. "
-                                "Acts in the closure “pores” only.")),
-                         true);
+    QuantityEdit* evenness = form.addQuantity(
+        Quantity::percent(0, 0.4),
+        field(
+            tr("Irregularity"), tr("irregularity"), "irregularity_cv", [](const Yarn& y) { return y.irregularity_cv; },
+            [](Yarn& y, std::optional<double> v) { y.irregularity_cv = v; },
+            tr("Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for what is usual of such a yarn. "
+               "Acts in the closure “pores” only.")),
+        true);
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
     fields_ = {fibre_,           blend_, share_,     core_,          core_share_, diameter_, count_, packing_, twist_,
