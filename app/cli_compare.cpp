@@ -86,9 +86,9 @@ FinishedRun run_with_maps(const Design& design, const std::string& fabric, const
 
 /// Each job on one of the backends. The numbers are written after every run, the maps of the first replicates, which are the
 /// cloths as given, kept. Throws what writing threw.
-void run_candidates(const Design& design, const std::vector<Job>& jobs, const std::vector<std::string>& fabrics,
-                    const CompareOptions& options, RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends,
-                    Comparison& comparison, std::vector<std::optional<CandidateMaps>>& maps)
+void run_candidates(const std::vector<Job>& jobs, const std::vector<std::string>& fabrics, const CompareOptions& options,
+                    RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends, Comparison& comparison,
+                    std::vector<std::optional<CandidateMaps>>& maps)
 {
     std::mutex one_on_cpu;
     RunBar bar(options.quiet, jobs.size());
@@ -216,7 +216,7 @@ int compare(CompareOptions options)
     const InterruptCancels cancels(control.cancel);
     std::vector<std::optional<CandidateMaps>> maps(fabrics.size());
     const std::vector<Job> jobs = jobs_of(design, fabrics, experiment.name, textiles, how, options.replicates);
-    run_candidates(design, jobs, fabrics, options, control, backends, comparison, maps);
+    run_candidates(jobs, fabrics, options, control, backends, comparison, maps);
     if (why && comparison.complete) find_why(comparison, *why, design, how, options.quiet, backends, control);
     give_results(options, comparison, choice, maps, fabrics);
     if (control.cancel && comparison.complete) {

@@ -41,6 +41,7 @@ public:
     {
         return std::async(std::launch::deferred, [this, stock = solver_->take_stock()] { return solver_->frame_of(stock); });
     }
+    void stay() override { solver_->stay(); }
     std::vector<std::byte> state() override { return solver_->state(); }
     void go_on_from(const std::vector<std::byte>& state) override { solver_->go_on_from(state); }
     void squeeze(double share) override { solver_->squeeze(share); }

@@ -200,6 +200,7 @@ public:
     }
     Frame frame() override { return backend_->frame(); }
     std::future<Frame> take_frame() override { return backend_->take_frame(); }
+    void stay() override { backend_->stay(); }
     std::vector<std::byte> state() override { return backend_->state(); }
     void go_on_from(const std::vector<std::byte>& state) override { backend_->go_on_from(state); }
     void squeeze(double share) override { backend_->squeeze(share); }

@@ -56,9 +56,9 @@ const MetricGroup& stain()
     using G = ManagementGrades;
     static const MetricGroup group{
         [](M) { return true; },
-        {{{"equal_area_radius_mm", "radius of a circle as large as the stain", "top", "mm", more},
+        {{{"equal_area_radius_mm", "stain radius by area", "top", "mm", more},
           [](M m) -> Value { return mm_from_metre(m.equal_area_radius_top); }},
-         {{"equal_area_radius_bottom_mm", "radius of a circle as large as the stain", "bottom", "mm", more},
+         {{"equal_area_radius_bottom_mm", "stain radius by area", "bottom", "mm", more},
           [](M m) -> Value { return mm_from_metre(m.equal_area_radius_bottom); }},
          {{"wetted_area_mm2", "area of the stain", "top", "mm²", more},
           [](M m) -> Value { return 1e6 * pi * m.equal_area_radius_top * m.equal_area_radius_top; }},

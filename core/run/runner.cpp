@@ -137,7 +137,11 @@ private:
         bool holds = false;
         const char* kept_off = "";
         try {
-            if (!attempt([&] { failover_.hold(frame); })) return false;
+            if (!attempt([&] {
+                    session_.stay();
+                    failover_.hold(frame);
+                }))
+                return false;
             holds = true;
             ModelPlan with = plan_;
             for (const SwitchedPart& part : publisher_.due()) with = with_part(std::move(with), part.name);

@@ -84,6 +84,7 @@ void Session::poke(const Squeeze& squeeze)
 
 void Session::go_on_changed()
 {
+    backend_->stay();
     const std::vector<std::byte> state = backend_->state();
     backend_->load(scene_);
     backend_->go_on_from(state);

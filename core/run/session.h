@@ -41,6 +41,8 @@ public:
     std::future<Frame> take_frame() { return backend_->take_frame(); }
     /// Such a frame with the values of each single yarn, or as it is where it shows cells.
     Frame of_single_yarns(Frame frame) const;
+    /// See Backend::stay().
+    void stay() { backend_->stay(); }
     /// Everything the scene has come to.
     std::vector<std::byte> state() { return backend_->state(); }
     /// Loads the scene again and goes on from a state of it.

@@ -154,6 +154,7 @@ void check(const FreeLiquidStart& liquid)
 void check(const StepRules& rules)
 {
     demand(rules.network_step > 0, "its yarns have no step");
+    demand(rules.step_share >= 0 && rules.step_share < 1, "its steps have no share of the time");
     demand(rules.fibre_shells >= 1 && rules.fibre_shells <= largest_shell_count, "its fibres have too many shells or none");
 }
 

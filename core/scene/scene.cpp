@@ -399,7 +399,9 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     turn_lattices(scene.supply.droplets, seed);
     if (!scene.rules.heat) scene.cloth.start.warmth = 0; // as warm as the air from the start
     scene.rules.network_step = plan.knobs.network_step_limit;
-    scene.rules.calm_network_step = experiment.duration_s;
+    constexpr double longest_step = 60; // s
+    scene.rules.calm_network_step = longest_step;
+    scene.rules.step_share = 0.2 * plan.knobs.saturation_change; // a front moves by half as much of its way
     scene.rules.step_error = plan.knobs.step_error;
     scene.rules.rest_tolerance = plan.rest_tolerance;
     scene.rules.saturation_change = plan.knobs.saturation_change;

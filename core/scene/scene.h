@@ -316,6 +316,8 @@ struct StepRules {
     int fibre_shells = 1;
     double network_step = 0;       ///< s, longest while drops are about
     double calm_network_step = 0;  ///< s, longest without drops; 0: the same
+    double step_share = 0;         ///< longest without drops, as a share of the time so far; steps then have ends of their own, and frames
+                                   ///< are taken beside them. 0: steps have no such limit, and end where frames are taken
     double rest_tolerance = 0;     ///< deviation from the air's humidity, or from its temperature in tens of kelvin, that counts as rest;
                                    ///< the visited region grows where there is more. 0: all of the sample is visited
     double step_error = 0;         ///< largest error of a step, over the water and the heat at stake; 0: not watched

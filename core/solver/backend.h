@@ -37,7 +37,10 @@ public:
         now.set_value(frame());
         return now.get_future();
     }
-    /// All that its scene has come to at a frame, on whatever machine it is to go on.
+    /// Where the scene is changed now: what follows begins here, not at the last end of a step before.
+    virtual void stay() = 0;
+    /// All that its scene has come to at a frame, on whatever machine it is to go on. Steps have ends of their own (see StepRules): unless
+    /// stay() was called the state is that of the last one, and so are frames from then on until advance().
     virtual std::vector<std::byte> state() = 0;
     /// After load() of the same scene: goes on from what a backend had come to. Parts that were off may be on now (see set_parts()); fibres
     /// then begin with the regain they had. Drops to come and the air from then on may differ. Throws Error if it was another scene.

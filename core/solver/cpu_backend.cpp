@@ -49,6 +49,7 @@ public:
     }
     double advance(double until) override { return solver_->advance(until); }
     Frame frame() override { return solver_->frame(); }
+    void stay() override { solver_->stay(); }
     std::vector<std::byte> state() override { return solver_->state(); }
     void go_on_from(const std::vector<std::byte>& state) override { solver_->go_on_from(state); }
     void squeeze(double share) override { solver_->squeeze(share); }

@@ -17,6 +17,7 @@ void CpuSolver::set_threads(int threads) { parts_->solver.executor().set_threads
 void CpuSolver::load(const Scene& scene) { parts_->solver.load(scene); }
 double CpuSolver::advance(double until, double wall_seconds) { return parts_->solver.advance(until, wall_seconds); }
 Frame CpuSolver::frame() { return parts_->solver.frame(); }
+void CpuSolver::stay() { parts_->solver.stay(); }
 std::vector<std::byte> CpuSolver::state() { return parts_->solver.state(); }
 void CpuSolver::go_on_from(const std::vector<std::byte>& state) { parts_->solver.go_on_from(state); }
 void CpuSolver::squeeze(double share) { parts_->solver.squeeze(share); }

@@ -18,6 +18,7 @@ public:
     double advance(double until) override { return advance(until, 0.05); }
     double advance(double until, double wall_seconds); ///< see Solver
     Frame frame() override;
+    void stay() override;
     std::vector<std::byte> state() override;
     void go_on_from(const std::vector<std::byte>& state) override;
     void squeeze(double share) override;

@@ -74,6 +74,12 @@ public:
     bool take_back(const WaterGivenBack& given, const Segments& segments, double time);
 
     void take_stock(Stock& stock);
+    /// From this time (s) on, leaving out what they were before.
+    void sum_stresses_from(double time)
+    {
+        if (scene_->rules.shows_pressure) particles_.stress.fill(0);
+        stress_since_ = time;
+    }
     template <typename LookAt> void show(const LookAt& look_at, Stock& stock);
 
     template <typename Archive> void pass_state(Archive& archive);
@@ -384,8 +390,7 @@ template <typename Executor> void FreeLiquid<Executor>::take_stock(Stock& stock)
     if (!scene_->rules.shows_pressure) return;
     stock.stress = particles_.stress.download();
     stock.stressed = stock.time - stress_since_;
-    particles_.stress.fill(0);
-    stress_since_ = stock.time;
+    sum_stresses_from(stock.time);
 }
 
 template <typename Executor> template <typename LookAt> void FreeLiquid<Executor>::show(const LookAt& look_at, Stock& stock)
@@ -407,12 +412,15 @@ template <typename Executor> template <typename Archive> void FreeLiquid<Executo
     if constexpr (Archive::reads) {
         if (flow.count > start_.room || (mass > 0 && mass != start_.mass))
             throw Error("The state of a run is of another scene: its particles are larger, smaller or more.");
-        flow_ = moved_to(flow, flow_);
+        flow_ = Archive::stays ? flow : moved_to(flow, flow_);
     }
     const auto count = static_cast<std::size_t>(flow_.count); // there may be room for more drops than before
     Particles::each(
         [&](const auto& field, auto& buffer) {
-            if (field.saved) archive.first(buffer, count, field.name);
+            if (field.saved)
+                archive.first(buffer, count, field.name);
+            else if (Archive::stays) // neighbours listed anew would be added up in another order
+                archive.buffer(buffer, field.name);
         },
         particles_);
 }

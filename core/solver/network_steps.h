@@ -69,6 +69,7 @@ public:
         sweat_rate_ = sweat_rate(scene);
         at_stake_ = at_stake;
         standing_dt_ = std::numeric_limits<double>::infinity();
+        time_ = 0;
         forget_rates();
     }
     double longest() const { return std::min(network_dt_, exchange_step()); }
@@ -90,6 +91,7 @@ public:
     /// saturation while drops or pools are about.
     void choose_network_step(double dt, const StepSigns& signs, const YarnTotals& found, bool drops_about, double delivered)
     {
+        time_ += dt;
         wicking_ = {dt, signs.error};
         double grow = 1.5;
         const auto change = static_cast<double>(from_ordered_bits(found.largest_change));
@@ -122,23 +124,32 @@ public:
         archive.value(network_dt_);
         archive.value(exchange_dt_);
         archive.value(standing_dt_);
+        archive.value(time_);
         archive.value(wicking_);
         archive.value(exchange_);
     }
 
 private:
     double exchange_step() const { return std::min(exchange_dt_, standing_dt_); }
+    /// s, however calm the cloth is.
+    double calm_limit() const
+    {
+        const StepRules& rules = scene_->rules;
+        return rules.step_share > 0
+                   ? std::clamp(rules.step_share * time_, std::min(first_step, rules.calm_network_step), rules.calm_network_step)
+                   : rules.calm_network_step;
+    }
     bool takes_short_steps(bool drops_about) const { return drops_about || scene_->rules.calm_network_step <= 0; }
     /// flows: whether the cloth's liquid moved; a drop may lie on cloth that takes nothing in.
     double step_limit(bool drops_about, bool flows = true) const
     {
         const double shortened = drops_about && flows && scene_->cloth.by_suction ? under_drops : 1.0;
-        const double longest = takes_short_steps(drops_about) ? shortened * scene_->rules.network_step : scene_->rules.calm_network_step;
+        const double longest = takes_short_steps(drops_about) ? shortened * scene_->rules.network_step : calm_limit();
         return sweat_rate_ > 0 ? std::min(longest, most_sweat / sweat_rate_) : longest;
     }
     double exchange_limit(bool drops_about) const
     {
-        return takes_short_steps(drops_about) ? exchange_steps * scene_->rules.network_step : scene_->rules.calm_network_step;
+        return takes_short_steps(drops_about) ? exchange_steps * scene_->rules.network_step : calm_limit();
     }
     double growth(double error) const { return std::clamp(0.9 / std::sqrt(std::max(1e-12, error / scene_->rules.step_error)), 0.3, 1.5); }
     double water_at_stake(double delivered) const { return std::max(1e-30, at_stake_.water + delivered); }
@@ -146,6 +157,7 @@ private:
     const Scene* scene_ = nullptr;
     double sweat_rate_ = 0; ///< kg/s
     AtStake at_stake_;
+    double time_ = 0;                                              ///< s, that steps have come to
     double network_dt_ = 0, exchange_dt_ = 0;                      ///< s
     double standing_dt_ = std::numeric_limits<double>::infinity(); ///< s, see follow_standing()
     RateWatch wicking_, exchange_;

@@ -17,6 +17,14 @@ struct Unvisited {
     HL_FN bool any() const { return ends_before + ends_after + picks_before + picks_after > 0; }
 };
 
+/// What both leave out.
+inline Unvisited left_out_by_both(const Unvisited& a, const Unvisited& b)
+{
+    const auto less = [](int one, int other) { return one < other ? one : other; };
+    return {less(a.ends_before, b.ends_before), less(a.ends_after, b.ends_after), less(a.picks_before, b.picks_before),
+            less(a.picks_after, b.picks_after)};
+}
+
 /// One yarn's segments that a step visits: first to last - 1.
 struct YarnLine {
     const YarnParameters& yarn;

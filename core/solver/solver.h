@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/solver/free_liquid_exchange.h"
+#include "core/solver/kept_state.h"
 #include "core/solver/yarn_network_flow.h"
 #include "core/solver/yarn_network_stock.h"
 #include "core/solver/yarn_network_supply.h"
@@ -38,7 +39,7 @@ public:
         check(scene);
         scene_ = scene;
         time_ = network_time_ = free_until_ = 0;
-        sync_time_ = -1;
+        sync_time_ = beside_ = -1;
         delivered_ = 0;
         yarns_.load(scene_);
         liquid_.load(scene_);
@@ -55,7 +56,8 @@ public:
     double advance(double until, double wall_seconds)
     {
         const auto start = std::chrono::steady_clock::now();
-        while (time_ < until) {
+        if (is_beside() && until != time_ && (until != beside_ || sync_time_ < 0)) come_back();
+        while (until - time_ > rounding * until) {
             if (sync_time_ < 0) plan_step(until);
             const bool stood = stands_on_cloth();
             if (liquid_.count() > 0) yarns_.expect_liquid();
@@ -64,12 +66,12 @@ public:
             time_ = sync_time_;
             yarns_.draw_from_particles(liquid_.offer(time_, yarns_.absorbed()));
             sync_time_ = -1;
-            step_yarns(time_ - network_time_, time_ >= until);
+            step_yarns(time_ - network_time_, is_beside() || time_ >= until);
             network_time_ = time_;
             if (stood || yarns_.pool_was_fed() || stands_on_cloth()) free_until_ = time_;
             if (elapsed(start) > wall_seconds) break;
         }
-        return time_;
+        return until - time_ > rounding * until ? time_ : until;
     }
 
     Frame frame() { return frame_of(take_stock()); }
@@ -97,9 +99,11 @@ public:
         return hygroloom::frame_of(stock, scene_);
     }
 
-    /// All that the scene has come to, between calls of advance() that reached what they were asked for.
+    /// All that the scene has come to, between calls of advance() that reached what they were asked for: at the last end of a step that is
+    /// not there for a frame alone, to which the solver comes back.
     std::vector<std::byte> state()
     {
+        if (is_beside()) come_back();
         StateSize size;
         pass_state(size);
         StateWriter writer(size.bytes());
@@ -110,24 +114,44 @@ public:
     /// on, goes on from there. Throws Error if it is another one's.
     void go_on_from(const std::vector<std::byte>& state)
     {
+        beside_ = -1;
         StateReader reader(state);
         pass_state(reader);
         yarns_.expect_liquid();
         if (yarns_.jumps_at(time_)) yarns_.begin_anew(liquid_.is_about());
     }
     /// See Backend.
+    void stay() { beside_ = -1; }
     void squeeze(double share)
     {
+        stay();
         yarns_.squeeze(share);
         yarns_.begin_anew(liquid_.is_about());
     }
 
 private:
+    static constexpr double rounding = 1e-12; ///< of a sum of steps' lengths
     static double elapsed(std::chrono::steady_clock::time_point start)
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     bool stands_on_cloth() const { return liquid_.is_on_top() || yarns_.pool_feeds(); }
+    /// Whether steps were left for a frame.
+    bool is_beside() const { return beside_ >= 0; }
+    void leave_for(double frame)
+    {
+        typename KeptState<Executor>::Keeper keeper(kept_);
+        pass_state(keeper);
+        beside_ = sync_time_ = frame;
+    }
+    void come_back()
+    {
+        beside_ = -1;
+        typename KeptState<Executor>::Returner returner(kept_);
+        pass_state(returner);
+        yarns_.expect_liquid();
+        liquid_.sum_stresses_from(time_);
+    }
     /// Releases the drops that are due and chooses when liquid and yarns meet next.
     void plan_step(double until)
     {
@@ -135,9 +159,16 @@ private:
             if (liquid_.rests()) yarns_.begin_anew(liquid_.is_about());
             delivered_ += liquid_.release_drop();
         }
-        const double target = std::min({until, liquid_.next_drop(), yarns_.next_event(time_)});
-        const double steps = LiquidRules::steps_to(target - time_, yarns_.longest_step());
-        sync_time_ = steps == 1.0 ? target : time_ + (target - time_) / steps;
+        const bool own_ends = scene_.rules.step_share > 0;
+        const double event = std::min(liquid_.next_drop(), yarns_.next_event(time_)), target = own_ends ? event : std::min(until, event);
+        const double left = target - time_, longest = yarns_.longest_step();
+        const bool is_far = own_ends && left > 2 * longest; // then it is not felt, and else it leaves no sliver of a step
+        const double steps = LiquidRules::steps_to(left, longest);
+        const double end = is_far ? time_ + longest : steps == 1.0 ? target : time_ + left / steps;
+        if (until < end)
+            leave_for(until);
+        else
+            sync_time_ = end;
     }
     void step_yarns(double dt, bool frame_due)
     {
@@ -168,11 +199,13 @@ private:
     }
 
     Executor exec_;
+    KeptState<Executor> kept_{exec_};
     Scene scene_;
     YarnNetwork<Executor> yarns_{exec_};
     FreeLiquid<Executor> liquid_{exec_};
     typename Executor::Snapshot snapshot_;
     double time_ = 0, sync_time_ = -1, network_time_ = 0;     ///< s
+    double beside_ = -1;                                      ///< s, the frame that steps were left for
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0; ///< kg, kg, J
     double free_until_ = 0;                                   ///< s, when drops or pools last stood on the cloth
 };

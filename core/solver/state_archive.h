@@ -16,7 +16,7 @@ namespace hygroloom {
 /// Counts their bytes.
 class StateSize {
 public:
-    static constexpr bool reads = false;
+    static constexpr bool reads = false, stays = false;
 
     template <typename T> void value(const T&) { bytes_ += sizeof(T); }
     template <typename T> void values(const std::vector<T>& values, const char*)
@@ -40,7 +40,7 @@ private:
 /// Appends numbers and arrays.
 class StateWriter {
 public:
-    static constexpr bool reads = false;
+    static constexpr bool reads = false, stays = false;
 
     explicit StateWriter(std::size_t bytes) { bytes_.reserve(bytes); }
     template <typename T> void value(const T& value) { append(&value, sizeof value); }
@@ -70,7 +70,7 @@ private:
 /// Reads them again, in the same order. Throws Error when they are of another scene.
 class StateReader {
 public:
-    static constexpr bool reads = true;
+    static constexpr bool reads = true, stays = false;
 
     explicit StateReader(const std::vector<std::byte>& bytes) : bytes_(bytes) {}
     template <typename T> void value(T& value) { take(&value, sizeof value); }

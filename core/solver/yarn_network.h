@@ -170,6 +170,7 @@ private:
     Buffer<ShownSums> shown_sums_, shown_lines_;
     Buffer<WetEnd> wet_;
     bool cells_were_seen_ = false; ///< all of them, since the scene or a state was loaded
+    Unvisited unseen_;             ///< what was not visited when cells were seen last
 };
 
 template <typename Executor> Segments YarnNetwork<Executor>::segments()
@@ -415,8 +416,9 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
     archive.value(film_);
     archive.value(evaporated_from_standing_);
     archive.value(region_.unvisited());
-    if (Archive::reads) cells_were_seen_ = false;
-    if (Archive::reads && !scene_->climate.course.empty()) region_.unvisited() = {}; // the air may have been constant so far
+    if (Archive::reads && !Archive::stays) cells_were_seen_ = false;
+    if (Archive::reads && !Archive::stays && !scene_->climate.course.empty())
+        region_.unvisited() = {}; // the air may have been constant so far
     archive.buffer(reach_, "reach");
     if (layer_flows_.size() > 0) archive.buffer(layer_flows_, "flows between layers");
     pass_regain(archive);

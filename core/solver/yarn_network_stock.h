@@ -34,8 +34,10 @@ template <typename Executor> void YarnNetwork<Executor>::see_shown()
     shown_lines_.resize(static_cast<std::size_t>(lines));
     wet_.resize(static_cast<std::size_t>(scene_->cloth.ends));
     if (!cells_were_seen_) wet_.fill({});
-    const Unvisited out = cells_were_seen_ ? region_.unvisited() : Unvisited();
+    // What was visited beside the steps' own way has to be seen once more.
+    const Unvisited out = cells_were_seen_ ? left_out_by_both(region_.unvisited(), unseen_) : Unvisited();
     cells_were_seen_ = true;
+    unseen_ = region_.unvisited();
     const int first_column = ends.cell_of(out.ends_before), first_row = picks.cell_of(out.picks_before);
     const int columns = ends.last_of(ends.yarns - 1 - out.ends_after) + 1 - first_column;
     const int rows = picks.last_of(picks.yarns - 1 - out.picks_after) + 1 - first_row;

@@ -95,7 +95,8 @@ template <typename Executor> void YarnNetwork<Executor>::cover_a_cell(std::vecto
 template <typename Executor> FindCap YarnNetwork<Executor>::find_cap(int count)
 {
     const Cloth& cloth = scene_->cloth;
-    return {segments(), cap_views_.data(), count, {true, 0, cloth.warp_pitch, cloth.weft_pitch, std::max(2, cloth.threads_per_cell)}};
+    constexpr int places = 8; // along a side: a cap's edge goes through few cells, and jumps of what is under it would be seen
+    return {segments(), cap_views_.data(), count, {true, 0, cloth.warp_pitch, cloth.weft_pitch, places}};
 }
 
 /// Before any stage of a step.

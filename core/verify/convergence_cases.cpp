@@ -108,6 +108,7 @@ std::array<Frame, 3> working_spots(Backend& backend, bool vapour, double time, i
         scene.rules.vapour = vapour;
         scene.rules.saturation_change = 1e3; // steps stay alike
         scene.rules.calm_network_step = 0;
+        scene.rules.step_share = 0;
         scene.rules.network_step = time / (steps << k); // and every fourth an exchange with fibres and air
         frames[k] = frames_at(backend, scene, {time}).back();
     }

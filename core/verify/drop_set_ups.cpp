@@ -14,6 +14,7 @@ Scene scene_with(const std::vector<Vec3d>& places, double particle_volume, doubl
 {
     Scene scene = bare_scene(1, 1, 2e-3, temperature);
     scene.rules.network_step = scene.rules.calm_network_step = 1.0;
+    scene.rules.step_share = 0;
     scene.liquid.places = places;
     scene.liquid.velocities.assign(places.size(), Vec3d{});
     scene.liquid.particle_volume = particle_volume;

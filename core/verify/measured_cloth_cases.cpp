@@ -28,7 +28,7 @@ Management management_of(const VerifyValues& v, const Fabric& fabric, Backend& b
 /// T3
 std::vector<VerifyResult> plain_and_rib(const VerifyValues& v, Backend& backend)
 {
-    Fabric plain = library_fabric("Sheeting");
+    Fabric plain = of_even_yarns(library_fabric("Sheeting"));
     plain.warp_crimp_percent.reset();
     plain.weft_crimp_percent.reset();
     Fabric rib = plain;
@@ -43,7 +43,7 @@ std::vector<VerifyResult> lighter_weft(const VerifyValues& v, Backend& backend)
 {
     std::vector<VerifyResult> results;
     for (const auto& [word, weave] : {std::pair{"plain", "plain"}, std::pair{"twill", "twill 2/2 Z"}, std::pair{"panama", "basket 2/2"}}) {
-        Fabric linen = library_fabric("Linen cloth");
+        Fabric linen = of_even_yarns(library_fabric("Linen cloth"));
         linen.weave = weave_from_pattern(weave);
         linen.warp_crimp_percent.reset();
         linen.weft_crimp_percent.reset();

@@ -161,7 +161,7 @@ std::vector<VerifyResult> hydrophobic_weft(const VerifyValues&, Backend& backend
 /// T5: of scoured cotton, long enough that water does not reach its upper end.
 std::vector<VerifyResult> cotton_strip(const VerifyValues&, Backend& backend)
 {
-    const WholeRun run = run_whole(design_of(library_fabric("Textile F"), hanging_strip(300, 120)), Fidelity::draft, backend);
+    const WholeRun run = run_whole(design_of(of_even_yarns(library_fabric("Textile F")), hanging_strip(300, 120)), Fidelity::draft, backend);
     const Rise rise = rise_of(run.metrics);
     std::vector<double> squares;
     for (double h : rise.height) squares.push_back(h * h);
@@ -194,7 +194,7 @@ std::vector<VerifyResult> floats_and_wicking(const VerifyValues& v, Backend& bac
     const double duration = v.at("duration_s").value;
     std::vector<double> early, late; // kg absorbed in 10 min, kg/s after that
     for (const char* weave : {"plain", "twill 2/2 Z", "satin 8/3"}) {
-        Fabric fabric = library_fabric("Sheeting");
+        Fabric fabric = of_even_yarns(library_fabric("Sheeting"));
         fabric.weave = weave_from_pattern(weave);
         fabric.warp_crimp_percent.reset();
         fabric.weft_crimp_percent.reset();

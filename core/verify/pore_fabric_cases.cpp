@@ -194,6 +194,7 @@ Scene striped_patch(const std::string& fabric, double time)
     Scene scene = scene_of(woven_patch(woven, side, 15, time));
     scene.supply.pools.clear();
     scene.rules.network_step = scene.rules.calm_network_step = 0.5;
+    scene.rules.step_share = 0;
     scene.rules.saturation_change = 0.2;
     const Yarns yarns = yarns_of(scene);
     const int ends = scene.cloth.ends, picks = scene.cloth.picks;

@@ -189,6 +189,12 @@ Scene wet_spot()
     return scene;
 }
 
+Fabric of_even_yarns(Fabric fabric)
+{
+    for (Yarn* yarn : yarns_of(fabric)) yarn->irregularity_cv = 0;
+    return fabric;
+}
+
 Design design_of(Fabric fabric, Experiment experiment)
 {
     Design design;

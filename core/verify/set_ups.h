@@ -19,6 +19,8 @@ std::vector<Frame> frames_at(Backend& backend, const Scene& scene, const std::ve
 const Material& library_material(const std::string& name);
 /// Of the shipped library; the paper's textiles by their letter alone, too. Throws Error with the names there are.
 const Fabric& library_fabric(const std::string& name);
+/// Of yarns that are nowhere thicker than elsewhere, where one draw of thick places would hide what is looked for.
+Fabric of_even_yarns(Fabric fabric);
 
 Isotherm isotherm_of(const Material& material);
 

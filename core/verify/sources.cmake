@@ -20,6 +20,7 @@ target_sources(hygroloom_core PRIVATE
   verify/pore_set_ups.cpp
   verify/retention_column.cpp
   verify/set_ups.cpp
+  verify/evenness_case.cpp
   verify/sett_case.cpp
   verify/swing_fit.cpp
   verify/tester_case.cpp

@@ -251,6 +251,7 @@ std::vector<VerifyResult> goes_on_on_cpu(const VerifyValues& v, Backend& backend
     advance(backend, 0.5 * duration);
     const auto other = make_cpu_backend();
     other->load(scene);
+    backend.stay();
     other->go_on_from(backend.state());
     const Frame taken = backend.frame(), given = other->frame();
     advance(backend, duration);

@@ -1113,8 +1113,8 @@
         <translation>ein Strich nach tex kann Fachung oder Filamente meinen; schreiben Sie × 2 oder f2</translation>
     </message>
     <message>
-        <source>radius of a circle as large as the stain</source>
-        <translation>Radius eines Kreises, der so groß ist wie der Fleck</translation>
+        <source>stain radius by area</source>
+        <translation>Fleckradius nach Fläche</translation>
     </message>
     <message>
         <source>area of the stain</source>

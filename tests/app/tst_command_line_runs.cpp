@@ -250,7 +250,7 @@ private Q_SLOTS:
         QCOMPARE(candidates.size(), 3);
         QVERIFY(answer.json()["complete"].toBool());
         const auto radius_of = [&](qsizetype i) {
-            return candidates[i].toObject()["run"].toObject()["metrics"].toObject()["maximum_wetted_radius_top_mm"].toDouble();
+            return candidates[i].toObject()["run"].toObject()["metrics"].toObject()["equal_area_radius_mm"].toDouble();
         };
         QVERIFY(radius_of(0) >= radius_of(1) && radius_of(1) >= radius_of(2) && radius_of(0) > radius_of(2) && radius_of(2) > 0);
         QCOMPARE(contents(folder + "/comparison.csv").count('\n'), 6 + candidates.size());

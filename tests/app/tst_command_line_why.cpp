@@ -82,7 +82,7 @@ private Q_SLOTS:
         const Answer answer = run_cli(question + QStringList{"--report", folder_.filePath("why.html")}, 300);
         QVERIFY2(answer.code == 0, answer.err);
         const QJsonObject why = answer.json()["why"].toObject();
-        QCOMPARE(why["metric"].toString(), QString("maximum_wetted_radius_top_mm"));
+        QCOMPARE(why["metric"].toString(), QString("equal_area_radius_mm"));
         QCOMPARE(why["method"].toString(), method);
         QCOMPARE(why["fabrics"].toInt(), fabrics);
         QCOMPARE(answer.json()["candidates"].toArray().size(), 2); // the two it is about

@@ -27,6 +27,7 @@ inline Scene drop_scene(int particles, double height_mm)
     scene.rules.particles_per_droplet = particles;
     scene.rules.sorption = scene.rules.vapour = scene.rules.heat = false;
     scene.rules.network_step = scene.rules.calm_network_step = 1; // the liquid's steps alone
+    scene.rules.step_share = 0;
     return scene;
 }
 
@@ -65,6 +66,7 @@ inline Scene wet_cloth(double side_mm, bool everything, Closure closure = Closur
     scene.supply.pools.clear();
     scene.rules.step_error = 0;
     scene.rules.network_step = scene.rules.calm_network_step = wet_cloth_step;
+    scene.rules.step_share = 0;
     const double pores = scene.cloth.yarns[0].pore_area * scene.climate.density;
     for (std::size_t i = 0; i < static_cast<std::size_t>(scene.cloth.segments()); ++i)
         scene.cloth.start.liquid.push_back((0.2 + 0.3 * static_cast<double>(i % 97) / 97) * pores * scene.cloth.length[i]);

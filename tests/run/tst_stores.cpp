@@ -61,7 +61,12 @@ void fellInTheLaterHalf(const Run& found, double Ledger::*store)
     }
 }
 
-RunOptions live() { return {.fidelity = Fidelity::live}; }
+RunOptions live()
+{
+    RunOptions options;
+    options.fidelity = Fidelity::live;
+    return options;
+}
 
 } // namespace
 

@@ -225,6 +225,7 @@ private Q_SLOTS:
             Scene scene = wet_patch(fabric.toStdString(), seed, swelling);
             for (double step : {1e-4, 1e-2, 3.0}) {
                 scene.rules.network_step = scene.rules.calm_network_step = step;
+                scene.rules.step_share = 0;
                 scene.rules.saturation_change = 1;
                 const Frame frame = frames_at(*backend, scene, {10 * step}).front();
                 const double all = frame.ledger.water_delivered + frame.ledger.water_initial;
@@ -388,6 +389,7 @@ private Q_SLOTS:
         scene.rules.sorption = scene.rules.vapour = scene.rules.heat = false;
         scene.rules.saturation_change = 1;
         scene.rules.network_step = scene.rules.calm_network_step = 30;
+        scene.rules.step_share = 0;
         backend->load(scene);
         const auto saturations_at = [&](double time) {
             while (backend->advance(time) < time) {}

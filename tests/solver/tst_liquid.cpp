@@ -19,6 +19,7 @@ Scene water_in_vessel(bool box)
     constexpr double spacing = 2e-4, plate = 5e-3, half = 1e-3; // m
     Scene scene = bare_scene(1, 1, 2e-3, 293.15);
     scene.rules.network_step = scene.rules.calm_network_step = 1;
+    scene.rules.step_share = 0;
     for (int k = 0; k < (box ? 20 : 5); ++k)
         for (int j = -5; j < 5; ++j)
             for (int i = -5; i < 5; ++i) {

@@ -88,6 +88,7 @@ private Q_SLOTS:
         for (double step : {1e-3, 1.0, 1e3}) {
             Scene scene = first_end_wet(0.9);
             scene.rules.network_step = scene.rules.calm_network_step = step;
+            scene.rules.step_share = 0;
             scene.rules.saturation_change = 1;
             const std::vector<Frame> frames = frames_at(*backend, scene, {step, 20 * step, 1000 * step});
             double before = 0;
@@ -109,6 +110,7 @@ private Q_SLOTS:
         const std::unique_ptr<Backend> backend = make_cpu_backend();
         Scene scene = first_end_wet(0.9);
         scene.rules.network_step = scene.rules.calm_network_step = 10;
+        scene.rules.step_share = 0;
         scene.rules.saturation_change = 1;
         const std::vector<Frame> frames = frames_at(*backend, scene, {3e5, 3.001e5});
         QVERIFY(frames[0].liquid == frames[1].liquid);

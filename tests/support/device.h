@@ -14,6 +14,7 @@ public:
     void load(const Scene& scene) override { cpu_->load(scene); }
     double advance(double until) override { return cpu_->advance(until); }
     Frame frame() override { return cpu_->frame(); }
+    void stay() override { cpu_->stay(); }
     std::vector<std::byte> state() override { return cpu_->state(); }
     void go_on_from(const std::vector<std::byte>& state) override { cpu_->go_on_from(state); }
     void squeeze(double share) override { cpu_->squeeze(share); }

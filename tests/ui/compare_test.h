@@ -23,7 +23,7 @@ struct Workplace {
     CompareView view{document, history, runs};
 };
 
-inline constexpr const char* radius_key = "maximum_wetted_radius_top_mm";
+inline constexpr const char* radius_key = "equal_area_radius_mm";
 
 /// As if it had been run, with this wetted radius in mm.
 inline KeptRun runOf(const Design& design, std::size_t fabric, Fidelity fidelity, double radius_mm)
@@ -36,7 +36,7 @@ inline KeptRun runOf(const Design& design, std::size_t fabric, Fidelity fidelity
     run->plan.expected_errors[radius_key] = 0.02;
     run->wall = 1;
     auto metrics = std::make_shared<Metrics>();
-    metrics->maximum_wetted_radius_top = 1e-3 * radius_mm;
+    metrics->equal_area_radius_top = 1e-3 * radius_mm;
     return {QString("%1 %2").arg(fabric).arg(radius_mm), run, metrics};
 }
 

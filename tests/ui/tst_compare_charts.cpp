@@ -291,7 +291,7 @@ private Q_SLOTS:
             }
             return std::size_t{99};
         };
-        QCOMPARE(found.runs[0][spoke("maximum_wetted_radius_top_mm")], 1.0);
+        QCOMPARE(found.runs[0][spoke("equal_area_radius_mm")], 1.0);
         QCOMPARE(found.runs[0][spoke("absorbency_time_s")], 0.5); // a smaller time is better
         QCOMPARE(found.runs[1][spoke("absorbency_time_s")], 0.0);
         QCOMPARE(found.runs[0][spoke("maximum_wetted_radius_bottom_mm")], -1.0); // it has no such number
@@ -314,7 +314,7 @@ private:
         made.fabric = name;
         made.run = std::make_shared<RunRecord>();
         made.metrics = std::make_shared<Metrics>();
-        made.replicates = {ReplicateRun{{{"maximum_wetted_radius_top_mm", radius}, {"absorbency_time_s", time}}, {}}};
+        made.replicates = {ReplicateRun{{{"equal_area_radius_mm", radius}, {"absorbency_time_s", time}}, {}}};
         return made;
     }
 

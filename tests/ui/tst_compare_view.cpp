@@ -124,8 +124,8 @@ private Q_SLOTS:
         CandidateTable* table = view.table();
         QVERIFY(!table->tabKeyNavigation()); // it would keep the focus
         QCOMPARE(table->rowCount(), 2);
-        QCOMPARE(table->horizontalHeaderItem(CandidateTable::first_number)->text(), QString("Largest wetted radius, top (mm)"));
-        QVERIFY(thick_.metrics->maximum_wetted_radius_top != thin_.metrics->maximum_wetted_radius_top);
+        QCOMPARE(table->horizontalHeaderItem(CandidateTable::first_number)->text(), QString("Stain radius by area, top (mm)"));
+        QVERIFY(thick_.metrics->equal_area_radius_top != thin_.metrics->equal_area_radius_top);
         const auto text = [&](const KeptRun& run) { return table->cellText(rowOf(view, run.run->fabric), 0); };
         QVERIFY(text(thick_).endsWith("\nbaseline")); // it is not better than itself
         // They lie within a crossing of each other.
@@ -337,7 +337,7 @@ private Q_SLOTS:
 
     void theTableIsWrittenBestFirst()
     {
-        const bool thickIsBest = thick_.metrics->maximum_wetted_radius_top > thin_.metrics->maximum_wetted_radius_top;
+        const bool thickIsBest = thick_.metrics->equal_area_radius_top > thin_.metrics->equal_area_radius_top;
         const KeptRun& best = thickIsBest ? thick_ : thin_;
         const KeptRun& worse = thickIsBest ? thin_ : thick_;
         Workplace place;

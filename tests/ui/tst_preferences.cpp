@@ -75,7 +75,7 @@ private Q_SLOTS:
         QVERIFY2(results().text().contains(QRegularExpression("Largest wetted radius\t[0-9.]+.in")), qPrintable(results().text()));
         window_->setWorkspace(Workspace::compare);
         QTRY_COMPARE(compareView().table()->horizontalHeaderItem(CandidateTable::first_number)->text(),
-                     QString("Largest wetted radius, top (in)"));
+                     QString("Stain radius by area, top (in)"));
     }
 
     void settsAndCountsReachTheirFields()

@@ -252,6 +252,41 @@ private Q_SLOTS:
         QVERIFY(std::abs(frame.ledger.water_imbalance()) < 1e-12 * frame.ledger.water_delivered);
     }
 
+    /// Fine pores hold on to what coarse ones would take: a fine lining gives its coarse outer layer nothing until it is full itself, then what
+    /// its rooms hold.
+    void aFineLiningFillsBeforeACoarseLayer_data()
+    {
+        QTest::addColumn<double>("sweat"); // g/(m2 h), in a quarter of an hour
+        QTest::addColumn<bool>("fills");
+        QTest::newRow("half of what its yarns hold") << 120.0 << false;
+        QTest::newRow("twice") << 900.0 << true;
+    }
+    void aFineLiningFillsBeforeACoarseLayer()
+    {
+        QFETCH(double, sweat);
+        QFETCH(bool, fills);
+        Lined lined("Sports micro-twill", 2, "Polyester taffeta");
+        Fabric& coarse = lined.design.fabrics[0];
+        Fabric& fine = lined.design.fabrics[1];
+        const std::string name = coarse.name;
+        coarse = fine; // the same cloth of fewer and thicker filaments
+        coarse.name = name;
+        for (Yarn* yarn : {&coarse.warp, &coarse.weft}) yarn->filament_count = 36;
+        for (Yarn* yarn : {&fine.warp, &fine.weft}) yarn->filament_count = 288;
+        lined.wear.climate.relative_humidity = 0.99;
+        lined.parts.sweat.g_m2_h.assign(body_zones().size(), sweat);
+        lined.wear.activity = {{0, 1}, {900, 0}};
+        const GarmentScene garment = lined.scene(3e-3, false, true);
+        const Frame frame = frame_at(garment.scene, 2400);
+        const double outer = water_of(garment, frame, 0), inner = water_of(garment, frame, 1);
+        const QByteArray said = QString("%1 and %2 kg in a cell").arg(outer).arg(inner).toLatin1();
+        if (fills)
+            QVERIFY2(outer > 0.2 * inner, said.constData());
+        else
+            QVERIFY2(outer < 0.05 * inner, said.constData());
+        QVERIFY(std::abs(frame.ledger.water_imbalance()) < 1e-12 * frame.ledger.water_delivered);
+    }
+
     /// Sweat comes to the outer layer through the inner one, and nothing is lost on the way.
     void sweatComesThroughTheInnerLayer()
     {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* words[] = {
     // Metrics and their faces: core/analysis/outcomes.cpp.
-    QT_TRANSLATE_NOOP("core", "radius of a circle as large as the stain"),
+    QT_TRANSLATE_NOOP("core", "stain radius by area"),
     QT_TRANSLATE_NOOP("core", "area of the stain"),
     QT_TRANSLATE_NOOP("core", "water at the start"),
     QT_TRANSLATE_NOOP("core", "wetted radius"),

@@ -108,6 +108,11 @@ struct FedFace {
     }
     HL_FN int places_inside(const Segments& s, int crossing) const
     {
+        const double across = (crossing / s.picks - 0.5 * (s.ends - 1)) * warp_pitch - x,
+                     along = (crossing % s.picks - 0.5 * (s.picks - 1)) * weft_pitch - y;
+        const double from_middle = std::sqrt(across * across + along * along), to_corner = 0.5 * (warp_pitch + weft_pitch); // or less far
+        if (from_middle > radius + to_corner) return 0;
+        if (from_middle < radius - to_corner) return places * places;
         int inside = 0;
         for (int place = 0; place < places * places; ++place)
             inside += is_inside(s, crossing, beside(place / places), beside(place % places));
