@@ -28,12 +28,12 @@ struct Bundles {
     int middle_of(int bundle) const { return static_cast<int>(((2 * std::int64_t{bundle} + 1) * yarns) / (2 * count)); }
 };
 
-/// Bundles of about the wanted number of yarns, all of one size. Their number is odd, so that one lies in the middle, under a drop, however
-/// large the sample is.
+/// Bundles of about the wanted number of yarns, all of one size. Their number is even, so that the sample's middle, over which drops hang,
+/// lies between two, however large the sample is.
 inline Bundles bundles_of(int yarns, int wanted)
 {
     if (wanted <= 1) return {yarns, yarns};
-    return {yarns, 2 * (yarns / (2 * wanted)) + 1};
+    return {yarns, std::max(1, 2 * ((yarns + wanted) / (2 * wanted)))};
 }
 
 } // namespace hygroloom

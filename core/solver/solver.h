@@ -66,7 +66,7 @@ public:
             time_ = sync_time_;
             yarns_.draw_from_particles(liquid_.offer(time_, yarns_.absorbed()));
             sync_time_ = -1;
-            step_yarns(time_ - network_time_, is_beside() || time_ >= until);
+            step_yarns(time_ - network_time_, is_beside() || meets_event_ || time_ >= until);
             network_time_ = time_;
             if (stood || yarns_.pool_was_fed() || stands_on_cloth()) free_until_ = time_;
             if (elapsed(start) > wall_seconds) break;
@@ -130,7 +130,7 @@ public:
     }
 
 private:
-    static constexpr double rounding = 1e-12; ///< of a sum of steps' lengths
+    static constexpr double rounding = 1e-9; ///< of a step's length, or of a time that is their sum
     static double elapsed(std::chrono::steady_clock::time_point start)
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -159,12 +159,15 @@ private:
             if (liquid_.rests()) yarns_.begin_anew(liquid_.is_about());
             delivered_ += liquid_.release_drop();
         }
-        const bool own_ends = scene_.rules.step_share > 0;
-        const double event = std::min(liquid_.next_drop(), yarns_.next_event(time_)), target = own_ends ? event : std::min(until, event);
-        const double left = target - time_, longest = yarns_.longest_step();
-        const bool is_far = own_ends && left > 2 * longest; // then it is not felt, and else it leaves no sliver of a step
-        const double steps = LiquidRules::steps_to(left, longest);
-        const double end = is_far ? time_ + longest : steps == 1.0 ? target : time_ + left / steps;
+        const double event = std::min(liquid_.next_drop(), yarns_.next_event(time_)), longest = yarns_.longest_step();
+        double end = event;
+        if (scene_.rules.step_share <= 0) {
+            const double target = std::min(until, event), steps = LiquidRules::steps_to(target - time_, longest);
+            end = steps == 1.0 ? target : time_ + (target - time_) / steps;
+        } else if (event - time_ > longest * (1 + rounding)) {
+            end = time_ + longest; // what comes is not felt before
+        }
+        meets_event_ = end == event;
         if (until < end)
             leave_for(until);
         else
@@ -206,6 +209,7 @@ private:
     typename Executor::Snapshot snapshot_;
     double time_ = 0, sync_time_ = -1, network_time_ = 0;     ///< s
     double beside_ = -1;                                      ///< s, the frame that steps were left for
+    bool meets_event_ = false;                                ///< at the end of this step
     double delivered_ = 0, initial_ = 0, initial_energy_ = 0; ///< kg, kg, J
     double free_until_ = 0;                                   ///< s, when drops or pools last stood on the cloth
 };

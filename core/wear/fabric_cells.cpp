@@ -109,7 +109,8 @@ FabricCells fabric_cells(const Design& design, const Fabric& fabric, const WearE
     for (const char* part : {"wicking", "sorption", "vapour", "heat"}) plan.parts.push_back({part, true, false, {}});
     plan.fibre_shells = static_cast<int>(knobs.fibre_shells);
     plan.crossings_per_cell = k;
-    const Textile textile = textile_of_run(design, fabric, experiment, {0, 0, ends + k, picks + k});
+    const auto with_margin = [k](int repeat) { return repeat + (repeat / k % 2 == 0 ? 2 * k : k); }; // an even number of bundles
+    const Textile textile = textile_of_run(design, fabric, experiment, {0, 0, with_margin(ends), with_margin(picks)});
     Scene scene = build_scene(design, textile, experiment, plan, 1);
     scene.cloth.pores.clear(); // even yarns
     cells.tile = k > 1 ? coarsened(scene, k) : std::move(scene);

@@ -188,7 +188,7 @@ private Q_SLOTS:
     }
     void aCapIsAbsorbedAlikeWhereverItLies()
     {
-        const Fabric fabric = library_fabric("Textile F"); // 35 threads per cm, plain: 4 ends are two repeats
+        const Fabric fabric = of_even_yarns(library_fabric("Textile F")); // 35 threads per cm, plain: 4 ends are two repeats
         const double moved = 4 * 10.0 / 35;
         const Scene centred = scene_of(fabric, drops_on_sample({drop_at(0, 0, 5)}, 1)),
                     aside = scene_of(fabric, drops_on_sample({drop_at(moved, -moved, 5)}, 1));
