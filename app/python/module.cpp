@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The module _hygroloom: its parts, and the core's exceptions as Python's.
 #include "app/python/bindings.h"
+#include "app/python/unlocked.h"
 #include "app/python/watched.h"
 
 #include "core/base/utf8.h"
@@ -56,7 +57,7 @@ void add_errors(py::module_& module)
     module.def("validate", [](const Design& design) {
         std::vector<Issue> issues;
         {
-            const py::gil_scoped_release no_python;
+            const Unlocked no_python;
             issues = validate(design);
         }
         return issue_list(issues);
@@ -69,7 +70,7 @@ PYBIND11_MODULE(_hygroloom, module)
 {
     module.doc() = "The C++ side of hygroloom; use the package.";
     module.attr("version") = HYGROLOOM_VERSION;
-    pybind11::module_::import("atexit").attr("register")(pybind11::cpp_function(&hygroloom::python::wait_for_all_work));
+    module.def("end_all_work", &hygroloom::python::end_all_work);
     hygroloom::python::add_projects(module);
     hygroloom::python::add_errors(module);
     hygroloom::python::add_recordings(module);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Projects for Python: a design is a value that never changes; each change gives another.
 #include "app/python/bindings.h"
+#include "app/python/unlocked.h"
 
 #include "core/base/words.h"
 #include "core/project/project_file.h"
@@ -87,7 +88,7 @@ const Experiment& chosen_experiment(const Design& design, const std::string& nam
 
 void add_projects(py::module_& module)
 {
-    using released = py::call_guard<py::gil_scoped_release>;
+    using released = py::call_guard<Unlocked>;
     py::class_<Design>(module, "Design").def("__eq__", [](const Design& one, const Design& other) { return one == other; });
     module.def(
         "read_project", [](const std::string& path) { return read_project(path); }, released());

@@ -2,6 +2,7 @@
 // Recordings for Python: a frame is read when it is asked for, and its values become numpy arrays without a copy.
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
+#include "app/python/unlocked.h"
 
 #include "core/analysis/cell_map.h"
 #include "core/analysis/series_keys.h"
@@ -106,7 +107,7 @@ py::dict frame_of(SharedRecording& recording, int index, const std::vector<std::
     const std::vector<FrameField> fields = fields_named(names);
     Frame frame;
     {
-        const py::gil_scoped_release no_python;
+        const Unlocked no_python;
         frame = recording.frame(index, fields);
     }
     py::dict values;
@@ -125,7 +126,7 @@ py::array map_of(SharedRecording& recording, int index, const std::string& side,
 {
     CellMap map;
     {
-        const py::gil_scoped_release no_python;
+        const Unlocked no_python;
         map = recording.map(index, map_side_from_name(side), crossings_per_cell);
     }
     return array_of(std::move(map.water), {map.rows, map.columns});
@@ -156,7 +157,7 @@ py::tuple series_of(SharedRecording& recording)
 {
     SharedRecording::Measured measured;
     {
-        const py::gil_scoped_release no_python;
+        const Unlocked no_python;
         measured = recording.measured();
     }
     py::dict series;
@@ -251,7 +252,7 @@ void add_recordings(py::module_& module)
 {
     py::class_<SharedRecording>(module, "Recording")
         .def(py::init([](const std::string& path) {
-            const py::gil_scoped_release no_python;
+            const Unlocked no_python;
             return std::make_unique<SharedRecording>(path);
         }))
         .def("about", &about)

@@ -2,6 +2,7 @@
 // Many runs for one answer, for Python: fabrics side by side, and inputs fitted to a measurement.
 #include "app/python/bindings.h"
 #include "app/python/machine.h"
+#include "app/python/unlocked.h"
 
 #include "core/analysis/calibration.h"
 #include "core/analysis/jobs.h"
@@ -124,6 +125,17 @@ py::str compare(const Design& design, const std::vector<std::string>& fabrics, c
     return text(watched(progress, [=](Watch& watch) { return compared_fabrics(design, asked, arguments, watch); }));
 }
 
+/// As a whole.
+void copy_file(const std::string& from, const std::string& to)
+{
+    write_file_with(to, [&](const std::filesystem::path& temporary) {
+        std::error_code failure;
+        if (!std::filesystem::exists(from, failure)) throw FileError(from + ": The file is not there any more.");
+        if (!std::filesystem::copy_file(from, temporary, failure))
+            throw FileError(fmt::format("{}: The file cannot be written: {}.", to, failure.message()));
+    });
+}
+
 } // namespace
 
 void add_studies(py::module_& module)
@@ -131,6 +143,7 @@ void add_studies(py::module_& module)
     module.def("calibrate", &calibrate_fabric);
     module.def("compare", &compare);
     module.def("write_text", [](const std::string& path, const std::string& content) { write_file(path, content); });
+    module.def("copy_file", &copy_file, py::call_guard<Unlocked>());
 }
 
 } // namespace hygroloom::python

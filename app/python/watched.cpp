@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "app/python/watched.h"
 
+#include "app/python/unlocked.h"
+
 #include <chrono>
 #include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <pthread.h>
 #include <thread>
+#include <unistd.h>
 #include <vector>
 
 namespace hygroloom::python {
 namespace {
 
-constexpr auto look_every = std::chrono::milliseconds(50), patience = std::chrono::milliseconds(150);
+constexpr auto look_every = std::chrono::milliseconds(50), patience = std::chrono::milliseconds(150),
+               patience_at_exit = std::chrono::milliseconds(300);
 
 struct Told {
     double share = 0;
@@ -29,15 +36,39 @@ struct Work {
     std::thread thread;
 };
 
-/// Work that nobody waits for any more, until its thread is joined.
-struct LeftBehind {
+/// Work that has a thread. Never destroyed: threads may use it until the process has ended.
+struct Works {
     std::mutex mutex;
     std::vector<std::shared_ptr<Work>> all;
 };
-LeftBehind& left_behind()
+Works* works = new Works;
+/// A forked child has none of its parent's threads.
+[[maybe_unused]] const int child_has_none = pthread_atfork(nullptr, nullptr, [] { works = new Works; });
+
+/// A thread that Python leaves behind does not come back from here.
+std::unique_lock<std::mutex> locked_works()
 {
-    static LeftBehind left;
-    return left;
+    std::unique_lock lock(works->mutex);
+    if (is_exited()) {
+        lock.unlock();
+        stay();
+    }
+    return lock;
+}
+
+bool has_ended(Work& work)
+{
+    const std::lock_guard lock(work.mutex);
+    return work.ended;
+}
+
+void join_those_that_ended(Works& these)
+{
+    std::erase_if(these.all, [](const std::shared_ptr<Work>& work) {
+        if (!has_ended(*work)) return false;
+        work->thread.join();
+        return true;
+    });
 }
 
 void start(const std::shared_ptr<Work>& work, std::function<void(Watch&)> act)
@@ -46,6 +77,7 @@ void start(const std::shared_ptr<Work>& work, std::function<void(Watch&)> act)
         const std::lock_guard lock(from->mutex);
         from->newest = {share, what};
     };
+    const std::unique_lock lock = locked_works();
     work->thread = std::thread([work, act = std::move(act)]() mutable {
         try {
             act(work->watch);
@@ -55,55 +87,47 @@ void start(const std::shared_ptr<Work>& work, std::function<void(Watch&)> act)
         act = nullptr; // what it holds goes before the caller goes on
         const std::lock_guard lock(work->mutex);
         work->ended = true;
-        work->changed.notify_one();
+        work->changed.notify_all();
     });
+    works->all.push_back(work);
 }
 
 /// Under Python's lock: throws what the user or progress wants to end the work with.
 void look(const py::object& progress, const std::optional<Told>& told)
 {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    if (told && !progress.is_none()) progress(told->share, told->what);
+    if (told && !progress.is_none()) call_progress(progress, told->share, told->what.c_str());
 }
 
 /// Until the work has ended, or has been told to and takes long. Returns what it was told to end for.
-std::exception_ptr look_on(const py::object& progress, Work& work)
+std::exception_ptr look_on(const py::object& progress, Work& work, Unlocked& python)
 {
     const auto has_ended = [&] { return work.ended; };
     std::unique_lock lock(work.mutex);
     while (!work.changed.wait_for(lock, look_every, has_ended)) {
         const std::optional<Told> told = std::exchange(work.newest, std::nullopt);
         lock.unlock();
-        {
-            const py::gil_scoped_acquire python;
-            try {
-                look(progress, told);
-            } catch (...) {
-                work.watch.control.cancel = true;
-                const std::exception_ptr stopped = std::current_exception();
-                const py::gil_scoped_release no_python;
-                lock.lock();
-                work.changed.wait_for(lock, patience, has_ended);
-                return stopped;
-            }
+        python.take();
+        std::exception_ptr stopped;
+        try {
+            look(progress, told);
+        } catch (...) {
+            stopped = std::current_exception();
         }
+        python.give();
+        if (stopped) work.watch.control.cancel = true;
         lock.lock();
+        if (stopped) work.changed.wait_for(lock, patience, has_ended);
+        if (stopped) return stopped;
     }
     return nullptr;
 }
 
-/// Joins the thread, or leaves it behind.
-void end(const std::shared_ptr<Work>& work)
+/// Joins what has ended; work that goes on is left behind.
+void tidy()
 {
-    {
-        const std::lock_guard lock(work->mutex);
-        if (!work->ended) {
-            const std::lock_guard list(left_behind().mutex);
-            left_behind().all.push_back(work);
-            return;
-        }
-    }
-    work->thread.join();
+    const std::unique_lock lock = locked_works();
+    join_those_that_ended(*works);
 }
 
 } // namespace
@@ -113,22 +137,30 @@ void watch(const py::object& progress, std::function<void(Watch&)> act)
     const auto work = std::make_shared<Work>();
     std::exception_ptr stopped;
     {
-        const py::gil_scoped_release no_python;
+        Unlocked python;
         start(work, std::move(act));
-        stopped = look_on(progress, *work);
-        end(work);
+        stopped = look_on(progress, *work, python);
+        tidy();
     }
     if (stopped) std::rethrow_exception(stopped);
     if (work->failure) std::rethrow_exception(work->failure);
     if (work->newest) look(progress, work->newest);
 }
 
-void wait_for_all_work()
+void end_all_work()
 {
-    const py::gil_scoped_release no_python;
-    const std::lock_guard lock(left_behind().mutex);
-    for (const std::shared_ptr<Work>& work : left_behind().all) work->thread.join();
-    left_behind().all.clear();
+    const Unlocked no_python;
+    python_exits();
+    const std::lock_guard lock(works->mutex);
+    for (const std::shared_ptr<Work>& work : works->all) work->watch.control.cancel = true;
+    const auto until = std::chrono::steady_clock::now() + patience_at_exit;
+    for (const std::shared_ptr<Work>& work : works->all) {
+        std::unique_lock own(work->mutex);
+        work->changed.wait_until(own, until, [&] { return work->ended; });
+    }
+    join_those_that_ended(*works);
+    // What still goes on uses what destructors would take away.
+    if (!works->all.empty()) on_exit([](int status, void*) { std::fflush(nullptr), _exit(status); }, nullptr);
 }
 
 } // namespace hygroloom::python

@@ -23,8 +23,8 @@ struct Watch {
 };
 
 /// Calls act() in a thread. progress: None, or called with a share and a sentence. Throws what act() throws; KeyboardInterrupt and what
-/// progress raises once act() has ended, for which it is asked at once, or 0.15 s later: it then ends by itself, and Python waits for it
-/// before it exits. act() must therefore hold all that it uses, and nothing of Python. Precondition: the caller has Python's lock.
+/// progress raises once act() has ended, for which it is asked at once, or 0.15 s later: it then ends by itself. act() must therefore hold
+/// all that it uses, and nothing of Python. Precondition: the caller has Python's lock.
 void watch(const py::object& progress, std::function<void(Watch&)> act);
 
 /// The same with a result.
@@ -35,7 +35,8 @@ template <typename Act> auto watched(const py::object& progress, Act act)
     return std::move(**result);
 }
 
-/// Before Python exits.
-void wait_for_all_work();
+/// Before Python exits: all work is asked to end, and is waited for up to 0.3 s. Threads that wait for work stay where they are. Work that
+/// goes on even then ends with the process, which leaves out destructors.
+void end_all_work();
 
 } // namespace hygroloom::python

@@ -2,6 +2,7 @@
 // Recordings of worn garments for Python.
 #include "app/python/arrays.h"
 #include "app/python/bindings.h"
+#include "app/python/unlocked.h"
 
 #include "core/wear/wear_recording.h"
 
@@ -30,7 +31,7 @@ py::dict frame_of(SharedWearRecording& shared, int index)
             fmt::format("{}: There is no frame {}; the recording has {}.", shared.name, index, shared.recording.frames()));
     WearFrame frame;
     {
-        const py::gil_scoped_release no_python;
+        const Unlocked no_python;
         const std::lock_guard lock(shared.mutex);
         frame = shared.recording.frame(index);
     }
@@ -104,7 +105,7 @@ void add_wear_recordings(py::module_& module)
 {
     py::class_<SharedWearRecording>(module, "WearRecording")
         .def(py::init([](const std::string& path) {
-            const py::gil_scoped_release no_python;
+            const Unlocked no_python;
             return std::make_unique<SharedWearRecording>(path);
         }))
         .def("about", &about)

@@ -79,7 +79,7 @@ private:
         (*at_)[key] = ProjectJson::object();
     }
 
-    [[noreturn]] void refuse_number(std::size_t number) const
+    [[noreturn]] void refuse_number(long number) const
     {
         const std::string list = path_.substr(0, path_.size() - rest_.size());
         const std::size_t size = at_->size();
@@ -97,12 +97,13 @@ private:
             if (close == std::string_view::npos) refuse(path_, "A \"]\" is missing.");
             text = rest_.substr(1, close - 1);
         }
-        std::size_t number = 0;
+        long number = 0;
         const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
         if (bracketed && failure == std::errc() && end == text.data() + text.size()) {
-            if (number >= at_->size()) refuse_number(number);
+            const long size = static_cast<long>(at_->size()), place = number < 0 ? number + size : number; // -1 is the last
+            if (place < 0 || place >= size) refuse_number(number);
             rest_.remove_prefix(text.size() + 2);
-            return number;
+            return static_cast<std::size_t>(place);
         }
         return named(text, bracketed);
     }

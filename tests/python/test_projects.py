@@ -55,6 +55,11 @@ def test_issues_say_where(examples):
         ("fabrics[9].ends_per_cm", 3, "There is no fabrics.9."),
         ("fabrics[0].ends_per_cm", "many", "must be a number in /cm; given is .many."),
         ("fabrics[0].ends_per_cm", {"a": 1}, "ends_per_cm"),
+        ("fabrics[0].contact_angle_deg", "60", "must be a number in °; given is .60.\\.$"),
+        ("fabrics[0].thickness_mm", "0.3 deg", "must be a number in mm; given is"),
+        ("experiments[0].sample_mm", ["20", 20], "must be a number"),
+        ("fabrics[-2].ends_per_cm", 3, "There is no fabrics.-2.; this project has 1 .fabrics.0..\\.$"),
+        ("fabrics[9999999999999999999999].ends_per_cm", 3, "Textile F"),
         ("", 3, "path is empty"),
         ("fabrics[", 3, "missing"),
     ],
@@ -64,8 +69,29 @@ def test_wrong_changes_leave_the_project_as_it_was(examples, path, value, words)
     before = project.to_json()
     with pytest.raises(hygroloom.Error, match=words) as refused:
         project.set(path, value)
-    assert "--set" not in str(refused.value)
+    assert "--set" not in str(refused.value) and (not path or str(refused.value).count(path) <= 1)
     assert project.to_json() == before
+
+
+def test_places_count_from_the_end_too(examples):
+    project = hygroloom.Project.open(examples / "laboratory.hygro")
+    last = len(project.experiments) - 1
+    assert project.get("experiments[-1].name") == project.get(f"experiments[{last}].name")
+    project.set("experiments[-1].name", "last").set("experiments[0].droplets[-1].volume_ul", 7)
+    assert project.experiments[-1] == "last" and project.get("experiments[0].droplets[0].volume_ul") == 7
+
+
+@pytest.mark.parametrize("odd", ["a\ud800b", ["a\udfff"], {"a\ud800": 1}, {"name": "\ud83d"}, "\udce4.hygro"])
+def test_halves_of_letters_are_refused(examples, odd):
+    project = hygroloom.Project.open(examples / "laboratory.hygro")
+    before = project.to_json()
+    for use in (lambda: project.set("fabrics[0].name", odd), lambda: hygroloom.Project.from_json({"fabrics": odd})):
+        with pytest.raises(ValueError, match=": This must be Unicode text; given is"):
+            use()
+    assert project.to_json() == before
+    names = ["ä😀\U0010ffff", '"quoted"', "true", "null", "[1]", "1e400", "60 deg", "a\nb"]
+    for name in names:
+        assert project.set("fabrics[0].name", name).fabrics == [name]
 
 
 def test_wrong_arguments_are_named(examples, tmp_path):

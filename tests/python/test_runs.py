@@ -165,7 +165,7 @@ SLOW_START = """
 
 
 def test_ctrl_c_is_obeyed_before_the_first_step(examples):
-    """What builds a scene asks nobody; it goes on by itself, and Python waits for it when it exits."""
+    """What builds a scene asks nobody; it goes on by itself until the process ends."""
     child = child_of(SLOW_START, examples / "laboratory.hygro")
     assert interrupted_after(child, lambda: (child.stdout.readline(), time.sleep(0.1))) < limit_s()
 

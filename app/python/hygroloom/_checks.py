@@ -25,11 +25,18 @@ def path_bytes(value: Any, name: str) -> bytes:
 def text(value: Any, name: str) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{name}: This must be a text; given is {value!r}.")
+    if not _is_unicode(value):
+        raise ValueError(f"{name}: This must be Unicode text; given is {value!r}.")
+    return value
+
+
+def _is_unicode(value: str) -> bool:
+    """Without halves of pairs, as names of files that are not UTF-8 have them."""
     try:
         value.encode()
     except UnicodeEncodeError:
-        raise ValueError(f"{name}: This must be Unicode text; given is {value!r}.") from None
-    return value
+        return False
+    return True
 
 
 def optional_text(value: Optional[str], name: str) -> str:
@@ -98,7 +105,7 @@ def _plain(value: Any) -> Any:
 
 def json_text(value: Any, name: str) -> str:
     try:
-        return json.dumps(value, default=_plain, allow_nan=False)
+        written = json.dumps(value, default=_plain, allow_nan=False, ensure_ascii=False)
     except TypeError:
         raise TypeError(f"{name}: This must be a number, a text, a list or a dictionary; given is {value!r}.") from None
     except ValueError as error:
@@ -106,6 +113,9 @@ def json_text(value: Any, name: str) -> str:
         raise ValueError(f"{name}: This must {wrong}; given is {value!r}.") from None
     except RecursionError:
         raise ValueError(f"{name}: This is nested too deeply.") from None
+    if not _is_unicode(written):
+        raise ValueError(f"{name}: This must be Unicode text; given is {value!r}.")
+    return written
 
 
 def setting(value: Any, name: str) -> str:

@@ -118,6 +118,10 @@ class Project:
         """The same as a dictionary."""
         return json.loads(self.to_json())
 
+    def __reduce__(self):
+        """As the text of its file, so that it can be sent to other processes."""
+        return _of_json, (self.to_json(), self.path)
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Project) and self._design == other._design
 
@@ -125,6 +129,10 @@ class Project:
 
     def __repr__(self) -> str:
         return f"<hygroloom.Project {str(self.path) if self.path else 'without a file'}: fabrics {self.fabrics}, experiments {self.experiments}>"
+
+
+def _of_json(text: str, path: Optional[pathlib.Path]) -> Project:
+    return Project(_hygroloom.parse_project(text, "project"), path)
 
 
 def project_of(project: Any) -> Project:

@@ -6,7 +6,8 @@ import os
 import pathlib
 import threading
 import warnings
-from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, Union
+from functools import partial
+from typing import TYPE_CHECKING, Any, Iterable, Optional, Union
 
 import numpy as np
 
@@ -50,6 +51,7 @@ class Recording:
     def __init__(self, path: Union[str, os.PathLike]):
         name = _checks.path_bytes(path, "path")
         self.path = pathlib.Path(os.fsdecode(name))
+        self._place = self.path.absolute()  # for processes that are elsewhere
         self._file = _hygroloom.Recording(name)
         self.about: dict[str, Any] = self._file.about()
         self.ledger: dict[str, np.ndarray] = self._file.ledger()
@@ -61,7 +63,7 @@ class Recording:
         return len(self.times)
 
     def __reduce__(self):
-        return Recording, (self.path,)
+        return Recording, (self._place,)
 
     def __repr__(self) -> str:
         return f"<hygroloom.Recording {self.path}: {self.about['fabric']}, {self.about['experiment']}, {len(self)} frames>"
@@ -131,6 +133,7 @@ class WearRecording:
     def __init__(self, path: Union[str, os.PathLike]):
         name = _checks.path_bytes(path, "path")
         self.path = pathlib.Path(os.fsdecode(name))
+        self._place = self.path.absolute()  # for processes that are elsewhere
         self._file = _hygroloom.WearRecording(name)
         self.about: dict[str, Any] = self._file.about()
         self.times: np.ndarray = self.about.pop("times")
@@ -139,7 +142,7 @@ class WearRecording:
         return len(self.times)
 
     def __reduce__(self):
-        return WearRecording, (self.path,)
+        return WearRecording, (self._place,)
 
     @property
     def project(self) -> Project:
@@ -215,64 +218,44 @@ def grid(values: "xarray.DataArray", system: str) -> "xarray.DataArray":
     return array.transpose(..., "end", "pick")
 
 
-def _lazy(shape: tuple[int, ...], dtype: Any, read: Callable[[int], np.ndarray]) -> Any:
-    """An array of which xarray reads only the frames that it needs. read: the values of one, of the shape without its time."""
-    from xarray.backends import BackendArray
-    from xarray.core import indexing
-
-    class Frames(BackendArray):
-        def __init__(self) -> None:
-            self.shape, self.dtype = shape, np.dtype(dtype)
-
-        def __getitem__(self, key: Any) -> Any:
-            return indexing.explicit_indexing_adapter(key, self.shape, indexing.IndexingSupport.OUTER, self._read)
-
-        def _read(self, key: tuple) -> np.ndarray:
-            times, rest = key[0], key[1:]
-            if isinstance(times, (int, np.integer)):
-                return _outer(read(int(times)), rest)
-            numbers = np.arange(self.shape[0])[times]
-            empty = np.empty((0,) + self.shape[1:], self.dtype)
-            if len(numbers) == 0:
-                return _outer(empty, (slice(None),) + rest)
-            return np.stack([_outer(read(int(number)), rest) for number in numbers])
-
-    return indexing.LazilyIndexedArray(Frames())
+def _field_of(recording: Union[Recording, WearRecording], name: str, number: int) -> np.ndarray:
+    frame = recording.frame(number, [name]) if isinstance(recording, Recording) else recording.frame(number)
+    return frame[name]
 
 
-def _outer(values: np.ndarray, key: tuple) -> np.ndarray:
-    """Each dimension by its own key."""
-    for axis, one in reversed(list(enumerate(key))):
-        if not (isinstance(one, slice) and one == slice(None)):
-            values = values[(slice(None),) * axis + (one,)]
-    return values
+def _maps_of(recording: Recording, cells: int, number: int) -> np.ndarray:
+    return np.stack([recording.water_map(number, side, cells) for side in SIDES])
+
+
+def _series_of(recording: Recording, key: str, number: int) -> np.ndarray:
+    return recording.series()[key][number]
 
 
 def _of_sample(recording: Recording, cells: int) -> "xarray.Dataset":
     import xarray
+
+    from ._lazy import frames_of
 
     about = recording.about
     frames, ends, picks = len(recording), about["ends"], about["picks"]
     count = 2 * ends * picks
     values: dict[str, Any] = {}
     for name, unit in FIELDS.items():
-        read = lambda k, name=name: recording.frame(k, [name])[name]  # noqa: E731
         attrs = {"units": unit, "long_name": _FIELD_NAMES.get(name, name), "ends": ends, "picks": picks}
-        values[name] = xarray.Variable(("time", "segment"), _lazy((frames, count), np.float32, read), attrs)
+        values[name] = xarray.Variable(("time", "segment"), frames_of((frames, count), np.float32, partial(_field_of, recording, name)), attrs)
 
     yarns = about["yarns_per_cell"]
     cells = max(1, int(cells / yarns + 0.5))  # of the shown ones
     rows, columns = -(-picks // cells), -(-ends // cells)
-    read_maps = lambda k: np.stack([recording.water_map(k, side, cells * yarns) for side in SIDES])  # noqa: E731
     values["water_map"] = xarray.Variable(
         ("time", "side", "y", "x"),
-        _lazy((frames, len(SIDES), rows, columns), np.float64, read_maps),
+        frames_of((frames, len(SIDES), rows, columns), np.float64, partial(_maps_of, recording, cells * yarns)),
         {"units": "g/m2", "long_name": "water over the start", "crossings_per_cell": cells * yarns},
     )
     for key, title in recording._file.series_titles():
         if key != "time_s":
             attrs = {"units": unit_of(key), "long_name": title}
-            values[key] = xarray.Variable("time", _lazy((frames,), np.float64, lambda k, key=key: recording.series()[key][k]), attrs)
+            values[key] = xarray.Variable("time", frames_of((frames,), np.float64, partial(_series_of, recording, key)), attrs)
     for key, numbers in recording.ledger.items():
         if key != "time_s":
             values[key] = xarray.Variable("time", numbers, {"units": unit_of(key), "long_name": key.rsplit("_", 1)[0].replace("_", " ")})
@@ -298,6 +281,8 @@ def _of_sample(recording: Recording, cells: int) -> "xarray.Dataset":
 def _of_garment(recording: WearRecording) -> "xarray.Dataset":
     import xarray
 
+    from ._lazy import frames_of
+
     about, cells = recording.about, recording.cells()
     frames, count = len(recording), len(cells["panel"])
     units = {"inside": "kg", "outside": "kg", "evaporated": "kg", "on_skin": "kg", "temperature": "K"}
@@ -311,7 +296,7 @@ def _of_garment(recording: WearRecording) -> "xarray.Dataset":
     values = {
         name: xarray.Variable(
             ("time", "cell"),
-            _lazy((frames, count), np.float32 if name == "temperature" else np.float64, lambda k, name=name: recording.frame(k)[name]),
+            frames_of((frames, count), np.float32 if name == "temperature" else np.float64, partial(_field_of, recording, name)),
             {"units": unit, "long_name": names[name]},
         )
         for name, unit in units.items()

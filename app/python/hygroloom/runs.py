@@ -5,14 +5,12 @@ from __future__ import annotations
 import json
 import os
 import pathlib
-import shutil
-import tempfile
 import warnings
 import weakref
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Union
 
-from . import _checks, _hygroloom
-from .errors import Error
+from . import _checks, _hygroloom, _temporary
+from .errors import Error, FileError
 from .projects import Project, project_of
 from .recordings import read_recording
 
@@ -47,6 +45,7 @@ class Run:
         self.provenance: dict[str, Any] = self.json.get("provenance", {})
         self.recording = recording
         self._outcomes = json.loads(outcomes)
+        self._is_temporary = False
         self._dataset: Optional["xarray.Dataset"] = None
         for trouble in troubles:
             warnings.warn(trouble, RuntimeWarning, stacklevel=4)
@@ -101,29 +100,47 @@ class Run:
         return self._dataset
 
     def save(self, path: Union[str, os.PathLike]) -> pathlib.Path:
-        """Writes the recording to a file (.hygrorec), as a whole, and returns its path. Raises Error where the run was not recorded, OSError."""
+        """Writes the recording to a file (.hygrorec), as a whole, and returns its path.
+
+        Raises Error where the run was not recorded; FileError; a file that was there is then unchanged.
+        """
         source, target = self._file(), pathlib.Path(os.fsdecode(_checks.path_bytes(path, "path")))
-        if target.exists() and source.samefile(target):
-            return target
-        handle, name = tempfile.mkstemp(prefix="." + target.name + ".", suffix=".part", dir=target.parent)
-        try:
-            with open(source, "rb") as old, os.fdopen(handle, "wb") as new:
-                shutil.copyfileobj(old, new)
-                new.flush()
-                os.fsync(new.fileno())
-            mask = os.umask(0)
-            os.umask(mask)
-            os.chmod(name, 0o666 & ~mask)
-            os.replace(name, target)
-        except BaseException:
-            os.unlink(name)
-            raise
+        _hygroloom.copy_file(os.fsencode(source), os.fsencode(target))
         return target
+
+    def _record_in(self, folder: str) -> None:
+        """The temporary folder goes with the run."""
+        self._is_temporary = True
+        self.recording = pathlib.Path(folder, "run.hygrorec")
+        weakref.finalize(self, _temporary.remove, folder)
+
+    def __reduce__(self):
+        """A temporary recording comes along; of others the path does."""
+        state = {**self.__dict__, "_dataset": None}
+        if not self._is_temporary:
+            state["recording"] = self.recording and self.recording.absolute()
+            return _of_state, (state, None)
+        try:
+            return _of_state, (state, self._file().read_bytes())
+        except OSError as error:
+            raise FileError(f"{self.recording}: The recording cannot be read: {error.strerror}.") from None
 
     def __repr__(self) -> str:
         of = self.provenance
         what = f"{of['fabric']}, {of['experiment']}" if of else self.json.get("garment", "")
         return f"<hygroloom.Run {what}: {self.end_s:g} s{'' if self.finished else ', unfinished'}>"
+
+
+def _of_state(state: dict[str, Any], recording: Optional[bytes]) -> Run:
+    run = Run.__new__(Run)
+    run.__dict__.update(state)
+    if recording is not None:
+        run._record_in(_temporary.make())
+        try:
+            run._file().write_bytes(recording)
+        except OSError as error:
+            raise FileError(f"{run.recording}: The recording cannot be written: {error.strerror}.") from None
+    return run
 
 
 def simulate(
@@ -187,10 +204,9 @@ def simulate(
     folder = os.fsencode(opened.path.parent if opened.path else ".") or b"."
     _checks.call(progress)
 
-    temporary = None
+    temporary = _temporary.make() if recording is True else None
     path = None
-    if recording is True:
-        temporary = tempfile.mkdtemp(prefix="hygroloom-")
+    if temporary:
         path = pathlib.Path(temporary, "run.hygrorec")
     elif recording is not False and recording is not None:
         path = pathlib.Path(os.fsdecode(_checks.path_bytes(recording, "recording")))
@@ -200,10 +216,10 @@ def simulate(
         run = Run(_hygroloom.simulate(opened._design, *names, folder, how, progress), path)
     except BaseException:
         if temporary:
-            shutil.rmtree(temporary, ignore_errors=True)
+            _temporary.remove(temporary)
         raise
     if temporary:
-        weakref.finalize(run, shutil.rmtree, temporary, ignore_errors=True)
+        run._record_in(temporary)
     return run
 
 

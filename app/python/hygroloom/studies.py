@@ -5,11 +5,10 @@ from __future__ import annotations
 import json
 import os
 import pathlib
-import tempfile
 import warnings
 from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Union
 
-from . import _checks, _hygroloom
+from . import _checks, _hygroloom, _temporary
 from .errors import Error, FileError
 from .projects import Project, project_of
 from .runs import Progress
@@ -248,9 +247,13 @@ def sweep(
     else:
         data, source = _file(study, "study")
     _checks.call(progress)
-    with tempfile.TemporaryDirectory(prefix="hygroloom-", ignore_cleanup_errors=True) as temporary:
-        place = _checks.path_bytes(os.path.join(temporary, "study") if folder is None else folder, "folder")
+    temporary = _temporary.make() if folder is None else None
+    try:
+        place = _checks.path_bytes(os.path.join(temporary, "study") if temporary else folder, "folder")
         columns, failures, notes = _hygroloom.sweep(opened._design, data, source, place, bool(resume), bool(retry_failed), how, progress)
+    finally:
+        if temporary:
+            _temporary.remove(temporary)
     for note in notes:
         warnings.warn(note, RuntimeWarning, stacklevel=2)
     values = {}
