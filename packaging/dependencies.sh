@@ -1,20 +1,25 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-# Installs with apt what building, testing and showing Hygroloom needs. Does nothing when all of it is there.
+# Installs with apt what building, testing and showing Hygroloom needs; of that with the argument "run" only what command line and window need.
+# Does nothing when all of it is there.
 set -eu
 
 packages="
-  cmake ninja-build ccache g++ git
+  cmake ninja-build ccache g++ git python3
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-charts-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
-  libgl-dev libegl-dev
+  libgl-dev libegl-dev libgl1-mesa-dri fonts-dejavu-core
   libeigen3-dev libassimp-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libpng-dev zlib1g-dev libcsv-dev libcairo2-dev
-  libboost-dev libopenturns-dev
-  libbenchmark-dev
+  libboost-dev
+"
+if [ "${1:-all}" != run ]; then
+  packages="$packages
+  libopenturns-dev
   python3-dev pybind11-dev python3-numpy python3-xarray python3-pandas python3-h5py python3-pytest
-  python3 clang-format-14
-  xvfb xauth libgl1-mesa-dri fonts-dejavu-core
+  libbenchmark-dev clang-format-14
+  xvfb xauth
   slurm-wlm munge
 "
+fi
 
 if ! command -v dpkg-query >/dev/null 2>&1 || ! command -v apt-get >/dev/null 2>&1; then
   echo "This is no Debian or Ubuntu. Install what these packages hold, if it is not there yet:" $packages >&2

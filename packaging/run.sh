@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-# From a bare machine to a result: installs what is missing, builds, lets one drop fall on cotton, prints the metrics, draws the maps
-# into out/, and opens the window on the result when there is a screen. Usage: packaging/run.sh [draft|standard|reference]
+# From a bare machine to a result: installs what command line and window need and builds these two, lets one drop fall on cotton, prints the
+# metrics, draws the maps into out/, and opens the window on the result when there is a screen. Usage: packaging/run.sh [draft|standard|reference]
 set -eu
 cd "$(dirname "$0")/.."
 fidelity=${1:-draft}
 
-packaging/dependencies.sh
+packaging/dependencies.sh run
 packaging/build.sh --target hygroloom-cli --target hygroloom
 
 mkdir -p out

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A ball of water on its square, with its place in depth.
 in vec2 on_disc;
 flat in vec3 middle;
 flat in vec3 towards;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // One particle of free liquid: a square that faces the eye, on which the fragments make a ball.
 layout(location = 0) in vec2 corner; // 0..1
 layout(location = 1) in vec3 centre;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Two pictures of the same, yarns with skins and yarns of fibres, whose alpha is the share that the fibres have there.
 uniform sampler2D skins;
 uniform sampler2D fibres;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // How yarn reflects light: one text for the shaders and, through ui/picture/cloth_light.h, for C++, in words that both read. All is linear
 // light; a white matt face square to a lamp gets that lamp's strength. n is a skin's normal, t the direction of its fibres.
 

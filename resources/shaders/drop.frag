@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Water that stands on cloth, which is seen through it; its surface bends and mirrors.
 in vec3 at;
 in vec3 facing;
 uniform vec3 eye;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // From linear light to what a display takes: sRGB, IEC 61966-2-1.
 uniform sampler2D picture;
 

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Cloth so far away that its yarns are not drawn: the colour of the repeat there.
 in vec2 crossing;
 flat in float fade;
 in vec3 mean;       // see flat.vert

@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A cell of cloth so far away that its yarns are not drawn.
 layout(location = 0) in vec2 corner;      // 0 or 1
 layout(location = 4) in vec4 cell;        // corner, first end and pick
 layout(location = 5) in vec3 cell_fade;   // size, fade

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Light takes little from the colours, so that they can be compared with their legend.
 uniform sampler2D picture;
 uniform vec3 eye;

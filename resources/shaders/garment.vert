@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A garment's cloth: each panel has a picture that lies on its flat coordinates.
 layout(location = 0) in vec3 place;
 layout(location = 1) in vec3 normal;

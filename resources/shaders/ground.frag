@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The ground has the colour of the background, but for the cloth's shadow.
 in vec2 place;
 uniform vec4 cloth;

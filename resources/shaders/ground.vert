@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A level ground far beyond the cloth.
 uniform mat4 view_projection;
 uniform vec4 cloth;  // its lower and its upper corner, mm

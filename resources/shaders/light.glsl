@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Shared by all that is made of yarn, after cloth_light.glsl. Colours are linear light.
 uniform vec3 eye;
 uniform float side;           // 1: the top face is looked at, -1: the bottom

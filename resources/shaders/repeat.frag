@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A repeat's light as seen from the view's middle. What it gives may be averaged: flat.frag multiplies it by the yarns' colours.
 uniform sampler2DArray repeat_picture; // see RepeatPicture
 uniform vec3 to_eye;

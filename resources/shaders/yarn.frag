@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The surface of a yarn or a fibre, and the inside where a plane cuts it.
 in vec3 at;
 in vec3 facing;
 in float open;

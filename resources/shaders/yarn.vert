@@ -1,3 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A piece of yarn of a cell, and what its crossing holds.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 shape;       // normal, openness
 layout(location = 2) in vec2 place;       // see CellVertex
