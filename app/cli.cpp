@@ -2,8 +2,10 @@
 // hygroloom-cli: one verb per task. Results go to stdout, everything else to stderr.
 #include "app/cli.h"
 #include "app/cli_interrupt.h"
+#include "app/cli_usage.h"
 
 #include "core/base/utf8.h"
+#include "core/base/version.h"
 #include "core/base/words.h"
 #include "core/design/wear.h"
 #include "core/project/project_file.h"
@@ -234,27 +236,28 @@ int report_failure(bool json, ExitCode code, const std::string& sentence)
     return code;
 }
 
-/// The refusal of a verb that does not exist; empty when it exists or none is given.
-std::string unknown_verb(const CLI::App& app, const std::vector<std::string>& given)
+/// After all others.
+void add_help(CLI::App& app, Verb& chosen)
 {
-    const auto verb = std::find_if(given.begin(), given.end(), [](const std::string& word) { return !word.starts_with('-'); });
-    if (verb == given.end()) return {};
-    std::vector<std::string> names;
-    std::string all;
-    for (const CLI::App* known : app.get_subcommands([](const CLI::App*) { return true; })) {
-        if (known->get_name() == *verb) return {};
-        names.push_back(known->get_name());
-        all += (all.empty() ? "" : ", ") + known->get_name();
-    }
-    return fmt::format("There is no verb \"{}\"{} The verbs are: {}.", *verb, did_you_mean(*verb, names), all);
+    CLI::App& verb = *app.add_subcommand("help", "The help on a verb, as VERB --help");
+    verb.footer("Example: hygroloom-cli help simulate");
+    auto words = std::make_shared<std::vector<std::string>>();
+    verb.add_option("VERB", *words, "The verb; left out: all verbs")->default_str("");
+    verb.callback([&chosen, &app, words] {
+        chosen = [&app, words] {
+            if (std::string fault = fault_of(app, *words); !fault.empty()) throw Stop(exit_usage, fault);
+            print_result("{}", help_on(app, *words));
+            return int{exit_ok};
+        };
+    });
 }
 
 int run(int count, char** values)
 {
     CLI::App app("Simulates how woven fabric absorbs, spreads and loses water.", "hygroloom-cli");
     app.require_subcommand(1);
-    app.set_version_flag("--version", "Hygroloom " HYGROLOOM_VERSION);
-    app.footer("Example: hygroloom-cli simulate cloth.hygro -o cloth.hygrorec\nHelp on a verb: hygroloom-cli simulate --help");
+    app.set_version_flag("--version", fmt::format("Hygroloom {}, commit {}", program_version(), program_commit()));
+    app.footer("Example: hygroloom-cli simulate cloth.hygro -o cloth.hygrorec\nHelp on a verb: hygroloom-cli help simulate");
     app.option_defaults()->always_capture_default();
     Verb verb;
     add_check(app, verb);
@@ -272,14 +275,19 @@ int run(int count, char** values)
     add_tradeoff(app, verb);
     add_verify(app, verb);
     add_reference(app, verb);
+    add_help(app, verb);
 
-    std::vector<std::string> given = arguments(count, values);
+    const std::vector<std::string> given = arguments(count, values);
     const bool json = std::find(given.begin(), given.end(), "--json") != given.end();
-    if (const std::string sentence = unknown_verb(app, given); !sentence.empty()) return report_failure(json, exit_usage, sentence);
-    std::reverse(given.begin(), given.end());
+    const auto refuse = [&](const std::string& sentence) {
+        return report_failure(json, exit_usage, json ? sentence : sentence + "\n" + where_to_read(app, given));
+    };
+    if (const std::string fault = fault_of(app, given); !fault.empty()) return refuse(fault);
     try {
-        app.parse(given);
+        std::vector<std::string> reversed(given.rbegin(), given.rend()); // as the library takes them
+        app.parse(reversed);
     } catch (const CLI::ParseError& error) {
+        if (const std::string fault = fault_of(app, error); !fault.empty()) return refuse(fault);
         if (json && error.get_exit_code() != 0) return report_failure(json, exit_usage, error.what());
         std::ostringstream results, notes;
         const int code = app.exit(error, results, notes);
@@ -344,8 +352,7 @@ const Experiment& chosen_experiment(const Design& design, const ProjectOptions& 
                                            "fabric, or \"{}\" on a garment, which takes no --fabric.",
                                            fmt::join(names_of(design.experiments), "\", \""), fmt::join(names_of(design.wears), "\", \"")));
     return chosen(design.experiments, options.experiment, "experiment",
-                  "Add one to its \"experiments\", such as {\"name\": \"one drop\", \"type\": \"droplet\", \"sample_mm\": [20, 20], "
-                  "\"duration_s\": 10, \"droplets\": [{\"volume_ul\": 5}]}; in the window: Experiment, Add Experiment.");
+                  "hygroloom-cli presets --experiment droplet -o PROJECT adds one; in the window: Experiment, Add Experiment.");
 }
 
 void add_devices(CLI::App& app, Verb& verb)

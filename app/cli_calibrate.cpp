@@ -116,12 +116,13 @@ void add_calibrate(CLI::App& app, Verb& chosen)
 {
     auto options = std::make_shared<CalibrateOptions>();
     CLI::App& verb = *app.add_subcommand("calibrate", "Fit inputs of a fabric that are not known to one measurement");
-    verb.footer("Example: hygroloom-cli calibrate cloth.hygro --experiment strip --measured strip.csv --free contact_angle_deg -o "
-                "calibrated.hygro\n"
-                "The measured file is a curve, with the columns time_s, a series such as wick_height_mm and, if known, spread (standard "
-                "deviation); or a table of metrics, with fabric, metric, value, unit and spread.\n"
-                "Exit code 1 and a sentence when the data cannot tell the inputs; nothing is then written with -o.\n\n" +
-                knob_help());
+    verb.footer(
+        "Example: hygroloom-cli calibrate strip.hygro --experiment \"vertical wicking\" --measured strip.csv --free contact_angle_deg -o "
+        "calibrated.hygro\n"
+        "The measured file is a curve, with the columns time_s, a series such as wick_height_mm and, if known, spread (standard "
+        "deviation); or a table of metrics, with fabric, metric, value, unit and spread.\n"
+        "Exit code 1 and a sentence when the data cannot tell the inputs; nothing is then written with -o.\n\n" +
+        knob_help());
     add_project_options(verb, *options, true);
     options->takes_knobs = true;
     verb.add_option("--measured", options->measured, "What was measured of the fabric on the experiment (CSV)")

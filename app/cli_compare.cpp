@@ -244,7 +244,7 @@ void add_compare(CLI::App& app, Verb& chosen)
     auto options = std::make_shared<CompareOptions>();
     CLI::App& verb = *app.add_subcommand("compare", "Run several fabrics on the same experiment and rank them");
     verb.footer(
-        "Example: hygroloom-cli compare cloth.hygro --experiment \"one drop\" --fabrics \"Textile E,Textile F\" -o compared\n"
+        "Example: hygroloom-cli compare cloth.hygro --experiment \"one drop\" --fabrics \"Denim,Textile F\" -o compared\n"
         "The folder receives comparison.json, comparison.csv and a water map of each face of each fabric, all on one colour scale.\n"
         "With --replicates the maps are of each cloth as given, which takes a run more of each, and the report's curves have bands.\n"
         "Ctrl-C keeps the finished runs.\n"

@@ -117,7 +117,7 @@ void add_import(CLI::App& app, Verb& verb)
     auto options = std::make_shared<ImportOptions>();
     CLI::App& import_verb =
         *app.add_subcommand("import", "Read a weaving draft (WIF), a drawing of 0 and 1, or a picture (PNG, BMP) as a fabric");
-    import_verb.footer("Example: hygroloom-cli import draft.wif -o cloth.hygro\n"
+    import_verb.footer("Example: hygroloom-cli import draft.wif -o woven.hygro\n"
                        "Prints what was understood and what was repaired. The fabric is added to an existing project.");
     import_verb.add_option("draft", options->draft, "File to read")->required()->type_name("FILE");
     import_verb.add_option("-o,--output", options->output, "Project to write or to add to")->type_name("FILE");

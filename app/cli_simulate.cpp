@@ -392,7 +392,8 @@ void add_simulate(CLI::App& app, Verb& verb)
     auto options = std::make_shared<SimulateOptions>();
     CLI::App& simulate_verb = *app.add_subcommand("simulate", "Run an experiment on one or several fabrics and print the metrics");
     simulate_verb.footer(
-        "Example: hygroloom-cli simulate cloth.hygro --fidelity draft --set fabrics[0].contact_angle_deg=60 -o cloth.hygrorec\n"
+        "Example: hygroloom-cli simulate cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --fidelity draft --set "
+        "fabrics[1].contact_angle_deg=60 -o cloth.hygrorec\n"
         "Ctrl-C stops the run and prints the metrics so far; the recording so far stays readable.\n\n" +
         knob_help());
     add_run_options(simulate_verb, *options);

@@ -191,7 +191,9 @@ void add_tradeoff(CLI::App& app, Verb& chosen)
     auto options = std::make_shared<TradeoffOptions>();
     CLI::App& verb = *app.add_subcommand("tradeoff", "Measure speed against accuracy of one scene: every fidelity, and one knob at a time");
     verb.footer([] {
-        return "Example: hygroloom-cli tradeoff cloth.hygro --knobs particles_per_droplet,fibre_shells --repeats 3 -o cloth-tradeoff\n"
+        return "Example: hygroloom-cli tradeoff cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --knobs "
+               "particles_per_droplet,fibre_shells --repeats 3 "
+               "-o cloth-tradeoff\n"
                "The reference runs as well, which may take long; see plan. The folder receives tradeoff.json, .csv and .svg after every "
                "run;\n"
                "Ctrl-C keeps the measurements so far. Run nothing else on the machine meanwhile.\n\n" +

@@ -38,6 +38,14 @@ std::string reason(int code)
     return code == ENOSPC || code == EDQUOT ? "the disk is full" : std::string("it cannot be written: ") + std::strerror(code);
 }
 
+/// What to do where a recording cannot be created.
+const char* advice(int code)
+{
+    if (code == ENAMETOOLONG) return " Six letters more are needed while it is written; choose a shorter name.";
+    if (code == EMFILE || code == ENFILE) return " Too many files are open; allow more (ulimit -n).";
+    return " Check that the folder exists and can be written to.";
+}
+
 /// Whether the path still names the open file.
 bool is_at(int file, const std::filesystem::path& path)
 {
@@ -82,9 +90,7 @@ void RecordingTarget::take_place()
 bool RecordingTarget::open_part()
 {
     const int file = ::open(part_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-    if (file < 0)
-        throw FileError(given_.string() + ": the recording cannot be created: " + std::strerror(errno) +
-                        ". Check that the folder exists and can be written to.");
+    if (file < 0) throw FileError(given_.string() + ": the recording cannot be created: " + std::strerror(errno) + "." + advice(errno));
     if (!try_lock(file, LockedByte::writer, false)) {
         ::close(file);
         throw FileError(given_.string() + ": another run is writing this recording. Wait for its end or choose another name.");

@@ -29,7 +29,8 @@ Module load()
         if (const char* error = dlerror()) reason = error;
     }
     return {nullptr, "Sensitivities, surfaces and suggestions need OpenTURNS, which is missing (" + reason +
-                         "). Install the package hygroloom-study, or libopenturns-dev before Hygroloom is built."};
+                         "). Install the package hygroloom-study, or from the source run packaging/dependencies.sh and packaging/build.sh "
+                         "--target hygroloom_openturns."};
 }
 
 const Module& module()

@@ -137,7 +137,8 @@ private Q_SLOTS:
         const Answer answer = run_cli({"compare", folder_.filePath("bare.hygro")});
         QCOMPARE(answer.code, 2);
         const QString said = QString::fromUtf8(answer.err);
-        QVERIFY2(said.contains("The project has no experiment. Add one to its \"experiments\", such as {"), answer.err);
+        QVERIFY2(said.contains("The project has no experiment. hygroloom-cli presets --experiment droplet -o PROJECT adds one; "),
+                 answer.err);
         const QString advice = said.mid(said.indexOf('{'), said.lastIndexOf('}') + 1 - said.indexOf('{'));
         write({QJsonDocument::fromJson(advice.toUtf8()).object()}); // what it says works
         QCOMPARE(run_cli({"plan", folder_.filePath("bare.hygro"), "--fabric", "base"}).code, 0);
