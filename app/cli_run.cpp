@@ -81,6 +81,11 @@ void RunBar::say(const std::string& sentence)
     print_note("{}\n", sentence);
 }
 
+void RunBar::note(const std::string& sentence)
+{
+    if (!quiet_) say(sentence);
+}
+
 void RunBar::clear()
 {
     if (!shown_) return;
@@ -101,6 +106,17 @@ void add_machine_options(CLI::App& verb, RunVerbOptions& options)
                     "Seed of what is random: the unevenness of yarns and how the particles of a falling drop lie. "
                     "Nothing else depends on it")
         ->check(seed_validator());
+    add_force_option(verb, options);
+}
+
+void add_force_option(CLI::App& verb, RunVerbOptions& options)
+{
+    verb.add_flag("--force", options.force, "Begin also what is expected to take more memory than is free");
+}
+
+MemoryRule memory_rule(const RunVerbOptions& options, const char* smaller)
+{
+    return {options.force, fmt::format("Take {} or a lower fidelity, or begin all the same with --force.", smaller)};
 }
 
 RunOptions run_options(const RunVerbOptions& options)
@@ -110,6 +126,7 @@ RunOptions run_options(const RunVerbOptions& options)
     run.knobs = knob_settings(options);
     run.seed = options.seed;
     run.threads = options.threads;
+    run.memory = memory_rule(options);
     return run;
 }
 
@@ -118,7 +135,12 @@ std::unique_ptr<Backend> open_backend(const RunVerbOptions& options) { return st
 std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int at_once, int scenes, std::size_t bytes_each)
 try {
     const std::string backend = as_usage([&] { return backend_for(options.backend, knob_settings(options)); });
-    return make_backends(backend, at_once, scenes, bytes_each);
+    auto backends = make_backends(backend, at_once, scenes, bytes_each);
+    const auto asked = static_cast<std::size_t>(std::min(at_once, scenes));
+    if (!options.quiet && at_once > 0 && backends.size() < asked)
+        print_note("{} of the {} runs asked for go on at the same time: each takes about {} of memory.\n", backends.size(), asked,
+                   bytes_text(static_cast<double>(bytes_each)));
+    return backends;
 } catch (const DeviceError& error) {
     throw Stop(exit_no_device, std::string(error.what()) + " Use --backend cpu.");
 }
@@ -132,6 +154,7 @@ FinishedRun run_with_bar(const Design& design, const std::string& fabric, const 
     beside.started = started;
     beside.frame = see;
     beside.progress = [&](const RunProgress& progress) { bar.show(run, progress); };
+    beside.memory_is_short = [&](const std::string& sentence) { bar.note(sentence); };
     beside.device_failed = [&](const std::string& sentence) { bar.say(fabric + ": " + sentence); };
     return run_and_measure(design, fabric, experiment, options, backend, control, beside);
 }

@@ -18,6 +18,7 @@ struct RunVerbOptions : ProjectOptions {
     std::string backend = "auto";
     int threads = 0;
     std::uint64_t seed = 1;
+    bool force = false; ///< begins runs that take more memory than is free
 };
 
 /// An Error of act() is the caller's wrong usage. Throws Stop.
@@ -30,15 +31,19 @@ template <typename Act> auto as_usage(Act act)
     }
 }
 
-/// --physics, and --backend, --threads and --seed for verbs that run.
+/// --physics, and --backend, --threads, --force and --seed for verbs that run.
 void add_physics_option(CLI::App& verb, RunVerbOptions& options);
 void add_machine_options(CLI::App& verb, RunVerbOptions& options);
+/// --force.
+void add_force_option(CLI::App& verb, RunVerbOptions& options);
+/// smaller: what of a run takes less memory.
+MemoryRule memory_rule(const RunVerbOptions& options, const char* smaller = "a smaller sample");
 
 /// The options but for the fidelity. Throws Stop.
 RunOptions run_options(const RunVerbOptions& options);
 /// Throws Stop.
 std::unique_ptr<Backend> open_backend(const RunVerbOptions& options);
-/// For runs side by side: see make_backends(). Throws Stop.
+/// For runs side by side: see make_backends(). Says where memory holds fewer than were asked for. Throws Stop.
 std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int at_once, int scenes, std::size_t bytes_each);
 
 /// --at-once.
@@ -64,6 +69,8 @@ public:
     void end(std::size_t run);
     /// A sentence above the bar, which the next show() draws again.
     void say(const std::string& sentence);
+    /// The same, but where the user wants no notes.
+    void note(const std::string& sentence);
     void clear();
 
 private:

@@ -85,25 +85,11 @@ StudyFolder read_given(const SweepOptions& options)
     return {design, study, "", ""};
 }
 
-/// How many runs are on at once, and the threads of each: on a CPU one thread each, as many as it has, but no more than the memory holds.
-struct Shares {
-    int jobs = 0; ///< 0: as many as pay on a GPU
-    int threads = 1;
-};
-Shares shares_of(const SweepOptions& options, const StudyNeeds& needs)
+StudyShares shares_of(const SweepOptions& options, const StudyNeeds& needs)
 {
     const std::string backend = as_usage([&] { return expected_backend(backend_for(options.backend, knob_settings(options))); });
-    if (backend != "cpu") return {options.jobs, options.threads};
-    const int cores = usable_threads();
-    Shares shares;
-    shares.jobs = options.jobs;
-    if (shares.jobs == 0) {
-        const double memory = 0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-        const double fit = memory / std::max(1.0, static_cast<double>(needs.bytes_each));
-        shares.jobs = std::max(1, static_cast<int>(std::min<double>({double(cores), double(needs.rows), fit})));
-    }
-    shares.threads = options.threads > 0 ? options.threads : std::max(1, cores / shares.jobs);
-    return shares;
+    return backend == "cpu" ? shares_on_cpu(options.jobs, options.threads, usable_threads(), needs)
+                            : StudyShares{options.jobs, options.threads};
 }
 
 Json outcome_json(const SweepOptions& options, const StudyFolder& study, const StudyOutcome& outcome)
@@ -157,13 +143,16 @@ int run_sweep(const SweepOptions& options)
     StudyOptions how;
     how.resume = options.resume || options.retry_failed || !options.task.empty();
     how.retry_failed = options.retry_failed;
+    how.memory = memory_rule(options);
     if (!options.task.empty()) std::tie(how.task, how.tasks) = slice_of(options.task);
     const StudyNeeds needs = as_usage([&] { return study_needs(study.design, study.study, options.folder, how); });
+    const std::string shortage = ask_for_memory("One run of this study", static_cast<double>(needs.bytes_each), how.memory);
+    if (!options.quiet && !shortage.empty()) print_note("{}\n", shortage);
     const auto scenes = static_cast<int>(std::max<std::size_t>(needs.rows, 1));
     announce_scenes(options.jobs, scenes);
-    const Shares shares = shares_of(options, needs);
+    const StudyShares shares = shares_of(options, needs);
     how.threads = shares.threads;
-    const auto backends = open_backends(options, shares.jobs, scenes, needs.bytes_each);
+    const auto backends = open_backends(options, options.jobs > 0 ? options.jobs : shares.jobs, scenes, needs.bytes_each);
 
     RunControl control;
     const LastWords words = failure_words(
@@ -270,6 +259,7 @@ void add_sweep(CLI::App& app, Verb& chosen)
     verb.add_option("--backend", options->backend, "Backend: auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
     verb.add_option("--threads", options->threads, "CPU threads of each run; 0: the cores shared among the jobs")
         ->check(CLI::Range(0, 1024));
+    add_force_option(verb, *options);
     verb.add_option("--task", options->task, "Run only slice i of n, without a table at the end; many may run side by side")
         ->type_name("I/N");
     verb.add_flag("--merge", options->merge, "Make the table from the rows that all tasks have left in the folder");

@@ -50,6 +50,7 @@ WearOptions how_of(const WearVerbOptions& options)
     how.shown_mm = options.shown_mm;
     how.detail = options.detail;
     how.knobs = knob_settings(options);
+    how.memory = memory_rule(options, "larger cells");
     return how;
 }
 
@@ -202,6 +203,7 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
         for (const std::string& issue : parts.pattern.issues) print_note("{}: {}\n", parts.garment->name, issue);
     if (!options.quiet) print_misnamed(design, parts, options.project);
     const GarmentScene garment = garment_scene(parts, resolution_of(how_of(options)));
+    if (!options.quiet && !garment.memory_is_short.empty()) print_note("{}\n", garment.memory_is_short);
     const std::unique_ptr<Backend> backend = open_backend(options);
     backend->set_threads(options.threads);
     if (options.profile) backend->time_stages();
@@ -251,7 +253,9 @@ int plan_garment(const WearVerbOptions& options)
     const WearExperiment& wear = required_wear(design, options);
     const GarmentParts parts = parts_of(design, wear, options.project);
     if (!options.quiet) print_misnamed(design, parts, options.project);
-    const GarmentScene garment = garment_scene(parts, resolution_of(how_of(options)));
+    WearOptions how = how_of(options);
+    how.memory = {false, "Take larger cells or a lower fidelity."};
+    const GarmentScene garment = garment_scene(parts, resolution_of(how));
     const WearLayout layout = wear_layout(parts, garment);
     const WearPlan plan = plan_wear(garment, wear);
     if (options.json) {

@@ -2,6 +2,7 @@
 #include "gpu/backends.h"
 
 #include "core/base/error.h"
+#include "core/base/free_memory.h"
 #include "gpu/cuda_backend.h"
 
 #include <algorithm>
@@ -85,7 +86,8 @@ void announce_scenes(int asked, int scenes)
 std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int asked, int scenes, std::size_t bytes_each)
 {
     const std::vector<int> gpus = chosen_gpus(name);
-    const auto most = static_cast<std::size_t>(asked > 0 ? std::min(asked, scenes) : gpus.empty() ? 1 : scenes);
+    const int wanted = asked > 0 ? std::min(asked, scenes) : gpus.empty() ? 1 : scenes;
+    const auto most = static_cast<std::size_t>(jobs_that_fit(wanted, static_cast<double>(bytes_each)));
     std::vector<std::unique_ptr<Backend>> backends;
     if (gpus.empty() || most == 1) {
         while (backends.size() < most) backends.push_back(make_backend(name));

@@ -29,7 +29,8 @@ double memory_for_scenes(const std::string& name);
 void announce_scenes(int asked, int scenes);
 
 /// For scenes that run side by side, each in a thread of its own: as many backends as are asked for, or for 0 as many as pay (one scene
-/// fills a CPU, 16 a GPU), and no more than there are scenes or than the GPUs' memory holds. Throws as make_backend().
+/// fills a CPU, 16 a GPU), and no more than there are scenes or than the GPUs' memory
+/// and that of the machine hold, one at least. Throws as make_backend().
 std::vector<std::unique_ptr<Backend>> make_backends(const std::string& name, int asked, int scenes, std::size_t bytes_each);
 
 } // namespace hygroloom

@@ -27,10 +27,16 @@ RunArguments run_arguments(const py::dict& given)
     take("seed", arguments.seed);
     take("threads", arguments.threads);
     take("at_once", arguments.at_once);
+    take("force", arguments.force);
     take("cell_mm", arguments.cell_mm);
     take("shown_mm", arguments.shown_mm);
     take("detail", arguments.detail);
     return arguments;
+}
+
+MemoryRule memory_rule(const RunArguments& arguments, const char* smaller)
+{
+    return {arguments.force, fmt::format("Take {} or a lower fidelity, or begin all the same with force=True.", smaller)};
 }
 
 RunOptions run_options(const RunArguments& arguments)
@@ -43,6 +49,7 @@ RunOptions run_options(const RunArguments& arguments)
     run.threads = arguments.threads;
     run.may_go_on_on_cpu = true;
     run.recording = arguments.recording;
+    run.memory = memory_rule(arguments);
     return run;
 }
 

@@ -20,12 +20,16 @@ struct RunArguments {
     std::uint64_t seed = 1;
     int threads = 0;
     int at_once = 0;
+    bool force = false;               ///< begins runs that take more memory than is free
     double cell_mm = 0, shown_mm = 0; ///< of worn garments, see WearOptions
     std::vector<std::string> detail;
 };
 
 /// Of a dictionary with the keys above. Throws Error.
 RunArguments run_arguments(const py::dict& given);
+
+/// What is said can be done where memory does not suffice; smaller: what of a run takes less.
+MemoryRule memory_rule(const RunArguments& arguments, const char* smaller = "a smaller sample");
 
 /// Without textile and fidelity's reason. Throws Error.
 RunOptions run_options(const RunArguments& arguments);

@@ -78,9 +78,12 @@ Results run_sample(const Design& design, const std::string& fabric_name, const s
     how.textile = std::make_shared<const Textile>(textiles_of_runs(design, fitted, {fabric.name}, experiment).front());
     const std::unique_ptr<Backend> backend = open_backend(arguments);
     RunCallbacks beside;
+    std::string shortage;
+    beside.memory_is_short = [&](const std::string& sentence) { shortage = sentence; };
     beside.progress = [&](const RunProgress& progress) { watch.tell(share_of(progress), in_words(progress)); };
     const FinishedRun finished = run_and_measure(design, fabric.name, experiment.name, how, *backend, watch.control, beside);
     Results results = results_of(finished.run, finished.metrics);
+    if (!shortage.empty()) results.warnings.push_back(shortage);
     if (!finished.device_failure.empty()) results.warnings.push_back(finished.device_failure);
     return results;
 }
@@ -104,6 +107,7 @@ Results run_worn(const Design& design, const WearExperiment& wear, const std::st
     how.shown_mm = arguments.shown_mm;
     how.detail = arguments.detail;
     how.knobs = run_options(arguments).knobs;
+    how.memory = memory_rule(arguments, "larger cells");
     const GarmentParts parts =
         garment_parts(design, wear, std::filesystem::absolute(folder), [&watch] { return watch.control.cancel.load(); });
     const GarmentScene garment = garment_scene(parts, resolution_of(how));
@@ -124,6 +128,7 @@ Results run_worn(const Design& design, const WearExperiment& wear, const std::st
     if (recording) recording->finish(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     Results results{metrics.json()};
     results.notes = parts.pattern.issues;
+    if (!garment.memory_is_short.empty()) results.warnings.push_back(garment.memory_is_short);
     results.end = metrics.ledger().time;
     return results;
 }

@@ -10,8 +10,6 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 
 namespace hygroloom::python {
@@ -28,18 +26,12 @@ struct Swept {
     std::vector<std::string> notes;
 };
 
-/// On a CPU as many as it has cores, but no more than the memory holds, and the threads of each; on a GPU as many as pay (0).
-int runs_at_once(const RunArguments& arguments, const StudyNeeds& needs, StudyOptions& options)
+/// On a GPU as many as pay (0).
+StudyShares shares_of(const RunArguments& arguments, const StudyNeeds& needs)
 {
-    options.threads = std::max(1, arguments.threads);
-    if (expected_backend(backend_for(arguments.backend, {})) != "cpu") return arguments.at_once;
-    const double cores = usable_threads();
-    const double memory = 0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    const double fit = memory / std::max(1.0, static_cast<double>(needs.bytes_each));
-    const double asked = arguments.at_once > 0 ? arguments.at_once : std::min({cores, static_cast<double>(needs.rows), fit});
-    const int at_once = std::max(1, static_cast<int>(asked));
-    if (arguments.threads == 0) options.threads = std::max(1, static_cast<int>(cores) / at_once);
-    return at_once;
+    return expected_backend(backend_for(arguments.backend, {})) == "cpu"
+               ? shares_on_cpu(arguments.at_once, arguments.threads, usable_threads(), needs)
+               : StudyShares{arguments.at_once, std::max(1, arguments.threads)};
 }
 
 Swept swept(const Design& design, const SweepArguments& asked, const RunArguments& arguments, Watch& watch)
@@ -51,10 +43,15 @@ Swept swept(const Design& design, const SweepArguments& asked, const RunArgument
     StudyOptions options;
     options.resume = asked.resume;
     options.retry_failed = asked.retry_failed;
+    options.memory = memory_rule(arguments);
     const StudyNeeds needs = study_needs(design, study, asked.folder, options);
+    std::string shortage = ask_for_memory("One run of this study", static_cast<double>(needs.bytes_each), options.memory);
+    const StudyShares shares = shares_of(arguments, needs);
+    options.threads = shares.threads;
     const int runs = static_cast<int>(std::max<std::size_t>(1, needs.rows));
-    const auto backends = open_backends(arguments, runs_at_once(arguments, needs, options), runs, needs.bytes_each);
+    const auto backends = open_backends(arguments, shares.jobs, runs, needs.bytes_each);
     Swept result;
+    if (!shortage.empty()) result.notes.push_back(std::move(shortage));
     StudyCallbacks callbacks;
     callbacks.progress = [&](const StudyProgress& p) {
         watch.tell(p.share, fmt::format("{} of {} runs, {} failed", p.ended, p.rows, p.failed));

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  base/free_memory.cpp
   base/shipped_file.cpp
   base/student.cpp
   base/trade_units.cpp

@@ -2,6 +2,7 @@
 // What is common to all formats: which can hold what, how large it gets, and the files put in place at the end.
 #include "core/project/mesh_file.h"
 #include "core/base/error.h"
+#include "core/base/free_memory.h"
 #include "core/base/text.h"
 #include "core/design/weave_analysis.h"
 #include "core/project/atomic_file.h"
@@ -289,6 +290,7 @@ Exported export_textile(const Textile& textile, const Fabric& fabric, const Expo
     job.progress = &progress;
     const ExportEstimate size = export_estimate(textile, fabric, options, format);
     if (!size.refusal.empty()) throw Error(size.refusal);
+    ask_for_memory("This export", size.memory, {false, "Take a smaller piece."});
     std::error_code failure;
     const auto space = std::filesystem::space(path.has_parent_path() ? path.parent_path() : std::filesystem::path("."), failure);
     if (!failure && size.most_bytes > static_cast<double>(space.available))

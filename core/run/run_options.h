@@ -2,6 +2,7 @@
 // What a run is started with, and what passes between it and its caller.
 #pragma once
 
+#include "core/base/free_memory.h"
 #include "core/run/run_record.h"
 #include "core/scene/frame.h"
 
@@ -23,6 +24,7 @@ struct RunOptions {
     double shown_side = 0;                  ///< m, of the cells in which frames show the sample; 0: by its size: see decide_shown_cells()
     int threads = 0;                        ///< 0: all the machine has
     bool may_go_on_on_cpu = false;          ///< when the device fails
+    MemoryRule memory;                      ///< asked before the scene is built
     std::mutex* one_on_cpu = nullptr;       ///< of runs side by side that go on there: held by the one that does
     std::filesystem::path recording;        ///< empty: none is written
     std::shared_ptr<const Textile> textile; ///< the run's, see textile_of_run(), where it has been built; nullptr: built from the design
@@ -48,6 +50,7 @@ struct RunCallbacks {
     std::function<void(std::shared_ptr<const Frame>)> frame; ///< each recorded frame, the first at time 0
     std::function<void(const RunProgress&)> progress;        ///< several times a second
     std::function<void(const SwitchedPart&)> switched_on;    ///< after the frame of its time; before it if that is the last
+    std::function<void(const std::string&)> memory_is_short; ///< before the scene is built: it takes much of what is free; a sentence
     std::function<void(const std::string&)> device_failed;   ///< the run is about to go on on the CPU; a sentence
 };
 

@@ -206,6 +206,8 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     run.experiment = experiment_name;
     const Textile textile = options.textile ? *options.textile : textile_of_run(design, *fabric, *experiment);
     run.plan = plan_run(design, textile, *experiment, options.fidelity, options.forced, options.knobs, backend.name());
+    const std::string shortage = ask_for_memory("This run", run.plan.expected_bytes, options.memory);
+    if (!shortage.empty() && callbacks.memory_is_short) callbacks.memory_is_short(shortage);
     if (options.shown_side > 0) decide_shown_cells(run.plan, textile, experiment->type, options.shown_side);
     run.textile = run.plan.shown_ends > 0 ? in_cells(textile, run.plan.shown_ends, run.plan.shown_picks) : textile;
     run.plan.fidelity_reason = options.fidelity_reason;

@@ -10,7 +10,8 @@ namespace hygroloom {
 class Backend;
 
 /// Runs to the end. Throws Cancelled when asked to stop (within 0.2 s; the recording so far is complete and readable),
-/// DeviceError, FileError or Error. Precondition: validate() found no error.
+/// NotEnoughMemory before anything
+/// is built, DeviceError, FileError or Error. Precondition: validate() found no error.
 RunRecord run_experiment(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
                          Backend& backend, RunControl& control, const RunCallbacks& callbacks);
 

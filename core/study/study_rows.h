@@ -2,6 +2,8 @@
 // The rows of a study: which run each is, and what has become of it.
 #pragma once
 
+#include "core/base/free_memory.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -19,6 +21,7 @@ struct StudyOptions {
     bool resume = false;       ///< goes on in a folder that has rows; without it such a folder is refused
     bool retry_failed = false; ///< with resume: also runs the rows that failed
     int threads = 1;           ///< of each run on a CPU
+    MemoryRule memory;         ///< of each run
     int task = 1, tasks = 1;   ///< the slice of the rows: task 1 of 1 has all
 };
 

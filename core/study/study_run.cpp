@@ -177,6 +177,7 @@ private:
         how.seed = drawing.seed;
         how.threads = options_.threads;
         how.may_go_on_on_cpu = true;
+        how.memory = options_.memory;
         how.one_on_cpu = &one_on_cpu_;
         RunCallbacks beside;
         beside.progress = [&](const RunProgress& progress) { under_way(row, progress); };
@@ -254,6 +255,15 @@ StudyNeeds study_needs(const Design& design, const Study& study, const std::file
         most = std::max(most, plan.expected_bytes);
     needs.bytes_each = static_cast<std::size_t>(most);
     return needs;
+}
+
+StudyShares shares_on_cpu(int jobs, int threads, int cores, const StudyNeeds& needs)
+{
+    const int wanted = jobs > 0 ? jobs : static_cast<int>(std::min(needs.rows, static_cast<std::size_t>(cores)));
+    StudyShares shares;
+    shares.jobs = jobs_that_fit(wanted, static_cast<double>(needs.bytes_each));
+    shares.threads = threads > 0 ? threads : std::max(1, cores / shares.jobs);
+    return shares;
 }
 
 StudyOutcome run_study(const Design& design, const Study& study, const std::filesystem::path& folder, const StudyOptions& options,

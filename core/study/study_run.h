@@ -42,6 +42,14 @@ struct StudyNeeds {
 };
 StudyNeeds study_needs(const Design& design, const Study& study, const std::filesystem::path& folder, const StudyOptions& options);
 
+/// How many of a study's runs are on at once on a CPU, and the threads of each.
+struct StudyShares {
+    int jobs = 0; ///< 0: as many as pay on a GPU
+    int threads = 1;
+};
+/// jobs, threads: as asked for; for 0 a run on each core, and the cores shared among them. No more runs than the memory holds.
+StudyShares shares_on_cpu(int jobs, int threads, int cores, const StudyNeeds& needs);
+
 /// Runs what the slice lacks, each run on one of the backends. Throws Error and FileError before the first run: the folder has another
 /// study or has rows and resume is not set, somebody else runs the slice. A run that fails is a row that failed.
 StudyOutcome run_study(const Design& design, const Study& study, const std::filesystem::path& folder, const StudyOptions& options,

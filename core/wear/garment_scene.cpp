@@ -385,12 +385,19 @@ GarmentParts garment_parts(const Design& design, const WearExperiment& wear, con
     return parts;
 }
 
+double bytes_of_garment(double crossings)
+{
+    constexpr double bytes_per_crossing = 1300;
+    return bytes_per_crossing * crossings;
+}
+
 GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& resolution)
 {
     Builder b{parts, resolution, {}, {}, {}, 0, {}, {}};
     const std::vector<double> pass = passes(parts);
     cut_panels(b, turned_panels(parts.pattern, *parts.garment, pass));
     Cloth& cloth = b.cloth();
+    b.made.memory_is_short = ask_for_memory("This run", bytes_of_garment(cloth.crossings()), resolution.memory);
     const Scene& first = b.made.fabrics.front().tile;
     b.made.scene.climate = first.climate;
     b.made.scene.rules = first.rules;

@@ -2,6 +2,7 @@
 // A garment and its wearer as a backend sees them: one cloth of all panels, and the skin under it.
 #pragma once
 
+#include "core/base/free_memory.h"
 #include "core/design/design.h"
 #include "core/garment/sweat_table.h"
 #include "core/wear/fabric_cells.h"
@@ -61,6 +62,7 @@ struct GarmentScene {
     std::vector<PanelGrid> grids;     ///< of each panel, with ends and picks exchanged where its fabric is turned
     std::vector<GarmentCell> cells;   ///< as computed, in the order of the scene's panels.crossings
     ShownCells shown;
+    std::string memory_is_short; ///< a sentence where a run takes much of the memory that is free; else empty
 };
 
 /// How finely, and what of the wearer acts.
@@ -70,10 +72,14 @@ struct GarmentResolution {
     bool hangs = true;    ///< water runs down
     bool has_skin = true; ///< the inner face lies over the skin; otherwise air passes along both
     ShownSize shown = {};
+    MemoryRule memory = {}; ///< asked once the number of cells is known
 };
 
+/// Bytes that a run of so many crossings takes, of the rectangle that the panels lie in: arrays of the solver, of the scene, of a frame.
+double bytes_of_garment(double crossings);
+
 /// Precondition: validate() found no error. Throws Error with a sentence where a panel has no fabric or no cell, or is not there to be
-/// shown in detail.
+/// shown in detail; NotEnoughMemory.
 GarmentScene garment_scene(const GarmentParts& parts, const GarmentResolution& resolution);
 
 /// Which cells frames show; tells the scene which crossings each sums up. Throws Error for a panel that the garment does not have.

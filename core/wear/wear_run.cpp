@@ -30,6 +30,7 @@ GarmentResolution resolution_of(const WearOptions& options)
 {
     GarmentResolution resolution{with_settings(knobs_of(options.fidelity), options.knobs), cell_side(options)};
     resolution.shown = {metre_from_mm(options.shown_mm), options.detail};
+    resolution.memory = options.memory;
     return resolution;
 }
 
@@ -114,14 +115,13 @@ double seconds_of(const GarmentScene& garment, const WearExperiment& wear)
 
 WearPlan plan_wear(const GarmentScene& garment, const WearExperiment& wear)
 {
-    constexpr double bytes_per_crossing = 1300; // of the rectangle that the panels lie in: arrays of the solver, of the scene, of a frame
     WearPlan plan;
     plan.cells = static_cast<int>(garment.cells.size());
     plan.panel_cells.assign(garment.grids.size(), 0);
     for (const GarmentCell& cell : garment.cells) ++plan.panel_cells[static_cast<std::size_t>(cell.panel)];
     for (int fabric : garment.fabric)
         plan.crossings_per_cell.push_back(garment.fabrics[static_cast<std::size_t>(fabric)].crossings_per_cell);
-    plan.bytes = bytes_per_crossing * garment.scene.cloth.crossings();
+    plan.bytes = bytes_of_garment(garment.scene.cloth.crossings());
     plan.seconds = seconds_of(garment, wear);
     return plan;
 }

@@ -31,6 +31,7 @@ struct WearOptions {
     double shown_mm = 0;             ///< of the cells that frames show; 0: see ShownSize
     std::vector<std::string> detail; ///< see ShownSize
     KnobSettings knobs;              ///< on top of the fidelity's
+    MemoryRule memory;
 };
 
 /// m, of a fidelity's cells.

@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -238,6 +239,34 @@ private Q_SLOTS:
         QCOMPARE(QProcess::execute("/bin/sh", {"-c", QString("{ %1; echo $? > \"%2\"; } | true").arg(simulate, code)}), 0);
         QCOMPARE(contents(code).trimmed(), QByteArray("0"));
         QVERIFY(!run_cli({"measure", recording}).err.contains("stopped"));
+    }
+    void whatNeedsMoreMemoryThanIsFreeIsRefusedBeforeItBegins_data()
+    {
+        QTest::addColumn<QString>("run");
+        const QString drop = QString("\"%1\" --fidelity draft --backend cpu --set experiments[0].sample_mm=[600,600] ")
+                                 .arg(example("one-drop-on-cotton.hygro"));
+        QTest::newRow("simulate") << "simulate " + drop;
+        QTest::newRow("replicates") << "simulate " + drop + "--replicates 2 ";
+        QTest::newRow("a garment") << QString("simulate \"%1\" --cell-mm 0.3 --backend cpu ").arg(example("lined-singlet.hygro"));
+    }
+    void whatNeedsMoreMemoryThanIsFreeIsRefusedBeforeItBegins()
+    {
+        QFETCH(QString, run);
+        const QString recording = at("large.hygrorec"), limit = "ulimit -v 1500000; ";
+        QElapsedTimer time;
+        time.start();
+        const Answer refused = run_in_shell(run + QString("-o \"%1\"").arg(recording), limit);
+        QVERIFY2(time.elapsed() < 5000, qPrintable(QString::number(time.elapsed())));
+        QCOMPARE(refused.code, 1);
+        const QString said = QString::fromUtf8(refused.err);
+        static const QRegularExpression sentence("This run takes about [0-9.]+ GB of memory; [0-9.]+ [MG]B are free under this process's "
+                                                 "limit of address space\\. Take .+, or begin all the same with --force\\.");
+        QVERIFY2(sentence.match(said).hasMatch(), refused.err);
+        QVERIFY(!QFile::exists(recording));
+        const Answer forced =
+            run_in_shell(run + QString("--force -o \"%1\"").arg(recording), "timeout -s INT 2 sh -c '" + limit + "exec \"$@\"' sh ");
+        QVERIFY2(!QString::fromUtf8(forced.err).contains("are free"), forced.err); // it began, and ended otherwise
+        QFile::remove(recording);
     }
     void seedsThatAreNoNumberAreRefused_data()
     {

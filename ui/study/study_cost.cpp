@@ -14,7 +14,6 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <unistd.h>
 
 namespace hygroloom {
 
@@ -49,12 +48,7 @@ StudyShares sharesOf(const Study& study, std::size_t runs, double bytes_each)
     if (backend != "cpu") { return {0, 1}; }
     const int all = usable_threads(), own = preferences().threads;
     const int cores = own > 0 ? std::min(own, all) : all;
-    const double memory = 0.7 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-    const double fit = memory / std::max(1.0, bytes_each);
-    StudyShares shares;
-    shares.jobs = std::max(1, static_cast<int>(std::min({static_cast<double>(cores), static_cast<double>(runs), fit})));
-    shares.threads = std::max(1, cores / shares.jobs);
-    return shares;
+    return shares_on_cpu(0, 0, cores, {runs, static_cast<std::size_t>(bytes_each)});
 }
 
 StudyCost foretellCost(const Design& design, const Study& study, const std::function<bool()>& outdated)

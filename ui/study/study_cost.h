@@ -2,7 +2,7 @@
 // What a study will cost, from the plans of its runs.
 #pragma once
 
-#include "core/study/study.h"
+#include "core/study/study_run.h"
 
 #include <QString>
 
@@ -24,11 +24,7 @@ StudyCost foretellCost(const Design& design, const Study& study, const std::func
 /// "96 runs (96 points), about 3 min, 2 at a time with 40 MB each."
 QString costText(const StudyCost& cost);
 
-/// How many runs are on at once, and the threads of each: on a CPU a thread each, as many as it has, but no more than the memory holds.
-struct StudyShares {
-    int jobs = 0; ///< 0: as many as pay on a GPU
-    int threads = 1;
-};
+/// With the threads that the user prefers.
 StudyShares sharesOf(const Study& study, std::size_t runs, double bytes_each);
 
 } // namespace hygroloom

@@ -50,6 +50,7 @@ StudyTask::Result StudyTask::run(const Design& design, const Study& study, const
         how.resume = true; // a folder with rows of another study is refused all the same
         how.retry_failed = retry_failed;
         const StudyNeeds needs = study_needs(design, study, path, how);
+        ask_for_memory("One run of this study", static_cast<double>(needs.bytes_each), how.memory);
         const StudyShares shares = sharesOf(study, std::max<std::size_t>(needs.rows, 1), static_cast<double>(needs.bytes_each));
         how.threads = shares.threads;
         const auto scenes = static_cast<int>(std::max<std::size_t>(needs.rows, 1));

@@ -158,6 +158,7 @@ def simulate(
     cell_mm: Optional[float] = None,
     shown_mm: Optional[float] = None,
     detail: Union[str, Iterable[str]] = (),
+    force: bool = False,
     progress: Progress = None,
 ) -> Run:
     """Runs an experiment on a fabric, in this process, and returns what came of it.
@@ -180,13 +181,14 @@ def simulate(
         cell_mm: of a worn garment: side of the cells that are computed, 0.05 to 100 mm.
         shown_mm: side of the cells that frames, maps and the recording show, 0.05 to 100 mm; 0: by the size of sample or garment.
         detail: of a worn garment: panels of which each computed cell is recorded.
+        force: begin also what is expected to take more memory than is free.
         progress: called several times a second from the calling thread with the share done, 0 to 1, and a text. What it raises ends the run.
 
     Raises:
         InvalidProject: the project has errors, which are its ``issues``.
         FileError: the recording, or a file of the garment, cannot be written or read.
         DeviceError: the GPU that was asked for is not there.
-        Error: no such fabric, experiment or knob, with the names there are; or the run failed.
+        Error: no such fabric, experiment or knob, with the names there are; more memory is needed than is free; or the run failed.
         TypeError, ValueError: an argument is of a wrong type or out of its range.
         KeyboardInterrupt: Ctrl-C.
 
@@ -195,7 +197,7 @@ def simulate(
     >>> run.series.wetted_radius_top_mm.plot()
     """
     opened = project_of(project)
-    how = _checks.how(fidelity, backend, seed, threads, physics, knobs)
+    how = {**_checks.how(fidelity, backend, seed, threads, physics, knobs), "force": bool(force)}
     for name, side in (("cell_mm", cell_mm), ("shown_mm", shown_mm)):
         if side is not None:
             how[name] = _checks.number(side, name, 0.05, 100)

@@ -99,6 +99,7 @@ def calibrate(
     physics: Union[str, Mapping[str, bool], None] = None,
     knobs: Optional[Mapping[str, Any]] = None,
     at_once: int = 0,
+    force: bool = False,
     progress: Progress = None,
 ) -> Calibration:
     """Fits the few inputs of a fabric that are not known to what a laboratory measured.
@@ -107,8 +108,8 @@ def calibrate(
         measured: a CSV file, or a DataFrame with the same columns: time_s (also as the index), a series such as wick_height_mm, and,
             where known, spread (standard deviation); or fabric, metric, value, unit, spread.
         free: the inputs: contact_angle_deg, receding_angle_deg, packing_factor.
-        at_once: runs at the same time; 0: one on a CPU, up to 16 on each GPU.
-        project, fabric, experiment, fidelity, backend, seed, threads, physics, knobs, progress: as in :func:`simulate`.
+        at_once: runs at the same time; 0: one on a CPU, up to 16 on each GPU. No more than the memory holds.
+        project, fabric, experiment, fidelity, backend, seed, threads, physics, knobs, force, progress: as in :func:`simulate`.
 
     Returns:
         A :class:`Calibration`; its ``identifiable`` is False where the data cannot tell the inputs, and ``refusal`` says why.
@@ -120,7 +121,11 @@ def calibrate(
     >>> fit.project.save("calibrated.hygro")
     """
     opened = project_of(project)
-    how = {**_checks.how(fidelity, backend, seed, threads, physics, knobs), "at_once": _checks.whole(at_once, "at_once", 0, 1024)}
+    how = {
+        **_checks.how(fidelity, backend, seed, threads, physics, knobs),
+        "at_once": _checks.whole(at_once, "at_once", 0, 1024),
+        "force": bool(force),
+    }
     keys = [key.strip() for one in _checks.texts(free, "free") for key in one.split(",") if key.strip()]
     names = _checks.optional_text(fabric, "fabric"), _checks.optional_text(experiment, "experiment")
     data, source = _measured(measured)
@@ -142,6 +147,7 @@ def compare(
     physics: Union[str, Mapping[str, bool], None] = None,
     knobs: Optional[Mapping[str, Any]] = None,
     at_once: int = 0,
+    force: bool = False,
     progress: Progress = None,
 ) -> "pandas.DataFrame":
     """Runs several fabrics on the same experiment and says which differences are real.
@@ -151,8 +157,8 @@ def compare(
         by: the metric to rank by, such as "absorbency_time_s".
         baseline: the fabric that verdicts are against; the first when left out.
         replicates: runs of each fabric, 1 to 1000. More than one draw what is not known of the cloth; 8 give useful intervals.
-        at_once: runs at the same time; 0: one on a CPU, up to 16 on each GPU.
-        project, experiment, fidelity, backend, seed, threads, physics, knobs, progress: as in :func:`simulate`.
+        at_once: runs at the same time; 0: one on a CPU, up to 16 on each GPU. No more than the memory holds.
+        project, experiment, fidelity, backend, seed, threads, physics, knobs, force, progress: as in :func:`simulate`.
 
     Returns:
         A DataFrame, a row per fabric and metric, in the order of the ranks: fabric, rank, metric, value, low, high (90 % interval) and
@@ -164,7 +170,11 @@ def compare(
     import pandas
 
     opened = project_of(project)
-    how = {**_checks.how(fidelity, backend, seed, threads, physics, knobs), "at_once": _checks.whole(at_once, "at_once", 0, 1024)}
+    how = {
+        **_checks.how(fidelity, backend, seed, threads, physics, knobs),
+        "at_once": _checks.whole(at_once, "at_once", 0, 1024),
+        "force": bool(force),
+    }
     result = json.loads(
         _hygroloom.compare(
             opened._design,
@@ -203,6 +213,7 @@ def sweep(
     backend: str = "auto",
     threads: int = 0,
     at_once: int = 0,
+    force: bool = False,
     progress: Progress = None,
 ) -> "pandas.DataFrame":
     """Runs a study of many points: changes values of a project and sees what follows.
@@ -218,8 +229,8 @@ def sweep(
         retry_failed: with resume: also runs what failed.
         backend: as in :func:`simulate`.
         threads: of each run on a CPU; 0: the cores shared out among the runs.
-        at_once: runs at the same time; 0: one per core of a CPU, up to 16 on each GPU.
-        progress: as in :func:`simulate`.
+        at_once: runs at the same time; 0: one per core of a CPU, up to 16 on each GPU. No more than the memory holds.
+        force, progress: as in :func:`simulate`.
 
     Returns:
         A DataFrame, a row per point, fabric, experiment and replicate: point, replicate, fabric and experiment (where there are
@@ -229,7 +240,7 @@ def sweep(
     Raises:
         InvalidProject: the project or the study has errors, which are its ``issues``.
         FileError: the study cannot be read, the folder cannot be written or has another study.
-        Error: the folder has rows and resume is not set.
+        Error: the folder has rows and resume is not set; one run needs more memory than is free.
         KeyboardInterrupt: Ctrl-C; a folder keeps every row that has ended.
 
     >>> table = sweep("cloth.hygro", {"factors": [{"path": "fabrics[0].contact_angle_deg", "values": [20, 40, 60]}],
@@ -240,7 +251,7 @@ def sweep(
     import pandas
 
     opened = project_of(project)
-    how = {**_checks.machine(backend, threads), "at_once": _checks.whole(at_once, "at_once", 0, 1024)}
+    how = {**_checks.machine(backend, threads), "at_once": _checks.whole(at_once, "at_once", 0, 1024), "force": bool(force)}
     if isinstance(study, Mapping):
         head = {"format": "hygroloom-study", "version": 1}
         data, source = _checks.json_text({**head, **study}, "study").encode(), b"study"
