@@ -9,6 +9,7 @@
 #include "core/analysis/metrics_json.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/plan/frame_times.h"
 #include "core/plan/idle_keys.h"
 #include "core/plan/plan_json.h"
 #include "core/run/learned_times.h"
@@ -75,6 +76,7 @@ void print_plan(const ModelPlan& plan, const std::vector<IdleKey>& idle, const s
     print_result("fabric       {}\nexperiment   {}\n", fabric, experiment);
     print_result("expected     about {} s, {}, {}. {}\n", rounded_text(plan.expected_seconds, 2), bytes_text(plan.expected_bytes),
                  error_text(plan), plan.expectation_source);
+    print_result("recording    about {} s more, with -o.\n", rounded_text(recording_seconds(plan), 2));
     print_result("fidelity     {}{}{}\n", name_of(plan.fidelity), plan.fidelity_reason.empty() ? "" : " (auto). ", plan.fidelity_reason);
     for (const PlannedPart& part : plan.parts)
         print_result("{:<12} {:<4} {}{}\n", part.name, part.on ? "on" : "off", part.forced ? "(forced) " : "", part.reason);
@@ -203,7 +205,7 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
         RunBar bar(options.quiet, 1);
         finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0, see, [&](const RunRecord& record) {
             so_far.start(record);
-            bar.expect(record.plan.expected_seconds);
+            bar.expect(record.plan.expected_seconds + (how.recording.empty() ? 0 : recording_seconds(record.plan)));
         });
     } catch (const Cancelled&) {
         return print_cancelled(so_far, options.json);

@@ -23,4 +23,19 @@ std::vector<double> frame_times(const Experiment& experiment, double interval)
     return times;
 }
 
+double frames_of(const ModelPlan& plan)
+{
+    if (plan.counts.frames > 0) return plan.counts.frames;
+    const double more = plan.counts.type == name_of(ExperimentType::moisture_management) ? 200 : 0;
+    return plan.counts.duration / std::max(1e-9, plan.frame_interval) + more;
+}
+
+double shown_segments(const ModelPlan& plan) { return plan.shown_ends > 0 ? 2.0 * plan.shown_ends * plan.shown_picks : plan.segments; }
+
+double recording_seconds(const ModelPlan& plan)
+{
+    constexpr double frame = 3e-4, segment = 1.2e-7; // s; of a frame, and to pack the fields of a segment of it
+    return frames_of(plan) * (frame + segment * shown_segments(plan));
+}
+
 } // namespace hygroloom

@@ -37,6 +37,7 @@ struct SceneCounts {
     double sample_area = 0;   ///< m2; 0: not known, as in files of older versions
     double sample_edge = 0;   ///< m, around it
     double duration = 0;      ///< s
+    double frames = 0;        ///< that are shown; 0: not known, as in files of older versions
     double wet_share = 0;     ///< of the sample that can get wet, at most
     double suction = 0;       ///< cosine of the smallest contact angle of a yarn; 0: none wicks
     double uptake = 0;        ///< m3/s, as fast as cloth draws liquid away: pores under a face (m) times their liquid diffusivity; with the

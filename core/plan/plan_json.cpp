@@ -2,6 +2,7 @@
 #include "core/plan/plan_json.h"
 
 #include "core/base/error.h"
+#include "core/plan/frame_times.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -70,6 +71,7 @@ SceneCounts counts_from_json(const Json& json)
             .sample_area = json.value("sample_area_m2", 0.0),
             .sample_edge = json.value("sample_edge_m", 0.0),
             .duration = json.at("duration_s"),
+            .frames = json.value("frames", 0.0),
             .wet_share = json.at("wet_share"),
             .suction = json.at("suction"),
             .uptake = json.value("uptake_m3_s", 0.0),
@@ -90,6 +92,7 @@ Json json_of(const SceneCounts& counts)
             {"sample_area_m2", counts.sample_area},
             {"sample_edge_m", counts.sample_edge},
             {"duration_s", counts.duration},
+            {"frames", counts.frames},
             {"wet_share", counts.wet_share},
             {"closure", counts.closure},
             {"suction", counts.suction},
@@ -167,6 +170,7 @@ Json plan_value(const ModelPlan& plan)
         {"counts", json_of(plan.counts)},
         {"expected",
          {{"time_s", plan.expected_seconds},
+          {"recording_s", recording_seconds(plan)},
           {"memory_bytes", plan.expected_bytes},
           {"error", plan.expected_error ? Json(*plan.expected_error) : Json(nullptr)},
           {"errors", plan.expected_errors},

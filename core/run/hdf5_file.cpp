@@ -21,11 +21,33 @@ std::vector<hsize_t> extents(hid_t dataset)
     return sizes;
 }
 
-/// Datasets carry no time stamps, so that the same run writes the same bytes.
-Handle untimed_properties()
+/// Datasets carry no time stamps, so that the same run writes the same bytes. Made once: it takes as long as a small dataset.
+hid_t untimed()
 {
-    Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "the recording cannot be written");
-    H5Pset_obj_track_times(properties.get(), false);
+    static const hid_t properties = [] {
+        const hid_t made = H5Pcreate(H5P_DATASET_CREATE);
+        H5Pset_obj_track_times(made, false);
+        return made;
+    }();
+    return properties;
+}
+
+/// The extent of one value.
+hid_t single()
+{
+    static const hid_t space = H5Screate(H5S_SCALAR);
+    return space;
+}
+
+/// Of arrays that are compressed.
+Handle packed_properties(const std::vector<hsize_t>& sizes)
+{
+    Handle properties(H5Pcopy(untimed()), H5Pclose, "the recording cannot be written");
+    std::vector<hsize_t> chunk = sizes;
+    chunk[0] = std::min<hsize_t>(chunk[0], 65536);
+    H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_shuffle(properties.get());
+    H5Pset_deflate(properties.get(), 1);
     return properties;
 }
 
@@ -33,22 +55,16 @@ void write_array(hid_t parent, const std::string& name, hid_t type, const void* 
 {
     const Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose,
                        "the recording cannot be written");
-    const Handle properties = untimed_properties();
-    if (sizes[0] >= 1024) {
-        std::vector<hsize_t> chunk = sizes;
-        chunk[0] = std::min<hsize_t>(chunk[0], 65536);
-        H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
-        H5Pset_shuffle(properties.get());
-        H5Pset_deflate(properties.get(), 1);
-    }
-    const Handle set(H5Dcreate2(parent, name.c_str(), type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Dclose,
-                     "the recording cannot be written: no room for \"" + name + "\"");
+    constexpr hsize_t least_packed = 1024;
+    const Handle packed = sizes[0] >= least_packed ? packed_properties(sizes) : Handle();
+    const Handle set(
+        H5Dcreate2(parent, name.c_str(), type, space.get(), H5P_DEFAULT, packed.get() >= 0 ? packed.get() : untimed(), H5P_DEFAULT),
+        H5Dclose, "the recording cannot be written: no room for \"" + name + "\"");
     if (sizes[0] > 0) check(H5Dwrite(set.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "the recording cannot be written");
     if (!unit) return;
     const Handle text(H5Tcopy(H5T_C_S1), H5Tclose, "the recording cannot be written");
     H5Tset_size(text.get(), std::max<std::size_t>(1, std::char_traits<char>::length(unit)));
-    const Handle scalar(H5Screate(H5S_SCALAR), H5Sclose, "the recording cannot be written");
-    const Handle attribute(H5Acreate2(set.get(), "unit", text.get(), scalar.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+    const Handle attribute(H5Acreate2(set.get(), "unit", text.get(), single(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                            "the recording cannot be written");
     check(H5Awrite(attribute.get(), text.get(), unit), "the recording cannot be written");
 }
@@ -88,9 +104,7 @@ void write_text(hid_t parent, const std::string& name, const std::string& value)
     const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "the recording cannot be written");
     H5Tset_size(type.get(), std::max<std::size_t>(1, value.size()));
     H5Tset_cset(type.get(), H5T_CSET_UTF8);
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "the recording cannot be written");
-    const Handle properties = untimed_properties();
-    const Handle set(H5Dcreate2(parent, name.c_str(), type.get(), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Dclose,
+    const Handle set(H5Dcreate2(parent, name.c_str(), type.get(), single(), H5P_DEFAULT, untimed(), H5P_DEFAULT), H5Dclose,
                      "the recording cannot be written");
     const std::string padded = value.empty() ? std::string(1, '\0') : value;
     check(H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()), "the recording cannot be written");
@@ -99,8 +113,7 @@ void write_text(hid_t parent, const std::string& name, const std::string& value)
 void write_number(hid_t parent, const std::string& name, double value)
 {
     if (H5Aexists(parent, name.c_str()) > 0) H5Adelete(parent, name.c_str());
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "the recording cannot be written");
-    const Handle attribute(H5Acreate2(parent, name.c_str(), H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+    const Handle attribute(H5Acreate2(parent, name.c_str(), H5T_IEEE_F64LE, single(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                            "the recording cannot be written");
     check(H5Awrite(attribute.get(), H5T_NATIVE_DOUBLE, &value), "the recording cannot be written");
 }
@@ -125,7 +138,7 @@ Handle create_table(hid_t parent, const std::string& name, hsize_t columns, cons
 {
     const hsize_t now[2] = {0, columns}, most[2] = {H5S_UNLIMITED, columns}, chunk[2] = {128, columns};
     const Handle space(H5Screate_simple(2, now, most), H5Sclose, "the recording cannot be written");
-    const Handle properties = untimed_properties();
+    const Handle properties(H5Pcopy(untimed()), H5Pclose, "the recording cannot be written");
     H5Pset_chunk(properties.get(), 2, chunk);
     Handle table(H5Dcreate2(parent, name.c_str(), H5T_IEEE_F64LE, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Dclose,
                  "the recording cannot be written");

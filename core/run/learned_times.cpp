@@ -131,7 +131,7 @@ try {
                         {"backend", run.backend},
                         {"device", run.device},
                         {"date", run.date},
-                        {"seconds", run.wall},
+                        {"seconds", run.wall - run.recorded_in},
                         {"plan", plan_without_words(run.plan)}});
     write_file(all.file, Json{{"format", "hygroloom-times"}, {"version", version}, {"runs", list}}.dump());
     all.read_at = {};

@@ -34,7 +34,11 @@ void Publisher::publish(Frame frame, double time)
         throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
     for (SwitchedPart& part : watch_.see(frame)) due_.push_back(std::move(part));
     frame = session_.of_single_yarns(std::move(frame));
-    if (recording_) recording_->append(frame);
+    if (recording_) {
+        const auto begin = Clock::now();
+        recording_->append(frame);
+        run_.recorded_in += seconds_since(begin);
+    }
     if (time >= duration_) settle_due("the run was over");
     if (!callbacks_.frame) return;
     const std::scoped_lock alone(calling_);
@@ -43,6 +47,10 @@ void Publisher::publish(Frame frame, double time)
 
 void Publisher::progress(double reached, bool ends)
 {
+    if (recording_ && seconds_since(looked_) > 0.05) { // of frames that nobody follows soon
+        looked_ = Clock::now();
+        recording_->commit_when_due();
+    }
     if (!callbacks_.progress || (seconds_since(reported_) <= 0.1 && !ends)) return;
     std::unique_lock alone(calling_, std::try_to_lock);
     if (!alone && !ends) return; // the caller looks at a frame; the steps need not wait

@@ -50,7 +50,7 @@ private:
     std::optional<RecordingWriter> recording_;
     std::mutex calling_; // held while the caller is called: a frame may be published while the run goes on
     const std::chrono::steady_clock::time_point start_;
-    std::chrono::steady_clock::time_point reported_;
+    std::chrono::steady_clock::time_point reported_, looked_;
 };
 
 } // namespace hygroloom

@@ -23,6 +23,9 @@ public:
     RecordingWriter& operator=(const RecordingWriter&) = delete;
 
     void append(const Frame& frame);
+    /// Lets the frames that were added take effect, where that has waited long enough: while nothing is added. From any thread; does
+    /// nothing while another one adds.
+    void commit_when_due();
     /// Where the run went on when its device failed, once.
     void note_device(const std::string& device);
     /// A part that is modelled from here on.

@@ -13,12 +13,15 @@
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 namespace hygroloom {
 namespace {
 
 constexpr std::chrono::milliseconds patience{20}; ///< with readers, before a commit is put off
 constexpr std::chrono::seconds longest_wait{2};   ///< of a commit, for readers
+constexpr std::chrono::milliseconds between{200}; ///< commits
+constexpr std::size_t small = 4096;               ///< bytes of data that wait, too: of them there are many
 
 /// An error number, or 0.
 int write_all(int file, std::uint64_t at, std::string_view bytes)
@@ -143,7 +146,7 @@ bool RecordingTarget::write(std::uint64_t at, const void* bytes, std::size_t cou
     if (!failure_.empty()) return true;
     const std::string_view given(static_cast<const char*>(bytes), count);
     end_ = std::max(end_, at + count);
-    if (is_metadata) {
+    if (is_metadata || count <= small || touches(staged_, at, count)) {
         stage(staged_, at, given);
         return true;
     }
@@ -161,14 +164,16 @@ void RecordingTarget::give_up(const std::string& why)
     if (::ftruncate(file_, static_cast<off_t>(committed_)) != 0) return; // what lies behind is not read
 }
 
-void RecordingTarget::commit(Commit when, bool may_replace)
+bool RecordingTarget::is_due() const { return !in_place() || std::chrono::steady_clock::now() - last_commit_ >= between; }
+
+bool RecordingTarget::commit(Commit when, bool may_replace)
 {
     if (!failure_.empty()) throw FileError(failure_);
     const auto now = std::chrono::steady_clock::now();
     const bool may_wait = when == Commit::may_wait && part_.empty() && now - last_commit_ < longest_wait;
     while (!try_lock(file_, LockedByte::index, false)) {
         const auto waited = std::chrono::steady_clock::now() - now;
-        if (may_wait && waited > patience) return;
+        if (may_wait && waited > patience) return false;
         if (waited > longest_wait) break; // a reader that was halted
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -183,6 +188,7 @@ void RecordingTarget::commit(Commit when, bool may_replace)
     staged_.clear();
     last_commit_ = now;
     if (!part_.empty() && (may_replace || !has_older_)) publish();
+    return true;
 }
 
 /// First all that changes nothing that is in use, then, when that and the log of the rest stand in the file, the rest.
@@ -194,12 +200,19 @@ void RecordingTarget::write_changes(const Changes& changes)
         give_up(reason(code));
         throw FileError(failure_);
     };
+    std::uint64_t begin = 0;
+    std::string run; // of changes that follow each other, written at once
+    const auto write_run = [&] { keep(write_all(file_, begin, std::exchange(run, {}))); };
     for (const auto& [at, bytes] : changes) {
-        if (at < committed_)
+        if (at < committed_) {
             rest.emplace(at, bytes);
-        else
-            keep(write_all(file_, at, bytes));
+            continue;
+        }
+        if (at != begin + run.size()) write_run();
+        if (run.empty()) begin = at;
+        run += bytes;
     }
+    write_run();
     if (!rest.empty()) {
         const auto& [last, bytes] = *rest.rbegin();
         keep(write_all(file_, std::max({end_, committed_, last + bytes.size()}), redo_log(rest)));

@@ -10,8 +10,8 @@
 
 namespace hygroloom {
 
-/// What the library writes as data goes to the file, beyond all that is in use; metadata waits for the commit. A run that is killed, or has
-/// no room, leaves the file as the last commit made it.
+/// What the library writes as data goes to the file, beyond all that is in use; metadata and small data wait for the commit. A run that is
+/// killed, or has no room, leaves the file as the last commit made it.
 class RecordingTarget : public hdf5::Storage {
 public:
     /// Takes the name: throws FileError when another run writes there, or nothing can be written there. What is there stays.
@@ -25,7 +25,10 @@ public:
     /// Lets what was written take effect, all or nothing, and gives the file the target's name, if it may replace an older recording or
     /// there is none. While a reader looks for frames it may wait for the next time. Throws FileError; the file stays as it was and takes
     /// nothing more.
-    void commit(Commit when, bool may_replace);
+    /// Returns whether it did.
+    bool commit(Commit when, bool may_replace);
+    /// Whether a commit is worth its work: the file has not its name yet, or the last one was a while ago. A kill costs what came since.
+    bool is_due() const;
     /// Whether the file has the target's name.
     bool in_place() const { return part_.empty(); }
     /// Why nothing more can be written; empty: it can.

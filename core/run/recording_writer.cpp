@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Frames are written whole and committed with the ledger's row that counts them, so a cut recording reads up to its last row.
+// Frames are written whole and committed with the ledger's rows that count them, so a cut recording reads up to its last row. A commit
+// writes the names of all frames and the last rows anew, however small a frame is: several frames share one.
 #include "core/base/error.h"
 #include "core/base/version.h"
 #include "core/plan/plan_json.h"
@@ -10,6 +11,9 @@
 #include "core/run/recording_target.h"
 
 #include <fmt/format.h>
+
+#include <malloc.h>
+#include <mutex>
 
 namespace hygroloom {
 
@@ -29,6 +33,17 @@ std::vector<double> row_of(const Ledger& ledger)
     std::vector<double> row;
     for (const LedgerColumn& column : ledger_columns) row.push_back(ledger.*column.value);
     return row;
+}
+
+/// Packing takes and gives back a quarter of a megabyte for each array. Where the heap shrank and grew each time, that took longer than
+/// all else.
+void keep_heap()
+{
+#ifdef __GLIBC__
+    constexpr int kept = 32 << 20, largest = 4 << 20; // bytes at its end; of a block that lies in it
+    static const bool done = mallopt(M_TRIM_THRESHOLD, kept) != 0 && mallopt(M_MMAP_THRESHOLD, largest) != 0;
+    static_cast<void>(done);
+#endif
 }
 
 void write_textile(hid_t file, const Textile& textile)
@@ -131,14 +146,17 @@ struct RecordingWriter::File {
     RecordingTarget target; // outlives what the library has open in it
     h5::Handle file;
     h5::Handle ledger;
+    std::mutex adding;
     int frames = 0;
     double end = 0;                            ///< s, of the last frame
+    double kept_end = 0;                       ///< s, of the last frame that took effect
+    bool waits = false;                        ///< something was added since the last commit
     std::vector<float> warp_pores, weft_pores; ///< pore volume / yarn volume of each end and of each pick
 
     hid_t id() const { return file.get(); }
     /// What fails leaves the recording as it was before, and nothing is added to it any more.
     template <typename Write> void attempt(Write write);
-    void flush(RecordingTarget::Commit when);
+    void commit_when_due();
     void close(bool is_whole);
     /// The state that a run begins with is no reason to lose an older recording.
     bool may_replace() const { return frames > 1; }
@@ -152,15 +170,18 @@ template <typename Write> void RecordingWriter::File::attempt(Write write)
     } catch (const FileError& error) {
         if (target.failure().empty()) target.give_up(error.what());
         throw FileError(fmt::format("{}: {}; {}", name, target.failure(),
-                                    target.in_place() ? fmt::format("the recording ends at {:.4g} s and can be read up to there.", end)
+                                    target.in_place() ? fmt::format("the recording ends at {:.4g} s and can be read up to there.", kept_end)
                                                       : "nothing was recorded, and what had this name before stays."));
     }
 }
 
-void RecordingWriter::File::flush(RecordingTarget::Commit when)
+void RecordingWriter::File::commit_when_due()
 {
+    if (!waits || !target.is_due()) return;
     if (H5Fflush(id(), H5F_SCOPE_GLOBAL) < 0) throw FileError("the recording cannot be written");
-    target.commit(when, may_replace());
+    if (!target.commit(RecordingTarget::Commit::may_wait, may_replace())) return;
+    kept_end = end;
+    waits = false;
 }
 
 void RecordingWriter::File::close(bool is_whole)
@@ -172,6 +193,7 @@ void RecordingWriter::File::close(bool is_whole)
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRecord& run) : file_(std::make_unique<File>(path))
 {
+    keep_heap();
     file_->attempt([&] {
         file_->file = h5::create_file(file_->target, "the recording cannot be created");
         const hid_t file = file_->id();
@@ -200,6 +222,7 @@ RecordingWriter::~RecordingWriter()
 
 void RecordingWriter::append(const Frame& frame)
 {
+    const std::lock_guard alone(file_->adding);
     file_->attempt([&] {
         {
             const h5::Handle frames = h5::open_group(file_->id(), "frames");
@@ -210,18 +233,27 @@ void RecordingWriter::append(const Frame& frame)
             h5::write_number(h5::open_group(file_->id(), "provenance").get(), "unsolved_lines", frame.unsolved_lines);
         h5::append_row(file_->ledger.get(), row_of(frame.ledger));
         ++file_->frames;
-        file_->flush(RecordingTarget::Commit::may_wait);
+        file_->end = frame.time;
+        file_->waits = true;
+        file_->commit_when_due();
     });
-    file_->end = frame.time;
+}
+
+void RecordingWriter::commit_when_due()
+{
+    const std::unique_lock alone(file_->adding, std::try_to_lock);
+    if (alone) file_->attempt([&] { file_->commit_when_due(); });
 }
 
 void RecordingWriter::note_device(const std::string& device)
 {
+    const std::lock_guard alone(file_->adding);
     file_->attempt([&] { h5::write_text(h5::open_group(file_->id(), "provenance").get(), "all_devices", device); });
 }
 
 void RecordingWriter::note_switched_on(const SwitchedPart& part)
 {
+    const std::lock_guard alone(file_->adding);
     file_->attempt([&] {
         const h5::Handle provenance = h5::open_group(file_->id(), "provenance");
         const h5::Handle all = h5::exists(provenance.get(), "switched_on") ? h5::open_group(provenance.get(), "switched_on")
@@ -232,7 +264,8 @@ void RecordingWriter::note_switched_on(const SwitchedPart& part)
         h5::write_number(group.get(), "limit", part.limit);
         if (part.estimate) h5::write_number(group.get(), "estimate", *part.estimate);
         if (!part.kept_off.empty()) h5::write_text(group.get(), "kept_off", part.kept_off);
-        if (file_->frames > 0) file_->flush(RecordingTarget::Commit::may_wait);
+        file_->waits = file_->frames > 0;
+        file_->commit_when_due();
     });
 }
 

@@ -47,6 +47,14 @@ void stage(Changes& changes, std::uint64_t at, std::string_view bytes)
     changes.emplace(begin, std::move(merged));
 }
 
+bool touches(const Changes& changes, std::uint64_t at, std::size_t count)
+{
+    const auto after = changes.lower_bound(at + count);
+    if (after == changes.begin()) return false;
+    const auto& [last, bytes] = *std::prev(after);
+    return last + bytes.size() > at;
+}
+
 void apply(const Changes& changes, std::uint64_t at, char* bytes, std::size_t count)
 {
     auto entry = changes.upper_bound(at);

@@ -14,6 +14,8 @@ using Changes = std::map<std::uint64_t, std::string>;
 
 /// Puts bytes over what is staged. No two entries overlap before or after, and none is empty.
 void stage(Changes& changes, std::uint64_t at, std::string_view bytes);
+/// Whether some of it is staged.
+bool touches(const Changes& changes, std::uint64_t at, std::size_t count);
 /// Over bytes that were read from a place in the file.
 void apply(const Changes& changes, std::uint64_t at, char* bytes, std::size_t count);
 

@@ -152,6 +152,7 @@ struct WearWriter::File {
     RecordingTarget target; // outlives what the library has open in it
     h5::Handle file, ledger;
     int frames = 0;
+    int kept_frames = 0; ///< that took effect
 
     /// What fails leaves the recording as it was before, and nothing is added to it any more.
     template <typename Write> void attempt(Write write)
@@ -161,7 +162,8 @@ struct WearWriter::File {
             write();
         } catch (const FileError& error) {
             if (target.failure().empty()) target.give_up(error.what());
-            throw FileError(fmt::format("{}: {}; {} of its frames can be read.", name, target.failure(), target.in_place() ? frames : 0));
+            throw FileError(
+                fmt::format("{}: {}; {} of its frames can be read.", name, target.failure(), target.in_place() ? kept_frames : 0));
         }
     }
     void close(bool is_whole)
@@ -226,8 +228,9 @@ void WearWriter::append(const WearFrame& frame)
         for (const LedgerColumn& column : ledger_columns) row.push_back(frame.ledger.*column.value);
         h5::append_row(file_->ledger.get(), row);
         ++file_->frames;
+        if (!file_->target.is_due()) return;
         if (H5Fflush(file_->file.get(), H5F_SCOPE_GLOBAL) < 0) throw FileError("the recording cannot be written");
-        file_->target.commit(RecordingTarget::Commit::may_wait, file_->frames > 1);
+        if (file_->target.commit(RecordingTarget::Commit::may_wait, file_->frames > 1)) file_->kept_frames = file_->frames;
     });
 }
 

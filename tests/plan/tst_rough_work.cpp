@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a plan counts of a run: which part computes for how long. No clock is asked.
 #include "core/plan/expectation.h"
+#include "core/plan/frame_times.h"
 #include "core/plan/held_liquid.h"
 #include "core/run/plan_run.h"
 #include "tests/support/drop_design.h"
@@ -15,6 +16,32 @@ using namespace hygroloom;
 class TestRoughWork : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    /// A tester's feed has 200 frames of its own, each of which ends a step, is measured and recorded.
+    void framesOfAFeedCount()
+    {
+        Design design = drop_design(35);
+        design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
+        const auto plan_with = [&](double feed_s) {
+            design.experiments[0].feed_s = feed_s;
+            return plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::live);
+        };
+        const ModelPlan brief = plan_with(2), usual = plan_with(20);
+        QCOMPARE(usual.counts.frames, double(frame_times(design.experiments[0], usual.frame_interval).size()));
+        QVERIFY(usual.counts.frames > brief.counts.frames + 150);
+        QVERIFY(rough_work(usual, "cpu") > 1.1 * rough_work(brief, "cpu"));
+        QVERIFY(recording_seconds(usual) > 1.5 * recording_seconds(brief));
+    }
+    /// On a large sample few cells are computed, but all of it is built.
+    void buildingALargeSampleCounts()
+    {
+        Design design = drop_design(35);
+        const auto work_of = [&](double side_mm) {
+            design.experiments[0].sample_mm = {side_mm, side_mm};
+            return rough_work(plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::live), "cpu");
+        };
+        const double segments = 2 * double(design.fabrics[0].ends_per_cm) * 30 * double(design.fabrics[0].picks_per_cm) * 30;
+        QVERIFY(work_of(300) - work_of(20) > 0.8e-6 * segments);
+    }
     void aStartIsNotMultiplied()
     {
         // Sweat for 0.7 s on a small sample took 0.05 s longer than a start of 0.01 s, the shipped one 2.0 s. It was expected to take 0.08

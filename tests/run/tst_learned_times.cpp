@@ -67,6 +67,16 @@ private Q_SLOTS:
         keep_learned_times(file_.toStdString());
         QCOMPARE(plan_of(15).expected_seconds, after.expected_seconds);
     }
+    /// The next run may record nothing.
+    void whatARecordingTookIsNotLearned()
+    {
+        const ModelPlan before = plan_of(15);
+        keep_learned_times(file_.toStdString());
+        RunRecord run = run_of(before, 3);
+        run.recorded_in = before.expected_seconds;
+        learn_time(run);
+        QVERIFY(std::abs(plan_of(15).expected_seconds / before.expected_seconds - 2) < 1e-9);
+    }
     void theMostAlikeCountMost()
     {
         const ModelPlan small = plan_of(5), large = plan_of(20), drying = plan_of(0, Fidelity::draft, ExperimentType::drying);

@@ -14,6 +14,7 @@
 #include <hdf5.h>
 
 #include <csignal>
+#include <ctime>
 #include <random>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -126,7 +127,7 @@ private Q_SLOTS:
         for (int k = 0; k < 3; ++k) {
             first.append(small_frame(run_, k));
             QCOMPARE(second(), sentence);
-            if (k > 0) { QCOMPARE(whole_frames(path), k + 1); }
+            if (k > 0) { QVERIFY(whole_frames(path) >= 2); }
         }
         first.finish(1);
         QCOMPARE(second(), QString());
@@ -173,7 +174,10 @@ private Q_SLOTS:
         const std::string path = at("running.hygrorec");
         const pid_t child = begin_apart([&] {
             RecordingWriter writer(path, run_);
-            for (int k = 0; k < 200; ++k) writer.append(small_frame(run_, k));
+            for (int k = 0; k < 200; ++k) {
+                writer.append(small_frame(run_, k));
+                std::this_thread::sleep_for(std::chrono::milliseconds(10)); // several commits
+            }
             writer.finish(1);
         });
         int openings = 0, last = 0, sizes = 0;
@@ -188,6 +192,32 @@ private Q_SLOTS:
         QCOMPARE(last, 200);
         QVERIFY2(sizes > 5, qPrintable(QString("%1 of %2 openings").arg(sizes).arg(openings)));
     }
+    /// Else a run that pauses after a burst of frames, or computes long to the next, would keep them to itself.
+    void aBurstOfFramesTakesEffectWithoutAnother()
+    {
+        const std::string path = at("burst.hygrorec");
+        RecordingWriter writer(path, run_);
+        for (int k = 0; k < 20; ++k) writer.append(small_frame(run_, k));
+        std::this_thread::sleep_for(std::chrono::milliseconds(250));
+        writer.commit_when_due();
+        QCOMPARE(whole_frames(path), 20);
+    }
+    /// 3 ms each, when each was committed by itself.
+    void aSmallFrameCostsLittle()
+    {
+        constexpr int frames = 1440;
+        const std::string path = at("many.hygrorec");
+        RecordingWriter writer(path, run_);
+        QElapsedTimer time;
+        time.start();
+        const auto begin = std::clock();
+        for (int k = 0; k < frames; ++k) writer.append(small_frame(run_, k));
+        writer.finish(1);
+        const double each = 1e3 * double(std::clock() - begin) / CLOCKS_PER_SEC / frames; // ms of processor time
+        qInfo("%.3f ms of processor time a frame, %.3f ms in all", each, double(time.elapsed()) / frames);
+        QVERIFY(each < 1);
+        QCOMPARE(whole_frames(path), frames);
+    }
     void aKillAtAnyMomentLeavesWholeFrames()
     {
         const std::string path = at("killed.hygrorec");
@@ -199,6 +229,7 @@ private Q_SLOTS:
                 RecordingWriter writer(path, run_);
                 for (int k = 0;; ++k) writer.append(small_frame(run_, k % 5 + 5 * k));
             });
+            for (int k = 0; trial == 29 && k < 1000 && is_older(path); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
             std::this_thread::sleep_for(std::chrono::microseconds(random() % (trial < 20 ? 60'000 : 400'000)));
             kill(child, SIGKILL);
             waitpid(child, nullptr, 0);
@@ -253,6 +284,7 @@ private Q_SLOTS:
                 setrlimit(RLIMIT_FSIZE, &most);
                 RecordingWriter writer(path, run_);
                 for (; frames < 200; ++frames) writer.append(small_frame(run_, frames));
+                writer.finish(1);
             });
             if (open) sentence.write(QByteArray::number(frames) + " " + complaint.toUtf8());
             sentence.close();
@@ -268,9 +300,10 @@ private Q_SLOTS:
             QVERIFY(complaint.endsWith("; nothing was recorded, and what had this name before stays."));
             QVERIFY(is_older(path));
         } else {
-            QVERIFY2(complaint.endsWith(QString("; the recording ends at %1 s and can be read up to there.").arg(0.1 * (frames - 1))),
+            const int whole = whole_frames(path); // those of the last moment were not committed yet
+            QVERIFY2(whole >= 2 && whole <= frames, qPrintable(QString::number(whole)));
+            QVERIFY2(complaint.endsWith(QString("; the recording ends at %1 s and can be read up to there.").arg(0.1 * (whole - 1))),
                      qPrintable(complaint));
-            QCOMPARE(whole_frames(path), frames);
             QVERIFY(!Recording(path).finished());
         }
         QCOMPARE(files().filter("full.hygrorec"), QStringList{"full.hygrorec"});
