@@ -1531,6 +1531,42 @@
         <source>Higher is better.</source>
         <translation>Höher ist besser.</translation>
     </message>
+    <message>
+        <source>The run needs more memory than is free</source>
+        <translation>Der Lauf braucht mehr Speicher, als frei ist</translation>
+    </message>
+    <message>
+        <source>Without enough memory the computer becomes slow, or ends the program; what is not saved is lost then.</source>
+        <translation>Ohne genug Speicher wird der Rechner langsam, oder er beendet das Programm; was nicht gespeichert ist, geht dann verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Run All the Same</source>
+        <translation>&amp;Trotzdem starten</translation>
+    </message>
+    <message>
+        <source>The run was stopped</source>
+        <translation>Der Lauf wurde gestoppt</translation>
+    </message>
+    <message>
+        <source>Keep what it recorded?</source>
+        <translation>Behalten, was er aufgezeichnet hat?</translation>
+    </message>
+    <message>
+        <source>The recording takes %1 beside the project. Discarded, its results leave the screen.</source>
+        <translation>Die Aufzeichnung belegt %1 neben dem Projekt. Wird sie verworfen, so gehen ihre Ergebnisse vom Bildschirm.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>Beha&amp;lten</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>This run takes most of the memory that is free. Other programs may slow down.</source>
+        <translation>Dieser Lauf belegt den größten Teil des freien Speichers. Andere Programme werden vielleicht langsamer.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CalibrateDialog</name>
@@ -4568,6 +4604,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>Not enough memory for this run. Choose a lower fidelity.</source>
         <translation>Der Speicher reicht für diesen Lauf nicht. Wählen Sie eine geringere Genauigkeit.</translation>
     </message>
+    <message>
+        <source>This run takes about %1 of memory; %2 are free. Choose a lower fidelity.</source>
+        <translation>Dieser Lauf belegt etwa %1 Speicher; %2 sind frei. Wählen Sie eine geringere Genauigkeit.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::GarmentView</name>
@@ -4847,10 +4887,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Trageversuch &amp;stoppen</translation>
     </message>
     <message>
-        <source>Stop the run. What was computed is kept.</source>
-        <translation>Den Lauf stoppen. Das bisher Berechnete bleibt.</translation>
-    </message>
-    <message>
         <source>&amp;Keep This Run as A</source>
         <translation>Diesen &amp;Lauf als A behalten</translation>
     </message>
@@ -5021,6 +5057,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Open the kept run of %1</source>
         <translation>Den Lauf vom %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Stop the run, and say whether to keep what it recorded.</source>
+        <translation>Den Lauf stoppen und sagen, ob das Aufgezeichnete bleibt.</translation>
     </message>
 </context>
 <context>
@@ -7923,12 +7963,16 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Fertig.</translation>
     </message>
     <message>
-        <source>Stopped. What was computed up to here is shown.</source>
-        <translation>Gestoppt. Das bis hierher Berechnete ist gezeigt.</translation>
-    </message>
-    <message>
         <source>Resume the run.</source>
         <translation>Den Lauf fortsetzen.</translation>
+    </message>
+    <message>
+        <source>This run takes about %1 of memory; %2 are free.</source>
+        <translation>Dieser Lauf belegt etwa %1 Speicher; %2 sind frei.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Gestoppt.</translation>
     </message>
 </context>
 <context>
@@ -8194,10 +8238,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>S&amp;topp</translation>
     </message>
     <message>
-        <source>Stop the run. Results up to now are kept.</source>
-        <translation>Den Lauf stoppen. Die bisherigen Ergebnisse bleiben.</translation>
-    </message>
-    <message>
         <source>&amp;What Will Be Modelled, and Why…</source>
         <translation>&amp;Was modelliert wird, und warum…</translation>
     </message>
@@ -8449,6 +8489,10 @@ Stattdessen auf der CPU rechnen?</translation>
         <source>These results are for “%1, %2”. Results has a link to the run of what is selected.</source>
         <translation>Diese Ergebnisse gehören zu „%1, %2“. Unter Ergebnisse steht ein Link zum Lauf des Gewählten.</translation>
     </message>
+    <message>
+        <source>Stop the run, and say whether to keep what it recorded.</source>
+        <translation>Den Lauf stoppen und sagen, ob das Aufgezeichnete bleibt.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::SimulationPanel</name>
@@ -8533,12 +8577,12 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Fertig.</translation>
     </message>
     <message>
-        <source>Stopped. Results up to here are shown.</source>
-        <translation>Gestoppt. Die Ergebnisse bis hierher sind gezeigt.</translation>
-    </message>
-    <message>
         <source>about 4 min, 38 MB, error ≈ 14 %</source>
         <translation>etwa 4 min, 38 MB, Fehler ≈ 14 %</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Gestoppt.</translation>
     </message>
 </context>
 <context>
@@ -8546,6 +8590,10 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>Not enough memory for this run. Choose a smaller sample or a lower fidelity.</source>
         <translation>Der Speicher reicht für diesen Lauf nicht. Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>This run takes about %1 of memory; %2 are free. Choose a smaller sample or a lower fidelity.</source>
+        <translation>Dieser Lauf belegt etwa %1 Speicher; %2 sind frei. Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
     </message>
 </context>
 <context>

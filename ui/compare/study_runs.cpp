@@ -180,11 +180,12 @@ void StudyRuns::end(Slot* slot, const std::shared_ptr<Result>& result)
     if (!running()) { Q_EMIT ended(); }
 }
 
-/// What was recorded of a run that was stopped stays in the list of runs.
+/// Of a run that was stopped nothing is kept: it has no numbers to compare.
 void StudyRuns::keepRecorded(Slot& slot, const Result& result)
 {
     const QString path = runs_.settle(slot.recording);
     if (path.isEmpty()) { return; }
+    if (!result.finished && result.failure.isEmpty()) { return runs_.forget(path); }
     KeptRun kept{path, nullptr, nullptr};
     try {
         if (result.finished) {

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "gpu/backends.h"
+#include "ui/basics/quantity.h"
 
 #include <QDateTime>
 
@@ -46,6 +47,10 @@ void GarmentRun::begin(const std::function<void()>& work)
             work();
         } catch (const Cancelled&) {
             outcome = Outcome::cancelled;
+        } catch (const NotEnoughMemory& error) {
+            outcome = Outcome::memory_short;
+            sentence = tr("This run takes about %1 of memory; %2 are free. Choose a lower fidelity.")
+                           .arg(bytesText(error.needed), bytesText(error.available));
         } catch (const std::bad_alloc&) {
             outcome = Outcome::failed;
             sentence = tr("Not enough memory for this run. Choose a lower fidelity.");
@@ -79,6 +84,9 @@ void GarmentRun::compute(const Request& request)
     const GarmentParts parts = garment_parts(*request.design, *wear, request.base, [this] { return control_.cancel.load(); });
     const GarmentScene scene = garment_scene(parts, resolution_of(request.options));
     if (control_.cancel) { throw Cancelled(); }
+    if (!scene.memory_is_short.empty()) {
+        post([this] { Q_EMIT memoryIsShort(); });
+    }
     const std::unique_ptr<Backend> backend = make_backend(request.backend);
     backend->set_threads(request.threads);
     auto record = std::make_shared<WearRecord>();

@@ -16,7 +16,7 @@ namespace hygroloom {
 class GarmentRun : public QObject {
     Q_OBJECT
 public:
-    enum class Outcome { finished, cancelled, failed };
+    enum class Outcome { finished, cancelled, memory_short, failed };
 
     struct Request {
         std::shared_ptr<const Design> design;
@@ -44,6 +44,8 @@ public:
     void cancel();
 
 Q_SIGNALS:
+    /// Before it begins: it takes much of the memory that is free.
+    void memoryIsShort();
     /// The first frame follows.
     void started(const std::shared_ptr<WornRun>& run);
     /// metrics: of all frames up to this one. most: of any cell in it.

@@ -59,9 +59,9 @@ RunForm::RunForm(GarmentChoice& choice, GarmentRun& run, QWidget* parent)
     state_->setAccessibleName(tr("State of the run"));
     layout->addWidget(state_);
     layout->addStretch();
-    connect(start_, &QPushButton::clicked, this, &RunForm::start);
+    connect(start_, &QPushButton::clicked, this, [this] { start(); });
     connect(pause_, &QPushButton::clicked, this, [this] { run_.setPaused(!run_.paused()); });
-    connect(stop_, &QPushButton::clicked, &run_, &GarmentRun::cancel);
+    connect(stop_, &QPushButton::clicked, this, &RunForm::stopRequested);
     connect(&run_, &GarmentRun::pausedChanged, this, [this](bool paused) {
         showState();
         if (run_.running()) { state_->setText(paused ? tr("Paused.") : tr("Resuming.")); }
@@ -140,7 +140,7 @@ bool RunForm::canRun(QString* reason) const
     return why.isEmpty() && !run_.running() && choice_.drawing();
 }
 
-void RunForm::start()
+void RunForm::start(bool beyond_memory)
 {
     if (!canRun()) { return; }
     GarmentRun::Request request;
@@ -149,6 +149,7 @@ void RunForm::start()
     request.experiment = choice_.wear()->name;
     request.base = choice_.base();
     request.options.fidelity = fidelity();
+    request.options.memory.force = beyond_memory;
     request.backend = backend();
     request.threads = preferences().threads;
     if (place_) {
@@ -188,6 +189,8 @@ void RunForm::estimate()
                        .arg(cellsText(wear_layout(parts, scene).cells_in_words), bytesText(plan.bytes), roughDuration(plan.seconds));
         } catch (const Cancelled&) {
             return;
+        } catch (const NotEnoughMemory& error) {
+            text = tr("This run takes about %1 of memory; %2 are free.").arg(bytesText(error.needed), bytesText(error.available));
         } catch (const std::exception& error) {
             text = QString::fromUtf8(error.what());
         }
@@ -232,7 +235,8 @@ void RunForm::showEnd(GarmentRun::Outcome outcome, const QString& sentence)
 {
     switch (outcome) {
     case GarmentRun::Outcome::finished: state_->setText(tr("Finished.")); break;
-    case GarmentRun::Outcome::cancelled: state_->setText(tr("Stopped. What was computed up to here is shown.")); break;
+    case GarmentRun::Outcome::cancelled: state_->setText(tr("Stopped.")); break;
+    case GarmentRun::Outcome::memory_short:
     case GarmentRun::Outcome::failed: state_->setText(sentence); break;
     }
     showState();

@@ -25,13 +25,14 @@ public:
     std::string backend() const;
     /// Whether a run could start now; else why not, in a sentence.
     bool canRun(QString* reason = nullptr) const;
-    /// Starts the chosen experiment.
-    void start();
+    /// Starts the chosen experiment. beyond_memory: also where it takes more than is free.
+    void start(bool beyond_memory = false);
     /// Who says where a run is recorded; empty: it cannot be, and the run does not start. Without, runs are not recorded.
     void setPlace(std::function<QString()> place) { place_ = std::move(place); }
 
 Q_SIGNALS:
     void canRunChanged();
+    void stopRequested();
 
 private:
     void addFidelities();

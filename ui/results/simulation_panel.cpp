@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/plan/expectation.h"
+#include "core/plan/frame_times.h"
 #include "core/run/plan_run.h"
 #include "gpu/backends.h"
 #include "ui/basics/appearance.h"
@@ -84,7 +85,7 @@ SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget
 
     connect(start_, &QPushButton::clicked, this, &SimulationPanel::runRequested);
     connect(pause_, &QPushButton::clicked, this, [this] { run_.setPaused(!run_.paused()); });
-    connect(stop_, &QPushButton::clicked, &run_, &SimulationRun::cancel);
+    connect(stop_, &QPushButton::clicked, this, &SimulationPanel::stopRequested);
     connect(why_, &QPushButton::clicked, this, &SimulationPanel::showPlan);
     connect(&run_, &SimulationRun::started, this, [this] {
         bar_->setValue(0);
@@ -193,6 +194,7 @@ void SimulationPanel::refreshPlans()
             try {
                 if (!textile) { textile = textile_of_run(*design, design->fabrics[static_cast<std::size_t>(fabric)], test, fitted.get()); }
                 plans[i].plan = plan_run(*design, *textile, test, all_fidelities[i], {}, {}, machine);
+                plans[i].plan->expected_seconds += recording_seconds(*plans[i].plan); // the window records each run
             } catch (const Error& error) {
                 plans[i].problem = QString::fromStdString(error.what());
             }
@@ -254,7 +256,8 @@ void SimulationPanel::showEnd(SimulationRun::Outcome outcome, const QString& sen
 {
     switch (outcome) {
     case SimulationRun::Outcome::finished: state_->setText(tr("Finished.")); break;
-    case SimulationRun::Outcome::cancelled: state_->setText(tr("Stopped. Results up to here are shown.")); break;
+    case SimulationRun::Outcome::cancelled: state_->setText(tr("Stopped.")); break;
+    case SimulationRun::Outcome::memory_short:
     case SimulationRun::Outcome::device_failed:
     case SimulationRun::Outcome::failed: state_->setText(sentence); break;
     }

@@ -38,6 +38,7 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void runRequested();
+    void stopRequested();
     void canRunChanged();
 
 private:

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/run/learned_times.h"
 #include "gpu/backends.h"
+#include "ui/basics/quantity.h"
 
 namespace hygroloom {
 
@@ -36,6 +37,7 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
             collector.add(*frame);
             post([this, frame, metrics = std::make_shared<const Metrics>(collector.metrics())] { Q_EMIT frameArrived(frame, metrics); });
         };
+        callbacks.memory_is_short = [this](const std::string&) { post([this] { Q_EMIT memoryIsShort(); }); };
         callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
         callbacks.progress = [this](const RunProgress& progress) { post([this, progress] { Q_EMIT progressed(progress); }); };
         Outcome outcome = Outcome::finished;
@@ -53,6 +55,10 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
         } catch (const DeviceError& error) {
             outcome = Outcome::device_failed;
             sentence = QString::fromStdString(error.what());
+        } catch (const NotEnoughMemory& error) {
+            outcome = Outcome::memory_short;
+            sentence = tr("This run takes about %1 of memory; %2 are free. Choose a smaller sample or a lower fidelity.")
+                           .arg(bytesText(error.needed), bytesText(error.available));
         } catch (const std::bad_alloc&) {
             outcome = Outcome::failed;
             sentence = tr("Not enough memory for this run. Choose a smaller sample or a lower fidelity.");

@@ -16,7 +16,7 @@ namespace hygroloom {
 class SimulationRun : public QObject {
     Q_OBJECT
 public:
-    enum class Outcome { finished, cancelled, device_failed, failed };
+    enum class Outcome { finished, cancelled, device_failed, memory_short, failed };
 
     explicit SimulationRun(QObject* parent = nullptr);
     /// Cancels and waits, 0.2 s or so.
@@ -31,6 +31,8 @@ public:
     void cancel();
 
 Q_SIGNALS:
+    /// Before it begins: it takes much of the memory that is free.
+    void memoryIsShort();
     void started(const std::shared_ptr<const RunRecord>& run);
     /// metrics: of all frames up to this one.
     void frameArrived(const std::shared_ptr<const Frame>& frame, const std::shared_ptr<const Metrics>& metrics);

@@ -16,6 +16,16 @@ QString examplesFolder()
     return {};
 }
 
+bool isInstalled(const QString& path)
+{
+    const QString file = QFileInfo(path).canonicalFilePath();
+    const QString beside = QDir(QCoreApplication::applicationDirPath()).filePath("../share/hygroloom/examples");
+    for (const QString& folder : {QString("/usr/share"), QString("/usr/local/share"), QFileInfo(beside).canonicalFilePath()}) {
+        if (!folder.isEmpty() && file.startsWith(folder + '/')) { return true; }
+    }
+    return file.contains("/share/hygroloom/examples/"); // of another installation
+}
+
 QString shippedExample()
 {
     const QString name = "one-drop-on-cotton.hygro";

@@ -77,6 +77,8 @@ public:
     void takeDesign();
     /// Asks before a run in progress is stopped. True when it may be, or there is none.
     bool agreesToStopRun();
+    /// Asks afterwards whether to keep what was recorded.
+    void stopByHand();
     /// Waits until it has ended, 0.2 s or so.
     void stopRun();
     void clearResults();
@@ -149,8 +151,9 @@ private:
     QAction* drop_ = nullptr;
     QAction* take_ = nullptr;
     bool opening_ = false, taking_ = false;
-    QString to_take_;  ///< the recording whose design the project gives way to
-    QString run_path_; ///< of the run in progress
+    bool stopped_by_hand_ = false; ///< what was recorded is asked for
+    QString to_take_;              ///< the recording whose design the project gives way to
+    QString run_path_;             ///< of the run in progress
 };
 
 } // namespace hygroloom

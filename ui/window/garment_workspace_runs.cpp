@@ -13,6 +13,7 @@
 #include "ui/results/project_runs.h"
 #include "ui/results/report_file.h"
 #include "ui/results/run_history.h"
+#include "ui/results/run_questions.h"
 #include "ui/window/file_names.h"
 #include "ui/window/folder_dialog.h"
 #include "ui/window/garment_workspace.h"
@@ -22,6 +23,8 @@
 #include <QDir>
 #include <QEventLoop>
 #include <QFileDialog>
+
+#include <utility>
 
 namespace hygroloom {
 namespace {
@@ -59,6 +62,7 @@ QString folderOfSources(const Design& recorded, const QString& recording)
 void GarmentWorkspace::connectRun()
 {
     connect(&run_, &GarmentRun::started, &playback_, &WearPlayback::begin);
+    connect(&run_, &GarmentRun::memoryIsShort, this, [this] { Q_EMIT messageShown(memoryWarning(), 10000); });
     connect(&run_, &GarmentRun::frameArrived, &playback_, &WearPlayback::append);
     connect(&run_, &GarmentRun::ended, this, &GarmentWorkspace::finishRun);
     connect(&run_, &GarmentRun::pausedChanged, this, &GarmentWorkspace::refreshActions);
@@ -120,20 +124,28 @@ QString GarmentWorkspace::reserve()
 
 void GarmentWorkspace::finishRun(GarmentRun::Outcome outcome, const QString& sentence)
 {
+    QString at;
     if (!run_path_.isEmpty()) {
-        const QString at = runs_.settle(run_path_);
+        at = runs_.settle(run_path_);
         if (const auto& run = playback_.run(); run && run->file == run_path_) { run->file = at; }
         run_path_.clear();
     }
     playback_.end();
+    const bool asks_to_keep = std::exchange(stopped_by_hand_, false) && outcome == GarmentRun::Outcome::cancelled && !at.isEmpty();
+    if (asks_to_keep && !wantsStoppedRun(&window_, at)) {
+        playback_.clear();
+        runs_.forget(at);
+    }
     if (opening_ && outcome == GarmentRun::Outcome::finished && playback_.run() && playback_.run()->file == to_take_ && mayTakeDesign()) {
         takeDesign();
     }
     to_take_.clear();
     keepRun();
     if (outcome == GarmentRun::Outcome::failed) { Q_EMIT problemFound(sentence); }
+    const bool asks = outcome == GarmentRun::Outcome::memory_short;
     opening_ = false;
     refreshActions();
+    if (asks && wantsBeyondMemory(&window_, sentence)) { form_->start(true); }
 }
 
 void GarmentWorkspace::keepRun()
@@ -317,6 +329,12 @@ void GarmentWorkspace::write(const std::shared_ptr<WornRun>& run, const QString&
             Q_EMIT messageShown(tr("Saved the run to %1.").arg(path), 4000);
         });
     });
+}
+
+void GarmentWorkspace::stopByHand()
+{
+    stopped_by_hand_ = run_.computing();
+    run_.cancel();
 }
 
 bool GarmentWorkspace::agreesToStopRun()

@@ -25,6 +25,7 @@
 #include <QDragEnterEvent>
 #include <QEventLoop>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMimeData>
 #include <QProgressDialog>
 #include <QSaveFile>
@@ -62,12 +63,13 @@ bool MainWindow::openFile(const QString& path)
         return true;
     }
     if (isRecording(path)) { return simulate_->openRecording(path); }
-    if (!mayLeave() || !document_.open(path)) {
+    const bool example = isInstalled(path);
+    if (!mayLeave() || !(example ? document_.openExample(path) : document_.open(path))) {
         compare_->project().stay();
         return false;
     }
     simulate_->clearResults();
-    recent_->add(document_.path());
+    recent_->add(example ? QFileInfo(path).absoluteFilePath() : document_.path());
     return true;
 }
 

@@ -99,7 +99,8 @@ void SimulateWorkspace::connectPanels()
         if (const KeptRun* kept = keptOfChosen()) { showEarlierRun(QString(kept->path)); }
     });
     refreshKept();
-    connect(simulation_, &SimulationPanel::runRequested, this, &SimulateWorkspace::startRun);
+    connect(simulation_, &SimulationPanel::runRequested, this, [this] { startRun(); });
+    connect(simulation_, &SimulationPanel::stopRequested, this, &SimulateWorkspace::stopByHand);
     connect(simulation_, &SimulationPanel::canRunChanged, this, &SimulateWorkspace::refreshActions);
 }
 
@@ -129,11 +130,11 @@ void SimulateWorkspace::fillExperimentMenu(QMenu* menu)
 {
     Actions& a = actions_;
     a.start = addCommand(menu, "run", tr("&Run"), QKeySequence("Ctrl+R"), tr("Run the experiment on the selected fabric."));
-    connect(a.start, &QAction::triggered, this, &SimulateWorkspace::startRun);
+    connect(a.start, &QAction::triggered, this, [this] { startRun(); });
     a.pause = addCommand(menu, "pause", tr("&Pause"), {}, tr("Pause or resume the run."));
     connect(a.pause, &QAction::triggered, this, [this] { run_.setPaused(!run_.paused()); });
-    a.stop = addCommand(menu, "stop", tr("S&top"), {}, tr("Stop the run. Results up to now are kept."));
-    connect(a.stop, &QAction::triggered, &run_, &SimulationRun::cancel);
+    a.stop = addCommand(menu, "stop", tr("S&top"), {}, tr("Stop the run, and say whether to keep what it recorded."));
+    connect(a.stop, &QAction::triggered, this, &SimulateWorkspace::stopByHand);
     QAction* plan =
         addCommand(menu, "plan", tr("&What Will Be Modelled, and Why…"), {}, tr("Which physics the next run models, and the reasons."));
     connect(plan, &QAction::triggered, simulation_, &SimulationPanel::showPlan);

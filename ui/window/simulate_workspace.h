@@ -83,7 +83,10 @@ public:
     /// Focuses the field of a value of an experiment or a liquid.
     void showIssue(const QString& where);
 
-    void startRun();
+    /// Asks afterwards whether to keep what was recorded.
+    void stopByHand();
+    /// beyond_memory: also where it takes more than is free.
+    void startRun(bool beyond_memory = false);
     /// Opens a recording, with its design if the project has neither changes nor runs. False when the user keeps the run in progress.
     bool openRecording(const QString& path);
     /// Opens the recording of an earlier run; the project stays.
@@ -143,8 +146,9 @@ private:
     SimulationRun run_;
     NewestJob copier_;
     QString run_path_;
-    bool stopping_ = false; ///< to leave; nothing is offered instead
-    QString opening_;       ///< the recording whose design is to be taken with it
+    bool stopped_by_hand_ = false; ///< what was recorded is asked for
+    bool stopping_ = false;        ///< to leave; nothing is offered instead
+    QString opening_;              ///< the recording whose design is to be taken with it
     bool shown_ = false;
     bool stale_ = false;
 

@@ -13,6 +13,7 @@
 #include "ui/results/report_file.h"
 #include "ui/results/results_panel.h"
 #include "ui/results/run_history.h"
+#include "ui/results/run_questions.h"
 #include "ui/results/simulation_panel.h"
 #include "ui/results/water_map_view.h"
 #include "ui/window/file_names.h"
@@ -28,6 +29,7 @@
 #include <QScopedValueRollback>
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
@@ -40,6 +42,7 @@ constexpr char film_stem[] = "run"; // of the pictures' names
 void SimulateWorkspace::connectRun()
 {
     connect(&run_, &SimulationRun::started, this, [this](const std::shared_ptr<const RunRecord>& run) { playback_.begin(run, run_path_); });
+    connect(&run_, &SimulationRun::memoryIsShort, this, [this] { Q_EMIT messageShown(memoryWarning(), 10000); });
     connect(&run_, &SimulationRun::frameArrived, &playback_, &Playback::append);
     connect(&run_, &SimulationRun::completed, &playback_, &Playback::complete);
     connect(&run_, &SimulationRun::pausedChanged, this, &SimulateWorkspace::refreshActions);
@@ -71,7 +74,7 @@ void SimulateWorkspace::connectPlayback()
     connect(&playback_, &Playback::opened, this, &SimulateWorkspace::takeOpened);
 }
 
-void SimulateWorkspace::startRun()
+void SimulateWorkspace::startRun(bool beyond_memory)
 {
     commitTypedValue(window_);
     if (!simulation_->canRun()) { return; }
@@ -80,6 +83,7 @@ void SimulateWorkspace::startRun()
     RunOptions options;
     options.fidelity = simulation_->fidelity();
     options.may_go_on_on_cpu = true;
+    options.memory.force = beyond_memory;
     options.threads = preferences().threads;
     options.textile = std::make_shared<const Textile>(
         textile_of_run(*document_.design(), *document_.fabric(), *document_.experiment(), document_.fitted().get()));
@@ -101,6 +105,12 @@ void SimulateWorkspace::showRunEnd(SimulationRun::Outcome outcome, const QString
     run_path_ = runs_.settle(run_path_);
     playback_.end();
     refreshActions();
+    const bool asks = std::exchange(stopped_by_hand_, false) && outcome == SimulationRun::Outcome::cancelled && !run_path_.isEmpty();
+    if (asks && !wantsStoppedRun(&window_, run_path_)) {
+        playback_.clear();
+        runs_.forget(run_path_);
+        return;
+    }
     if (!stopping_ && outcome == SimulationRun::Outcome::device_failed && simulation_->backend() != "cpu") {
         const Question question{tr("The device failed"),
                                 tr("%1\n\nRun on the CPU instead?").arg(sentence),
@@ -111,9 +121,17 @@ void SimulateWorkspace::showRunEnd(SimulationRun::Outcome outcome, const QString
             simulation_->setBackend("cpu");
             startRun();
         }
+    } else if (!stopping_ && outcome == SimulationRun::Outcome::memory_short) {
+        if (wantsBeyondMemory(&window_, sentence)) { startRun(true); }
     } else if (!sentence.isEmpty()) {
         Q_EMIT problemFound(sentence);
     }
+}
+
+void SimulateWorkspace::stopByHand()
+{
+    stopped_by_hand_ = run_.running();
+    run_.cancel();
 }
 
 bool SimulateWorkspace::mayStopRun()
