@@ -20,13 +20,17 @@
 #include "ui/window/examples.h"
 #include "ui/window/garment_workspace.h"
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QDir>
 #include <QMainWindow>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSet>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include <cmath>
 #include <limits>
@@ -419,6 +423,14 @@ private Q_SLOTS:
         buttons[1]->click();
         QTRY_VERIFY_WITH_TIMEOUT(workspace_->playback().frames() > frames, 60000);
         buttons[1]->click();
+        QTimer answer; // of the question what to do with the recording
+        connect(&answer, &QTimer::timeout, this, [] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            for (QAbstractButton* button : box ? box->buttons() : QList<QAbstractButton*>()) {
+                if (button->text().remove('&') == "Keep") { button->click(); }
+            }
+        });
+        answer.start(50);
         buttons[2]->click(); // also while it is paused
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20000);
         QVERIFY(!buttons[1]->isEnabled());

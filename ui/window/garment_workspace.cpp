@@ -86,7 +86,6 @@ void GarmentWorkspace::fillMenu(QMenu* menu)
     actions_.stop =
         addCommand(menu, "stop", tr("S&top the Wear Experiment"), {}, tr("Stop the run, and say whether to keep what it recorded."));
     connect(actions_.stop, &QAction::triggered, this, &GarmentWorkspace::stopByHand);
-    connect(form_, &RunForm::stopRequested, this, &GarmentWorkspace::stopByHand);
     keep_ = addCommand(menu, {}, tr("&Keep This Run as A"), {}, tr("Compare the next runs with this one."));
     connect(keep_, &QAction::triggered, &playback_, &WearPlayback::keepAsA);
     drop_ = addCommand(menu, {}, tr("&Drop A"), {}, tr("Show the newest run alone."));

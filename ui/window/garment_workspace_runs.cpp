@@ -67,6 +67,7 @@ void GarmentWorkspace::connectRun()
     connect(&run_, &GarmentRun::ended, this, &GarmentWorkspace::finishRun);
     connect(&run_, &GarmentRun::pausedChanged, this, &GarmentWorkspace::refreshActions);
     form_->setPlace([this] { return reserve(); });
+    connect(form_, &RunForm::stopRequested, this, &GarmentWorkspace::stopByHand);
     connect(&runs_, &ProjectRuns::moved, &playback_, &WearPlayback::move);
     connect(list_, &RunList::openRequested, this, &GarmentWorkspace::showEarlierRun);
     connect(list_, &RunList::markRequested, &runs_, &ProjectRuns::setMarked);
