@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A garment that is worn in the Garment workspace: frames as they come, colours, numbers, the pin, a kept run, recordings.
+#include "answer_questions.h"
 #include "core/base/round_up.h"
 #include "core/wear/wear_map.h"
 #include "ui/basics/elided_label.h"
@@ -20,17 +21,12 @@
 #include "ui/window/examples.h"
 #include "ui/window/garment_workspace.h"
 
-#include <QAbstractButton>
-#include <QApplication>
 #include <QDir>
 #include <QMainWindow>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QSet>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 
 #include <cmath>
 #include <limits>
@@ -393,7 +389,6 @@ private Q_SLOTS:
         QVERIFY(kept && kept->worn && kept->own && !kept->complete());
         QVERIFY(!workspace_->playback().run()->file.isEmpty());
     }
-
     void aRunPausesAndGoesOn()
     {
         editWear(*document_, "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 36000; });
@@ -423,14 +418,7 @@ private Q_SLOTS:
         buttons[1]->click();
         QTRY_VERIFY_WITH_TIMEOUT(workspace_->playback().frames() > frames, 60000);
         buttons[1]->click();
-        QTimer answer; // of the question what to do with the recording
-        connect(&answer, &QTimer::timeout, this, [] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            for (QAbstractButton* button : box ? box->buttons() : QList<QAbstractButton*>()) {
-                if (button->text().remove('&') == "Keep") { button->click(); }
-            }
-        });
-        answer.start(50);
+        const auto answer = answerQuestions("Keep");
         buttons[2]->click(); // also while it is paused
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20000);
         QVERIFY(!buttons[1]->isEnabled());
