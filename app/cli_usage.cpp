@@ -112,10 +112,12 @@ std::string fault_of(const CLI::App& app, const std::vector<std::string>& given)
         return fmt::format("There is no verb \"{}\"{} The verbs are: {}.", by.unknown, did_you_mean(by.unknown, verbs),
                            fmt::join(verbs, ", "));
     }
-    for (const std::string& word : given) {
-        if (word == "--") break;
-        const std::string option = word.substr(0, word.find('='));
-        if (option.starts_with("--") && !by.verb->get_option_no_throw(option)) return unknown_option(*by.verb, option);
+    for (std::size_t i = 0; i < given.size() && given[i] != "--"; ++i) {
+        const std::string option = given[i].substr(0, given[i].find('='));
+        if (!option.starts_with("--")) continue;
+        const CLI::Option* known = by.verb->get_option_no_throw(option);
+        if (!known) return unknown_option(*by.verb, option);
+        if (known->get_items_expected_max() > 0 && option == given[i]) ++i; // its value, which may begin as an option does
     }
     return {};
 }

@@ -85,7 +85,7 @@ void start(const std::shared_ptr<Work>& work, std::function<void(Watch&)> act)
             work->failure = std::current_exception();
         }
         act = nullptr; // what it holds goes before the caller goes on
-        const std::lock_guard lock(work->mutex);
+        const std::lock_guard own(work->mutex);
         work->ended = true;
         work->changed.notify_all();
     });

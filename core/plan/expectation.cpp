@@ -325,9 +325,9 @@ double rough_bytes(const ModelPlan& plan)
     const double shells = plan.watches("sorption") ? plan.knobs.fibre_shells : plan.fibre_shells; // it may come on
     const double wider = plan.knobs.double_precision != 0 ? 1.5 : 1.0;
     const double shape = plan.on("liquid") ? 24.0 : 0.0; // of a cell, as particles meet it
-    // What is shown of a segment, and what is simulated of a cell.
-    return 180.0 * plan.segments + cells_of(plan) * (220.0 + shape + 8.0 * shells) +
-           wider * particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
+    // What is shown of a segment, and what is simulated of a cell and kept aside for frames.
+    return 180.0 * plan.segments + cells_of(plan) * (390.0 + shape + 16.0 * shells) +
+           2 * wider * particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
 }
 
 namespace {

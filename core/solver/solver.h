@@ -66,7 +66,7 @@ public:
             time_ = sync_time_;
             yarns_.draw_from_particles(liquid_.offer(time_, yarns_.absorbed()));
             sync_time_ = -1;
-            step_yarns(time_ - network_time_, is_beside() || meets_event_ || time_ >= until);
+            step_yarns(time_ - network_time_, is_beside() || meets_event_ || (!has_own_ends() && time_ >= until));
             network_time_ = time_;
             if (stood || yarns_.pool_was_fed() || stands_on_cloth()) free_until_ = time_;
             if (elapsed(start) > wall_seconds) break;
@@ -136,6 +136,8 @@ private:
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     bool stands_on_cloth() const { return liquid_.is_on_top() || yarns_.pool_feeds(); }
+    /// Whether steps do not end where frames are taken.
+    bool has_own_ends() const { return scene_.rules.step_share > 0; }
     /// Whether steps were left for a frame.
     bool is_beside() const { return beside_ >= 0; }
     void leave_for(double frame)
@@ -161,7 +163,7 @@ private:
         }
         const double event = std::min(liquid_.next_drop(), yarns_.next_event(time_)), longest = yarns_.longest_step();
         double end = event;
-        if (scene_.rules.step_share <= 0) {
+        if (!has_own_ends()) {
             const double target = std::min(until, event), steps = LiquidRules::steps_to(target - time_, longest);
             end = steps == 1.0 ? target : time_ + (target - time_) / steps;
         } else if (event - time_ > longest * (1 + rounding)) {

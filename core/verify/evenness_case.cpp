@@ -17,8 +17,7 @@ std::vector<VerifyResult> limit_irregularity_of_strand(const VerifyValues& v, Ba
     const auto sections = static_cast<std::size_t>(value(v, "sections"));
     const auto all = static_cast<std::uint64_t>(std::llround(fibres * static_cast<double>(sections)));
     std::vector<double> counted(sections, 0); // a section's fibres begin within the length before it
-    for (std::uint64_t k = 0; k < all; ++k)
-        counted[static_cast<std::size_t>(random_uniform(1, 0, k) * static_cast<double>(sections))] += 1;
+    for (std::uint64_t k = 0; k < all; ++k) counted[static_cast<std::size_t>(random_uniform(1, 0, k) * static_cast<double>(sections))] += 1;
     double squares = 0;
     for (double count : counted) squares += (count - fibres) * (count - fibres);
     const double expected = std::sqrt(squares / static_cast<double>(sections)) / fibres;

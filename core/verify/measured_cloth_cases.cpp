@@ -35,7 +35,9 @@ std::vector<VerifyResult> plain_and_rib(const VerifyValues& v, Backend& backend)
     rib.weave = weave_from_pattern("rib 2/2 warp");
     return {
         known_miss(ratio_at_least("ommc_plain_over_rib", management_of(v, plain, backend).ommc / management_of(v, rib, backend).ommc, 1.02),
-                   "rates, radii and faces come out alike within 1 %, and water spreads 2 % faster where a yarn floats over two", 0.1)};
+                   "radii and faces come out alike within 1 %, rates and capabilities within 11 %, and water spreads 2 % faster where a "
+                   "yarn floats over two",
+                   0.12)};
 }
 
 /// T4

@@ -372,7 +372,7 @@ private Q_SLOTS:
         QCOMPARE(criterion_named(criteria, "").key, criteria[0].key);
         QVERIFY(criterion_named(criteria, "absorbency_time_s").better == Better::less);
         QCOMPARE(criterion_named(criteria, "Wetted radius, bottom").key, std::string("maximum_wetted_radius_bottom_mm"));
-        QVERIFY(refusal_of(criteria, "ommc").contains("number \"ommc\" to rank by. It has maximum_wetted_radius_top_mm"));
+        QVERIFY(refusal_of(criteria, "ommc").contains("number \"ommc\" to rank by. It has equal_area_radius_mm"));
         for (const char* near : {"absorbency", "Absorbency t", "absorbancy_time_s", "absorbency tme"})
             QVERIFY2(refusal_of(criteria, near).contains("did you mean \"absorbency"), qPrintable(refusal_of(criteria, near)));
     }
@@ -456,10 +456,11 @@ private Q_SLOTS:
         c.measured = {{"cotton", c.ranked_by.key, 3.5, 0.25}};
         judge(c);
         const std::string table = comparison_table(c);
-        for (const char* part :
-             {"drop: ranked by wetted radius, top (largest first)\n    fabric     wetted radius, top  wetted radius, bottom",
-              "\n 1  hemp              4.50 ± 0.10", "\n 2  cotton            3.25 ± 0.10", "\n    measured           3.5 ± 0.25",
-              "\n -  polyester  too large\n", "\n    against cotton  wetted radius, top", "\n    hemp                        better"})
+        for (const char* part : {"drop: ranked by stain radius by area, top (largest first)\n    fabric     stain radius by area, top  "
+                                 "stain radius by area, bottom",
+                                 "\n 1  hemp                     4.50 ± 0.10", "\n 2  cotton                   3.25 ± 0.10",
+                                 "\n    measured                  3.5 ± 0.25", "\n -  polyester  too large\n",
+                                 "\n    against cotton  stain radius by area, top", "\n    hemp                               better"})
             QVERIFY2(table.find(part) != std::string::npos, (std::string(part) + "\n" + table).c_str());
         for (int type = 0; type < experiment_types; ++type)
             for (const OutcomeInfo& criterion : compared_by(static_cast<ExperimentType>(type)))
@@ -477,10 +478,11 @@ private Q_SLOTS:
         c.baseline = "b";
         judge(c);
         const std::string csv = comparison_csv(c);
-        QVERIFY2(csv.find("# ranked_by=maximum_wetted_radius_top_mm, largest first\n") != std::string::npos, csv.c_str());
-        QVERIFY2(csv.find("\n1,\"a \"\"fine\"\", washed\",3.25,3,3.5,,,,,,,,,,0,\"Water reached the edge.\"\n") != std::string::npos,
+        QVERIFY2(csv.find("# ranked_by=equal_area_radius_mm, largest first\n") != std::string::npos, csv.c_str());
+        QVERIFY2(csv.find("\n1,\"a \"\"fine\"\", washed\",3.25,3,3.5,,,,,,,,,,,,,,,,,,0,\"Water reached the edge.\"\n") !=
+                     std::string::npos,
                  csv.c_str());
-        QVERIFY2(csv.find("\n,\"b\",,,,,,,,,,,,,0,\"too large\"\n") != std::string::npos, csv.c_str());
+        QVERIFY2(csv.find("\n,\"b\",,,,,,,,,,,,,,,,,,,,,0,\"too large\"\n") != std::string::npos, csv.c_str());
         const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(comparison_json(c))).object();
         QCOMPARE(json["format"].toString(), QString("hygroloom-comparison"));
         QCOMPARE(json["first"].toString(), QString("most"));

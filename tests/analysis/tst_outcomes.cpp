@@ -77,7 +77,8 @@ private Q_SLOTS:
     {
         const std::vector<Outcome> outcomes = outcomes_of(run_of(ExperimentType::horizontal_wicking), without_values());
         QCOMPARE(outcome_named(outcomes, "wick_rate_mm2_s").rank, 1);
-        QCOMPARE(outcome_named(outcomes, "maximum_wetted_radius_top_mm").rank, 2);
+        QCOMPARE(outcome_named(outcomes, "equal_area_radius_mm").rank, 2);
+        QCOMPARE(outcome_named(outcomes, "maximum_wetted_radius_top_mm").rank, 4); // beside
         QCOMPARE(outcome_named(outcomes, "wetted_area_ellipse_warp_mm").rank, 0);
     }
     void unitsAreThoseOfTheKeys()

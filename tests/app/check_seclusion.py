@@ -60,6 +60,7 @@ def verbs(root):
         (["import", "cloth.wif", "-o", "imported.hygro"], ["imported.hygro"]),
         (["presets", "Denim", "-o", "imported.hygro"], ["imported.hygro~"]),  # the version before
         (["devices"], []),
+        (["help", "simulate"], []),
         (["compare", project, "--fabrics", "Cotton plain,Cotton twill", *drop, *short, "-o", "compared"], ["compared"]),
         (["tradeoff", *one, *drop, *short[2:], "--fidelities", "draft", "--knobs", "none", "--repeats", "1", "-o", "tradeoff"], ["tradeoff"]),
         (["sweep", project, "--study", "../study.json", "-o", "swept", "--set", "experiments[0].duration_s=0.05", "--quiet"], ["swept"]),

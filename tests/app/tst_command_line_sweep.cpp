@@ -58,9 +58,10 @@ private Q_SLOTS:
         QCOMPARE(answer.json()["rows"].toInt(), 3);
         QCOMPARE(answer.json()["done"].toInt(), 3);
         const QList<QByteArray> lines = contents(out + "/results.csv").split('\n');
-        QCOMPARE(lines[0],
-                 QByteArray("point,replicate,fabrics[0].ends_per_cm,status,maximum_wetted_radius_top_mm,maximum_wetted_radius_bottom_mm,"
-                            "absorbency_time_s,wall_s,device,commit,reason"));
+        QCOMPARE(
+            lines[0],
+            QByteArray("point,replicate,fabrics[0].ends_per_cm,status,equal_area_radius_mm,equal_area_radius_bottom_mm,absorbency_time_s,"
+                       "maximum_wetted_radius_top_mm,maximum_wetted_radius_bottom_mm,wall_s,device,commit,reason"));
         QVERIFY(lines[1].startsWith("0,0,26,done,"));
         QVERIFY(lines[3].startsWith("2,0,36,done,"));
         QVERIFY(contents(out + "/study.h5").startsWith("\x89HDF"));

@@ -55,7 +55,7 @@ def test_each_experiment_has_an_example(examples, monkeypatch, tmp_path, name):
     assert ds.attrs["type"] == name and ds.sizes["time"] == len(done.series)
     if name == "wear":
         water = 1e3 * float((ds.inside + ds.outside).isel(time=-1).sum())
-        assert water == pytest.approx(done.metrics["water_g"], rel=1e-9)
+        assert water == pytest.approx(done.metrics["water_g"], rel=1e-8)  # frames have single precision
         assert set(np.unique(ds.panel)) == set(done.panels.index) and set(np.unique(ds.zone)) == set(done.zones.index)
         again = hygroloom.measure(done.recording)  # recordings hold areas with 7 digits
         assert again.metrics["water_g"] == pytest.approx(done.metrics["water_g"], rel=1e-6) and set(again.metrics) == set(done.metrics)

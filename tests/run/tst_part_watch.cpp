@@ -291,6 +291,7 @@ private Q_SLOTS:
         const auto one = make_cpu_backend(), other = make_cpu_backend();
         one->load(scene);
         const Frame before = advance(*one, 0.1);
+        one->stay();
         QVERIFY(!before.positions.empty() && before.ledger.water_liquid > 0);
         for (const char* part : {"sorption", "vapour", "heat"}) plan = with_part(std::move(plan), part);
         set_parts(scene, plan);

@@ -192,7 +192,7 @@ private Q_SLOTS:
     void theMarkersOfScatterAndFingerprintTellTheirNumbersWithUnits()
     {
         Comparison numbers = comparison();
-        for (Candidate& each : numbers.candidates) { each.replicates.front()->numbers["maximum_wetted_radius_bottom_mm"] = 3; }
+        for (Candidate& each : numbers.candidates) { each.replicates.front()->numbers["equal_area_radius_bottom_mm"] = 3; }
         judge(numbers);
         ScatterView scatter;
         scatter.resize(900, 500);
@@ -207,13 +207,13 @@ private Q_SLOTS:
             }
             return QString();
         };
-        QTRY_VERIFY(wordsOf(scatter.view(), "wide").contains("Wetted radius, top: 9 mm"));
+        QTRY_VERIFY(wordsOf(scatter.view(), "wide").contains("Stain radius by area, top: 9 mm"));
         FingerprintView finger;
         finger.resize(900, 600);
         finger.show();
         finger.setCandidates(numbers, {"wide", "slow"});
-        QTRY_VERIFY2(wordsOf(finger.view(), "slow\nWetted radius, top").endsWith(": 4 mm"),
-                     qPrintable(wordsOf(finger.view(), "slow\nWetted radius, top")));
+        QTRY_VERIFY2(wordsOf(finger.view(), "slow\nStain radius by area, top").endsWith(": 4 mm"),
+                     qPrintable(wordsOf(finger.view(), "slow\nStain radius by area, top")));
     }
 
     void aMapTellsTheRangeOfItsReplicates()
@@ -252,7 +252,7 @@ private Q_SLOTS:
         Comparison numbers = comparison();
         numbers.candidates.push_back(candidate("same", 4, 3)); // as slow
         for (Candidate& each : numbers.candidates) {
-            each.replicates[0]->numbers["maximum_wetted_radius_bottom_mm"] = each.replicates[0]->numbers[numbers.criteria[0].key];
+            each.replicates[0]->numbers["equal_area_radius_bottom_mm"] = each.replicates[0]->numbers[numbers.criteria[0].key];
         }
         judge(numbers);
         FingerprintView finger;

@@ -94,11 +94,17 @@ private Q_SLOTS:
         const QString path = folder_.filePath("running.hygrorec");
         const RunRecord run = small_run();
         RecordingWriter writer(path.toStdString(), run);
+        const auto commit = [&writer] { // which frames wait for 0.2 s
+            QTest::qSleep(250);
+            writer.commit_when_due();
+        };
         for (int k = 0; k < 2; ++k) writer.append(small_frame(run, k));
+        commit();
         Playback playback;
         playback.open(path);
         QTRY_COMPARE(playback.frames(), 2);
         writer.append(small_frame(run, 2));
+        commit();
         QTRY_VERIFY(playback.frame() && playback.whole());
         playback.open(path);
         QTRY_COMPARE(playback.frames(), 3);

@@ -399,7 +399,7 @@ private Q_SLOTS:
     }
 
 private:
-    static constexpr const char* radius = "maximum_wetted_radius_top_mm";
+    static constexpr const char* radius = "equal_area_radius_mm";
 
     std::string experiment() const { return design_.experiments[0].name; }
 

@@ -140,10 +140,10 @@ std::shared_ptr<const PreviewFabric> prepare_fabric(const PreviewRequest& reques
     fabric->cell_ends = cell_for(fabric->period_ends);
     fabric->cell_picks = cell_for(fabric->period_picks);
     if (request.shown_ends > 0) { fabric->textile = in_cells(fabric->textile, request.shown_ends, request.shown_picks); }
-    const auto yarns_in = [](const std::vector<const Yarn*>& order, int first, int yarns, int shown) {
+    const auto yarns_in = [](const std::vector<const Yarn*>& order, int first, int yarns, int count) {
         std::vector<const Yarn*> all;
-        for (int i = 0; i < shown; ++i) { // of a cell the yarn in its middle
-            const auto middle = static_cast<int>((i + 0.5) * yarns / shown);
+        for (int i = 0; i < count; ++i) { // of a cell the yarn in its middle
+            const auto middle = static_cast<int>((i + 0.5) * yarns / count);
             all.push_back(order[static_cast<std::size_t>(first + middle) % order.size()]);
         }
         return all;

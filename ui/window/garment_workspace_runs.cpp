@@ -57,6 +57,16 @@ QString folderOfSources(const Design& recorded, const QString& recording)
     return {};
 }
 
+bool isRecordedWhole(const QString& file, std::size_t frames)
+{
+    try {
+        const WearRecording recording(file.toStdString());
+        return recording.finished() && static_cast<std::size_t>(recording.frames()) == frames;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 } // namespace
 
 void GarmentWorkspace::connectRun()
@@ -313,9 +323,13 @@ void GarmentWorkspace::write(const std::shared_ptr<WornRun>& run, const QString&
     recorder.run([this, run, frames = run->frames, wall = run->wall, path](const NewestJob::Turn& turn) {
         QString why;
         try {
-            WearWriter writer(path.toStdString(), *run->record);
-            for (const auto& frame : frames) { writer.append(*frame); }
-            if (wall > 0) { writer.finish(wall); }
+            if (wall > 0 && isRecordedWhole(run->file, frames.size())) {
+                copyRecording(run->file, path);
+            } else {
+                WearWriter writer(path.toStdString(), *run->record);
+                for (const auto& frame : frames) { writer.append(*frame); }
+                if (wall > 0) { writer.finish(wall); }
+            }
         } catch (const std::exception& error) {
             why = QString::fromUtf8(error.what());
         }
