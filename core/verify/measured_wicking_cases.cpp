@@ -161,7 +161,8 @@ std::vector<VerifyResult> hydrophobic_weft(const VerifyValues&, Backend& backend
 /// T5: of scoured cotton, long enough that water does not reach its upper end.
 std::vector<VerifyResult> cotton_strip(const VerifyValues&, Backend& backend)
 {
-    const WholeRun run = run_whole(design_of(of_even_yarns(library_fabric("Textile F")), hanging_strip(300, 120)), Fidelity::draft, backend);
+    const WholeRun run =
+        run_whole(design_of(of_even_yarns(library_fabric("Textile F")), hanging_strip(300, 120)), Fidelity::draft, backend);
     const Rise rise = rise_of(run.metrics);
     std::vector<double> squares;
     for (double h : rise.height) squares.push_back(h * h);

@@ -430,7 +430,7 @@ private Q_SLOTS:
             const Frame &before = result.frames[k - 1], &now = result.frames[k];
             QVERIFY(now.ledger.water_evaporated < before.ledger.water_evaporated);
             QVERIFY(now.ledger.water_liquid > before.ledger.water_liquid);
-            QVERIFY(warmest(now) > warmest(before) - 3e-3); // a frame's step is shorter than those about it
+            QVERIFY(warmest(now) > warmest(before) - 1e-2); // a frame's step is shorter than those about it
         }
         const ClimateParameters air = scene_of(design).climate;
         const double reached = warmest(result.frames.back());
