@@ -205,7 +205,7 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
         RunBar bar(options.quiet, 1);
         finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0, see, [&](const RunRecord& record) {
             so_far.start(record);
-            bar.expect(record.plan.expected_seconds + (how.recording.empty() ? 0 : recording_seconds(record.plan)));
+            bar.expect(seconds_to_wait(record.plan, !how.recording.empty()));
         });
     } catch (const Cancelled&) {
         return print_cancelled(so_far, options.json);

@@ -5,6 +5,18 @@
 #include <cmath>
 
 namespace hygroloom {
+namespace {
+
+/// s, since the last drop of a feed fell; 0 where it flows evenly.
+double since_drop(const Experiment& experiment, double time)
+{
+    const int drops = drops_of_feed(experiment);
+    if (drops == 0) return 0;
+    const double interval = experiment.feed_s / drops;
+    return time - interval * std::floor(time / interval + 1e-9);
+}
+
+} // namespace
 
 std::vector<double> frame_times(const Experiment& experiment, double interval)
 {
@@ -13,7 +25,11 @@ std::vector<double> frame_times(const Experiment& experiment, double interval)
     if (uses_field(experiment.type, "feed_s")) {
         const double fed = std::min(experiment.feed_s, end), fine = std::max(0.1, fed / 200);
         const long count = fine < interval ? std::lround(std::ceil(fed / fine - 1e-9)) : 0;
-        for (long k = 1; k <= count; ++k) times.push_back(k == count ? fed : static_cast<double>(k) * fine);
+        constexpr double lively = 0.6 + 1e-9; // s after a drop
+        for (long k = 1; k <= count; ++k) {
+            const double time = k == count ? fed : static_cast<double>(k) * fine;
+            if (k == count || k % 5 == 0 || since_drop(experiment, time) <= lively) times.push_back(time);
+        }
     }
     // The coarse ones lie where they would without: at whole intervals.
     const long coarse = std::lround(std::ceil(end / interval - 1e-9));
@@ -37,5 +53,7 @@ double recording_seconds(const ModelPlan& plan)
     constexpr double frame = 3e-4, segment = 1.2e-7; // s; of a frame, and to pack the fields of a segment of it
     return frames_of(plan) * (frame + segment * shown_segments(plan));
 }
+
+double seconds_to_wait(const ModelPlan& plan, bool recorded) { return plan.expected_seconds + (recorded ? recording_seconds(plan) : 0); }
 
 } // namespace hygroloom

@@ -10,7 +10,8 @@
 namespace hygroloom {
 
 /// s, from 0 to the end of the experiment: every interval, and every tenth of a second while a pump feeds the cloth between sensors, since
-/// a moisture management tester samples so often; a feed of more than 20 s in 200 frames.
+/// a moisture management tester samples so often; a feed of more than 20 s in 200 frames. Of these every fifth suffices where the last drop
+/// fell more than 0.6 s before, for little changes then.
 std::vector<double> frame_times(const Experiment& experiment, double interval);
 
 /// How many there are; of plans that do not tell, as of older versions, a tester's are taken to have its usual feed.
@@ -19,5 +20,7 @@ double frames_of(const ModelPlan& plan);
 double shown_segments(const ModelPlan& plan);
 /// What it takes beside the run to record them, s, on a core as rough_work() has it.
 double recording_seconds(const ModelPlan& plan);
+/// What the user waits for, s: the run and, where it is recorded, its recording. Precondition: expect().
+double seconds_to_wait(const ModelPlan& plan, bool recorded);
 
 } // namespace hygroloom

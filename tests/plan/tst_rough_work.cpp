@@ -21,6 +21,7 @@ private Q_SLOTS:
     {
         Design design = drop_design(35);
         design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
+        design.experiments[0].drop_ul = 0;
         const auto plan_with = [&](double feed_s) {
             design.experiments[0].feed_s = feed_s;
             return plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::live);

@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include <algorithm>
+
 using namespace hygroloom;
 
 class TestFrameTimes : public QObject {
@@ -21,7 +23,8 @@ private Q_SLOTS:
     }
     void aFeedIsSeenEveryTenthOfASecond()
     {
-        const Experiment test = standard_experiment(ExperimentType::moisture_management); // 20 of 120 s
+        Experiment test = standard_experiment(ExperimentType::moisture_management); // 20 of 120 s
+        test.drop_ul = 0;
         const std::vector<double> times = frame_times(test, 1.2);
         QCOMPARE(times.size(), std::size_t(1 + 200 + 84)); // 20.4, 21.6 .. 120 s
         for (std::size_t i = 1; i < times.size(); ++i) QVERIFY(times[i] > times[i - 1]);
@@ -30,9 +33,24 @@ private Q_SLOTS:
         QCOMPARE(times[201], 17 * 1.2);
         QCOMPARE(times.back(), 120.0);
     }
+    /// Eight drops, 2.5 s apart.
+    void betweenDropsOfAFeedEveryFifthFrameSuffices()
+    {
+        Experiment test = standard_experiment(ExperimentType::moisture_management);
+        const double interval = test.feed_s / drops_of_feed(test);
+        const std::vector<double> times = frame_times(test, 1.2);
+        QCOMPARE(times.size(), std::size_t(1 + 80 + 84));
+        const auto lies_in = [&](double time) {
+            return std::any_of(times.begin(), times.end(), [&](double t) { return std::abs(t - time) < 1e-9; });
+        };
+        QVERIFY(!lies_in(interval + 0.7));
+        for (double after : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 1.0, 1.5, 2.0}) QVERIFY2(lies_in(interval + after), QByteArray::number(after));
+        for (int drop = 1; drop <= 8; ++drop) QVERIFY(lies_in(drop * interval));
+    }
     void aLongFeedHasTwoHundredFramesAndAShortRunEndsEarlier()
     {
         Experiment test = standard_experiment(ExperimentType::moisture_management);
+        test.drop_ul = 0;
         test.feed_s = 1000;
         test.duration_s = 2000;
         QCOMPARE(frame_times(test, 20)[1], 5.0);

@@ -12,6 +12,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <tuple>
+
 class QLabel;
 class QTabWidget;
 
@@ -117,6 +119,9 @@ private:
     void recallMeasured();
     LaboratoryTable measuredIn(const QString& file) const;
 
+    using KindOfJob = std::tuple<std::string, std::string, Fidelity, bool>; ///< fabric, experiment; whether it is recorded
+    static KindOfJob kindOf(const StudyJob& job) { return {job.fabric, job.experiment, job.fidelity, job.recorded}; }
+
     Document& document_;
     RunHistory& history_;
     StudyRuns& runs_;
@@ -127,13 +132,13 @@ private:
     Comparison numbers_;                              ///< of rows_, judged
     std::map<std::string, LaboratoryTable> measured_; ///< by experiment
     QStringList chosen_;
-    std::string baseline_;                                                                ///< as named in the table
-    bool proposing_ = true;                                                               ///< until the user chooses
-    bool selecting_ = true;                                                               ///< the same of the experiment
-    bool fidelity_follows_ = true;                                                        ///< the same of the fidelity
-    bool replicates_follow_ = true;                                                       ///< the same of the replicates
-    std::string replicates_of_;                                                           ///< the experiment for which they were set
-    std::map<std::pair<std::string, std::pair<std::string, Fidelity>>, double> expected_; ///< s, of a run of planned_
+    std::string baseline_;                 ///< as named in the table
+    bool proposing_ = true;                ///< until the user chooses
+    bool selecting_ = true;                ///< the same of the experiment
+    bool fidelity_follows_ = true;         ///< the same of the fidelity
+    bool replicates_follow_ = true;        ///< the same of the replicates
+    std::string replicates_of_;            ///< the experiment for which they were set
+    std::map<KindOfJob, double> expected_; ///< s, of a run of planned_
     std::shared_ptr<const Design> planned_;
     CompareBar* bar_;
     QTabWidget* upper_;

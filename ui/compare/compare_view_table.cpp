@@ -2,6 +2,7 @@
 // The table of candidates, and running what is missing in it.
 #include "core/base/error.h"
 #include "core/design/unknowns.h"
+#include "core/plan/frame_times.h"
 #include "core/project/atomic_file.h"
 #include "core/run/plan_run.h"
 #include "gpu/backends.h"
@@ -287,7 +288,7 @@ std::optional<double> CompareView::secondsOf(const StudyJob& job) const
             }
         }
     }
-    const auto found = planned_ == document_.design() ? expected_.find({job.fabric, {job.experiment, job.fidelity}}) : expected_.end();
+    const auto found = planned_ == document_.design() ? expected_.find(kindOf(job)) : expected_.end();
     return found == expected_.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -316,16 +317,16 @@ void CompareView::plan(const std::vector<StudyJob>& jobs)
     if (planned_ != document_.design()) { expected_.clear(); }
     planned_ = document_.design();
     planner_.run([this, jobs, design = document_.design()](const NewestJob::Turn& turn) {
-        std::map<std::pair<std::string, std::pair<std::string, Fidelity>>, double> found;
+        std::map<KindOfJob, double> found;
         for (const StudyJob& job : jobs) {
-            const auto key = std::pair(job.fabric, std::pair(job.experiment, job.fidelity));
+            const KindOfJob key = kindOf(job);
             if (turn.outdated()) { return; }
             if (found.contains(key)) { continue; }
             double seconds = 0;
             try {
-                seconds = plan_run(*design, *find_fabric(*design, job.fabric), *find_experiment(*design, job.experiment), job.fidelity, {},
-                                   {}, expected_backend(backendOfMany()))
-                              .expected_seconds;
+                const ModelPlan plan = plan_run(*design, *find_fabric(*design, job.fabric), *find_experiment(*design, job.experiment),
+                                                job.fidelity, {}, {}, expected_backend(backendOfMany()));
+                seconds = seconds_to_wait(plan, job.recorded);
             } catch (const Error&) { // its run will say why
             }
             found[key] = seconds;

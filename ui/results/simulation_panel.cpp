@@ -194,7 +194,7 @@ void SimulationPanel::refreshPlans()
             try {
                 if (!textile) { textile = textile_of_run(*design, design->fabrics[static_cast<std::size_t>(fabric)], test, fitted.get()); }
                 plans[i].plan = plan_run(*design, *textile, test, all_fidelities[i], {}, {}, machine);
-                plans[i].plan->expected_seconds += recording_seconds(*plans[i].plan); // the window records each run
+                plans[i].plan->expected_seconds = seconds_to_wait(*plans[i].plan, true); // the window records each run
             } catch (const Error& error) {
                 plans[i].problem = QString::fromStdString(error.what());
             }
