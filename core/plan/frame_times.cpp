@@ -25,10 +25,11 @@ std::vector<double> frame_times(const Experiment& experiment, double interval)
     if (uses_field(experiment.type, "feed_s")) {
         const double fed = std::min(experiment.feed_s, end), fine = std::max(0.1, fed / 200);
         const long count = fine < interval ? std::lround(std::ceil(fed / fine - 1e-9)) : 0;
-        constexpr double lively = 0.6 + 1e-9; // s after a drop
+        constexpr double lively = 0.6 + 1e-9, calm = 0.5; // s after a drop, s apart
+        const long stride = std::max(1L, std::lround(std::floor(std::min(calm, interval) / fine + 1e-9)));
         for (long k = 1; k <= count; ++k) {
             const double time = k == count ? fed : static_cast<double>(k) * fine;
-            if (k == count || k % 5 == 0 || since_drop(experiment, time) <= lively) times.push_back(time);
+            if (k == count || k % stride == 0 || since_drop(experiment, time) <= lively) times.push_back(time);
         }
     }
     // The coarse ones lie where they would without: at whole intervals.

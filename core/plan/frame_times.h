@@ -10,8 +10,8 @@
 namespace hygroloom {
 
 /// s, from 0 to the end of the experiment: every interval, and every tenth of a second while a pump feeds the cloth between sensors, since
-/// a moisture management tester samples so often; a feed of more than 20 s in 200 frames. Of these every fifth suffices where the last drop
-/// fell more than 0.6 s before, for little changes then.
+/// a moisture management tester samples so often; a feed of more than 20 s in 200 frames. Where the last drop fell more than 0.6 s before
+/// little changes: there they lie half a second apart, or an interval if that is shorter.
 std::vector<double> frame_times(const Experiment& experiment, double interval);
 
 /// How many there are; of plans that do not tell, as of older versions, a tester's are taken to have its usual feed.

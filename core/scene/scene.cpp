@@ -5,6 +5,7 @@
 #include "core/geometry/face_angles.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/wicking.h"
+#include "core/plan/calm_steps.h"
 #include "core/scene/pool_base.h"
 #include "core/scene/unevenness.h"
 #include "core/scene/wet_cloth.h"
@@ -399,9 +400,8 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     turn_lattices(scene.supply.droplets, seed);
     if (!scene.rules.heat) scene.cloth.start.warmth = 0; // as warm as the air from the start
     scene.rules.network_step = plan.knobs.network_step_limit;
-    constexpr double longest_step = 60; // s
-    scene.rules.calm_network_step = longest_step;
-    scene.rules.step_share = 0.2 * plan.knobs.saturation_change; // a front moves by half as much of its way
+    scene.rules.calm_network_step = longest_calm_step;
+    scene.rules.step_share = calm_step_share(plan.knobs);
     scene.rules.step_error = plan.knobs.step_error;
     scene.rules.rest_tolerance = plan.rest_tolerance;
     scene.rules.saturation_change = plan.knobs.saturation_change;

@@ -2,6 +2,7 @@
 // How long the yarns' next step and their next exchange with fibres and air may be: from errors, and from changes of saturation.
 #pragma once
 
+#include "core/plan/calm_steps.h"
 #include "core/solver/steps/ordered_bits.h"
 #include "core/solver/steps/supply.h"
 
@@ -12,7 +13,6 @@
 namespace hygroloom::inline HL_PRECISION {
 
 constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
-constexpr double first_step = 1e-3;    ///< s, of the yarns after something sudden
 constexpr double under_drops = 0.25;   ///< of the longest step, where a drop's liquid flows by suction: rooms under it fill within less
 constexpr double most_sweat = 0.2;     ///< kg in a step, whose quanta are counted; see ManyQuanta
 

@@ -16,7 +16,7 @@ using namespace hygroloom;
 class TestRoughWork : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    /// A tester's feed has 200 frames of its own, each of which ends a step, is measured and recorded.
+    /// A tester's feed has 200 frames of its own, each of which takes a step beside, is measured and recorded.
     void framesOfAFeedCount()
     {
         Design design = drop_design(35);

@@ -44,7 +44,8 @@ private Q_SLOTS:
             return std::any_of(times.begin(), times.end(), [&](double t) { return std::abs(t - time) < 1e-9; });
         };
         QVERIFY(!lies_in(interval + 0.7));
-        for (double after : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 1.0, 1.5, 2.0}) QVERIFY2(lies_in(interval + after), QByteArray::number(after));
+        for (double after : {0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 1.0, 1.5, 2.0})
+            QVERIFY2(lies_in(interval + after), QByteArray::number(after));
         for (int drop = 1; drop <= 8; ++drop) QVERIFY(lies_in(drop * interval));
     }
     void aLongFeedHasTwoHundredFramesAndAShortRunEndsEarlier()
@@ -55,6 +56,12 @@ private Q_SLOTS:
         test.duration_s = 2000;
         QCOMPARE(frame_times(test, 20)[1], 5.0);
         QCOMPARE(frame_times(test, 2)[1], 2.0); // finer anyway
+        test.drop_ul = 25;                      // no gap is longer than the interval
+        test.feed_s = 120;
+        test.duration_s = 240;
+        const std::vector<double> fed = frame_times(test, 2.4);
+        for (std::size_t i = 1; i < fed.size(); ++i) QVERIFY(fed[i] - fed[i - 1] < 2.4 + 1e-9);
+        test.drop_ul = 0;
         test.feed_s = 20;
         test.duration_s = 5;
         const std::vector<double> times = frame_times(test, 0.5);
