@@ -27,7 +27,7 @@ void Publisher::start(const std::filesystem::path& recording)
     if (callbacks_.started) callbacks_.started(run_);
 }
 
-void Publisher::publish(Frame frame, double time)
+void Publisher::publish(Frame frame, double time, bool beside)
 {
     frame.time = time;
     if (!ledger_closes(frame.ledger, session_.scene())) // then the result is worth nothing
@@ -37,7 +37,7 @@ void Publisher::publish(Frame frame, double time)
     if (recording_) {
         const auto begin = Clock::now();
         recording_->append(frame);
-        run_.recorded_in += seconds_since(begin);
+        if (!beside) run_.recorded_in += seconds_since(begin);
     }
     if (time >= duration_) settle_due("the run was over");
     if (!callbacks_.frame) return;
@@ -45,12 +45,16 @@ void Publisher::publish(Frame frame, double time)
     callbacks_.frame(std::make_shared<const Frame>(std::move(frame)));
 }
 
+void Publisher::commit_when_due()
+{
+    if (!recording_ || seconds_since(looked_) <= 0.05) return;
+    looked_ = Clock::now();
+    recording_->commit_when_due();
+}
+
 void Publisher::progress(double reached, bool ends)
 {
-    if (recording_ && seconds_since(looked_) > 0.05) { // of frames that nobody follows soon
-        looked_ = Clock::now();
-        recording_->commit_when_due();
-    }
+    commit_when_due();
     if (!callbacks_.progress || (seconds_since(reported_) <= 0.1 && !ends)) return;
     std::unique_lock alone(calling_, std::try_to_lock);
     if (!alone && !ends) return; // the caller looks at a frame; the steps need not wait

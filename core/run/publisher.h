@@ -21,9 +21,11 @@ public:
 
     /// The run is about to take its first step: opens the recording, unless the path is empty. Throws FileError.
     void start(const std::filesystem::path& recording);
-    /// Records and shows a frame of the session. From any thread, one call at a time. Throws Error when water was lost, FileError, and what
-    /// the caller's callback throws.
-    void publish(Frame frame, double time);
+    /// Records and shows a frame of the session. From any thread, one call at a time. beside: while the run goes on, which so takes no
+    /// longer. Throws Error when water was lost, FileError, and what the caller's callback throws.
+    void publish(Frame frame, double time, bool beside);
+    /// Lets frames that nobody follows soon take effect; see RecordingWriter.
+    void commit_when_due();
     /// Reports progress ten times a second at most, and at the end.
     void progress(double reached, bool ends);
     /// The run is about to go on on the CPU, from a time (s).

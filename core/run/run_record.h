@@ -31,7 +31,7 @@ struct RunRecord {
     double unsolved_lines = 0; ///< see Frame; of recordings, at the last frame
     std::string date;          ///< of its beginning in UTC, as 2026-11-22T18:40:12Z; empty: a recording of an older version
     double wall = 0;           ///< s, of the run; 0 while it runs
-    double recorded_in = 0;    ///< s of these, that its recording took
+    double recorded_in = 0;    ///< s of these, that it waited for its recording
     bool alone = true;         ///< whether no other run of this process was on beside it
 };
 

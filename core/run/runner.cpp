@@ -19,10 +19,13 @@
 namespace hygroloom {
 namespace {
 
-/// Waits while paused; throws when cancelled.
-void obey(const RunControl& control)
+/// Waits while paused, in which recorded frames take effect; throws when cancelled.
+void obey(const RunControl& control, Publisher& publisher)
 {
-    while (control.pause && !control.cancel) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    while (control.pause && !control.cancel) {
+        publisher.commit_when_due();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
     if (control.cancel) throw Cancelled();
 }
 
@@ -69,13 +72,13 @@ private:
         const double until = time_of(k);
         for (double reached = 0; reached < until;) {
             if (is_ready(publishing_)) wait_for_frame();
-            obey(control_);
+            obey(control_, publisher_);
             reached = session_.advance(until);
             publisher_.progress(reached, k == frames_ && reached >= until);
         }
         if (publishing_.valid()) {
             wait_for_frame();
-            obey(control_); // the caller may have cancelled at that frame
+            obey(control_, publisher_); // the caller may have cancelled at that frame
         }
     }
     /// Publishes the frame, where it is late while the next steps run.
@@ -83,27 +86,27 @@ private:
     {
         taken_ = session_.take_frame();
         if (k > published_) {
-            const auto publish = [this, k] {
-                publisher_.publish(taken_.get(), time_of(k));
+            const auto publish = [this, k](bool beside) {
+                publisher_.publish(taken_.get(), time_of(k), beside);
                 published_ = k;
             };
             // What is watched may change what comes next; after the last frame nothing does.
             if (is_ready(taken_) || publisher_.is_watching() || k == frames_)
-                publish();
+                publish(false);
             else
                 start_beside(publish);
         }
         if (failover_.is_due(k)) {
-            wait_for_frame(); // or the run could go on from a frame that nobody has seen
-            failover_.keep(k);
+            wait_for_frame();                                // or the run could go on from a frame that nobody has seen
+            if (publisher_.due().empty()) failover_.keep(k); // a part begins at this frame, not where steps ended before
         }
     }
-    void start_beside(const std::function<void()>& publish)
+    void start_beside(const std::function<void(bool beside)>& publish)
     {
         try {
-            publishing_ = std::async(std::launch::async, publish);
+            publishing_ = std::async(std::launch::async, publish, true);
         } catch (const std::system_error&) { // the system has no thread left
-            publish();
+            publish(false);
         }
     }
     void wait_for_frame()
