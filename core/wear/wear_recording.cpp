@@ -228,7 +228,6 @@ void WearWriter::append(const WearFrame& frame)
         for (const LedgerColumn& column : ledger_columns) row.push_back(frame.ledger.*column.value);
         h5::append_row(file_->ledger.get(), row);
         ++file_->frames;
-        if (!file_->target.is_due()) return;
         if (H5Fflush(file_->file.get(), H5F_SCOPE_GLOBAL) < 0) throw FileError("the recording cannot be written");
         if (file_->target.commit(RecordingTarget::Commit::may_wait, file_->frames > 1)) file_->kept_frames = file_->frames;
     });
