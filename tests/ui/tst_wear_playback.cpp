@@ -52,6 +52,23 @@ private Q_SLOTS:
         QVERIFY2(changes.count() <= 5, qPrintable(QString::number(changes.count()))); // it does not follow each frame
     }
 
+    void whatIsKeptStaysWhenTheRunIsDiscarded()
+    {
+        WearPlayback playback;
+        const std::shared_ptr<WornRun> a = runOf100s();
+        playback.begin(a);
+        append(playback, 100, {20, 0.06});
+        playback.end();
+        playback.keepAsA();
+        playback.begin(runOf100s());
+        append(playback, 1, {20, 0.06});
+        playback.end();
+        playback.discard();
+        QVERIFY(!playback.run() && playback.kept() == a);
+        playback.clear();
+        QVERIFY(!playback.kept());
+    }
+
 private:
     /// Of one cell that holds up to 300 g/m2.
     static std::shared_ptr<WornRun> runOf100s()

@@ -72,8 +72,13 @@ void WearPlayback::end()
 
 void WearPlayback::clear()
 {
-    run_.reset();
     kept_.reset();
+    discard();
+}
+
+void WearPlayback::discard()
+{
+    run_.reset();
     pair();
     current_ = -1;
     pin_ = {};

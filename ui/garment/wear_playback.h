@@ -25,6 +25,8 @@ public:
     void append(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics, const MostWater& most);
     void end();
     void clear();
+    /// Lets go of the run alone; what is kept as A stays.
+    void discard();
     void keepAsA();
     void dropA();
     /// The recording of a run that is shown lies elsewhere from now on.

@@ -144,7 +144,7 @@ void GarmentWorkspace::finishRun(GarmentRun::Outcome outcome, const QString& sen
     playback_.end();
     const bool asks_to_keep = std::exchange(stopped_by_hand_, false) && outcome == GarmentRun::Outcome::cancelled && !at.isEmpty();
     if (asks_to_keep && !wantsStoppedRun(&window_, at)) {
-        playback_.clear();
+        playback_.discard();
         runs_.forget(at);
     }
     if (opening_ && outcome == GarmentRun::Outcome::finished && playback_.run() && playback_.run()->file == to_take_ && mayTakeDesign()) {
