@@ -29,6 +29,7 @@ int submit_to_slurm(const SweepOptions& options)
     how.tasks = options.tasks;
     how.gpus = options.gpus;
     how.retry_failed = options.retry_failed;
+    how.force = options.force;
     how.program = std::filesystem::canonical("/proc/self/exe");
     const SlurmJob job = submit_study(study.design, study.study, options.folder, rows, how);
     if (options.json) {

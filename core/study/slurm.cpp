@@ -142,6 +142,7 @@ std::string script_of(const std::filesystem::path& folder, const SlurmOptions& h
     script += "# A task that is killed loses the runs under way; submitting again runs what is missing.\n";
     script += fmt::format("exec {} sweep -o {} --task \"$SLURM_ARRAY_TASK_ID/{}\" --quiet --backend {}{}", quoted(how.program.string()),
                           quoted(folder.string()), tasks, how.gpus ? "cuda" : how.backend, how.retry_failed ? " --retry-failed" : "");
+    if (how.force) script += " --force";
     if (!how.gpus) script += " --threads 1 --jobs \"${SLURM_CPUS_PER_TASK:-1}\"";
     return script + "\n";
 }

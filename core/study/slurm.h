@@ -15,6 +15,7 @@ struct SlurmOptions {
     int tasks = 0;                 ///< slices; 0: of 16 rows each, at most 1000 and what the cluster takes
     bool gpus = false;             ///< one for each task
     bool retry_failed = false;     ///< also runs the rows that failed
+    bool force = false;            ///< runs that take more memory than is free begin all the same
     std::filesystem::path program; ///< hygroloom-cli
 };
 

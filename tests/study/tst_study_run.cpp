@@ -338,6 +338,15 @@ private Q_SLOTS:
         QCOMPARE(submit("a", 0), std::string("2")); // 80 rows of 16 a task would be 5 tasks
         QCOMPARE(submit("b", 2), std::string("2"));
         QCOMPARE(submit("c", 3), std::string("--tasks must be from 1 to 2 on this cluster (its MaxArraySize is 3); given is 3."));
+        const auto script_in = [&](const char* folder) {
+            QFile file(QString::fromStdString((programs / folder / "slurm/job.sh").string()));
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        SlurmOptions forced;
+        forced.force = true;
+        submit_study(quick_design(0.01), study_of(80), programs / "f", {}, forced);
+        QVERIFY(script_in("f").contains(" --force"));
+        QVERIFY(!script_in("a").contains("--force"));
         write("scontrol", "exit 1");
         QCOMPARE(submit("d", 0), std::string("5"));
         write("sbatch", "echo 'sbatch: error: Batch job submission failed: Invalid job array specification' >&2\nexit 1");
