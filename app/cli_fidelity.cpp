@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "app/cli_fidelity.h"
 
+#include "core/plan/frame_times.h"
 #include "core/run/plan_run.h"
 #include "gpu/backends.h"
 
@@ -67,7 +68,10 @@ FidelityChoice chosen_fidelity(const FidelityOptions& options, const Design& des
         try {
             std::vector<ModelPlan> own;
             own.reserve(plans.size());
-            for (Fidelity fidelity : all_fidelities) own.push_back(planned(options, design, textile, fidelity, forced, knobs));
+            for (Fidelity fidelity : all_fidelities) {
+                own.push_back(planned(options, design, textile, fidelity, forced, knobs));
+                own.back().expected_seconds = seconds_to_wait(own.back(), options.recorded);
+            }
             for (std::size_t k = 0; k < own.size(); ++k) plans[k].push_back(std::move(own[k]));
         } catch (const Stop&) {
             throw;

@@ -417,7 +417,10 @@ void add_simulate(CLI::App& app, Verb& verb)
     add_replicates_option(simulate_verb, options->replicates, "");
     add_at_once_option(simulate_verb, options->at_once);
     simulate_verb.add_option("-o,--output", options->output, "Recording to write (.hygrorec); with --fabrics a folder")->type_name("FILE");
-    simulate_verb.callback([&verb, options] { verb = [options] { return simulate(*options); }; });
+    simulate_verb.callback([&verb, options] {
+        options->recorded = !options->output.empty();
+        verb = [options] { return simulate(*options); };
+    });
 }
 
 } // namespace hygroloom
