@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstring>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace hygroloom::inline HL_PRECISION {
@@ -91,7 +92,11 @@ private:
     }
     template <typename Buffer> void copy(const Buffer& from, Buffer& to, std::size_t count)
     {
-        exec_.for_each("keep", static_cast<int>(count), CopyValues{from.data(), to.data()});
+        using Value = std::remove_cvref_t<decltype(*from.data())>;
+        constexpr std::size_t most = std::size_t(1) << 30; // at once, as stages are numbered by an int
+        for (std::size_t first = 0; first < count; first += most)
+            exec_.for_each("keep", static_cast<int>(std::min(most, count - first)),
+                           CopyValues<Value>{from.data() + first, to.data() + first});
     }
 
     Executor& exec_;
