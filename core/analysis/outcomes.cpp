@@ -240,8 +240,9 @@ void compute_conditioning(Metrics& m, const Experiment&, double)
 /// In the order of ExperimentType.
 const TypeMetrics& metrics_of(ExperimentType type)
 {
-    constexpr const char *top = "equal_area_radius_mm", *bottom = "equal_area_radius_bottom_mm"; // a single finger of a stain moves
-    constexpr const char *circle_top = "maximum_wetted_radius_top_mm", *circle_bottom = "maximum_wetted_radius_bottom_mm"; // these more
+    constexpr const char *top = "equal_area_radius_mm", *bottom = "equal_area_radius_bottom_mm";
+    // One finger of a stain moves the circle round it more.
+    constexpr const char *circle_top = "maximum_wetted_radius_top_mm", *circle_bottom = "maximum_wetted_radius_bottom_mm";
     static const std::array<TypeMetrics, experiment_types> table{
         {/* droplet */ {{&stain(), &absorbency()}, {top, bottom, "absorbency_time_s", circle_top, circle_bottom}, PlotName::radius},
          /* moisture_management */

@@ -12,7 +12,7 @@ namespace hygroloom {
 
 struct FreeMemory {
     double bytes = std::numeric_limits<double>::infinity(); ///< infinity: nothing says it
-    std::string bound;                                      ///< of what it is free: "of this machine", "under the limit ..."
+    std::string bound;                                      ///< of what it is free: "on this machine", "under the limit ..."
 };
 
 /// The least of what the machine has available, of what the control groups of this process (v1 and v2, with all above them) allow beside

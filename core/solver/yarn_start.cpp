@@ -22,7 +22,8 @@ void add_water_to_come(double& water, const Scene& scene, double pores)
     constexpr double filled = 0.2; // of the pores, by a bath
     if (!scene.supply.fed.empty()) water += filled * scene.climate.density * pores;
     for (const ScenePool& pool : scene.supply.pools) water += pool.rate * (pool.end - pool.start) * scene.climate.density;
-    water += sweat_rate(scene) * scene.rules.calm_network_step;
+    constexpr double ahead = 60; // s, whatever the run's duration is, which steps must not depend on
+    water += sweat_rate(scene) * ahead;
 }
 
 /// kg/m3 in the pores.

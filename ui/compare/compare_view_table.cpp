@@ -149,7 +149,7 @@ QString CompareView::outdatedText() const
 
 namespace {
 
-/// How uneven replicates take the yarns of a fabric, warp and weft: "Poplin 14 % as is typical".
+/// How uneven the yarns of a fabric are, warp and weft: "Poplin 14 % as is typical".
 QString unevennessOf(const Design& design, const Fabric& fabric)
 {
     QStringList all;
@@ -194,16 +194,16 @@ void CompareView::refreshHint()
         fidelity = own;
     }
     if (entry() && choiceOf(*entry()).replicates > 1) {
-        notes << tr("Maps and 3D are of each cloth as given; curves and difference maps are of the replicates, whose yarns are uneven: "
-                    "%1.")
+        notes << tr("Maps and 3D are of each cloth as given; curves and difference maps are of the replicates, whose unknown inputs are "
+                    "drawn. Yarns are uneven: %1.")
                      .arg(uneven.join("; "));
         if (const std::string few = few_replicates_text(choiceOf(*entry()).replicates); !few.empty()) {
             notes.prepend(QString::fromStdString(few));
         }
     }
     if (entry() && choiceOf(*entry()).replicates == 1 && kept <= 1 && uneven.size() > 1) {
-        notes << tr("The verdicts rest on the numerical error alone and take yarns as even as they are given. Cloths as they are woven may "
-                    "come in another order: choose 8 replicates to judge by them.");
+        notes << tr("The verdicts rest on the numerical error of one run alone. Other pieces of the same cloths may come in another order: "
+                    "choose 8 replicates to judge by them.");
     }
     if (!atEdge.isEmpty()) {
         notes.prepend(tr("Water reached the edge of the sample in: %1. A larger sample changes these numbers.").arg(atEdge.join(", ")));

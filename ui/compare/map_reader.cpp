@@ -10,7 +10,7 @@ namespace {
 
 constexpr int crossings_per_cell = 2;
 
-/// The first replicate of a cloth whose yarns are even is its recorded run, whose maps are in the recording alone.
+/// The first replicate is the recorded run, whose maps are in the recording alone.
 void addRecordedMaps(Candidate& candidate, const KeptRun& run)
 {
     if (candidate.replicates.size() < 2 || !candidate.replicates.front()) { return; }
