@@ -2884,16 +2884,16 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Geschwindigkeit abwärts, wenn er erscheint.</translation>
     </message>
     <message>
-        <source>%1: %2 µl at %3 s, at (%4, %5) mm</source>
-        <translation>%1: %2 µl bei %3 s, an (%4, %5) mm</translation>
-    </message>
-    <message>
         <source>add droplet</source>
         <translation>Tropfen hinzufügen</translation>
     </message>
     <message>
         <source>remove droplet</source>
         <translation>Tropfen entfernen</translation>
+    </message>
+    <message>
+        <source>%1: %2 µl at %3 s, at (%4, %5) %6</source>
+        <translation>%1: %2 µl bei %3 s, an (%4, %5) %6</translation>
     </message>
 </context>
 <context>

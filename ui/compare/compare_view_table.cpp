@@ -5,6 +5,7 @@
 #include "core/project/atomic_file.h"
 #include "core/run/plan_run.h"
 #include "gpu/backends.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/quantity.h"
 #include "ui/compare/candidate_table.h"
 #include "ui/compare/cloths_view.h"
@@ -271,7 +272,7 @@ std::vector<StudyJob> CompareView::missing() const
 QString CompareView::whyNoRun() const
 {
     for (const Issue& issue : document_.issues()) {
-        if (issue.severity == Severity::error) { return QString::fromStdString(issue.text); }
+        if (issue.severity == Severity::error) { return issueText(issue); }
     }
     return {};
 }
