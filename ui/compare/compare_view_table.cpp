@@ -194,7 +194,7 @@ void CompareView::refreshHint()
         fidelity = own;
     }
     if (entry() && choiceOf(*entry()).replicates > 1) {
-        notes << tr("Maps and 3D are of each cloth as given; curves and difference maps are of the replicates, whose yarns are uneven: "
+        notes << tr("Maps and 3D are of the first replicate; curves and difference maps are of all of them, whose yarns are uneven: "
                     "%1.")
                      .arg(uneven.join("; "));
         if (const std::string few = few_replicates_text(choiceOf(*entry()).replicates); !few.empty()) {
@@ -202,8 +202,9 @@ void CompareView::refreshHint()
         }
     }
     if (entry() && choiceOf(*entry()).replicates == 1 && kept <= 1 && uneven.size() > 1) {
-        notes << tr("The verdicts rest on the numerical error alone and take yarns as even as they are given. Cloths as they are woven may "
-                    "come in another order: choose 8 replicates to judge by them.");
+        notes << tr(
+            "The verdicts rest on the numerical error of one run of each cloth. Other pieces of the same cloths may come in another "
+            "order: choose 8 replicates to judge by them.");
     }
     if (!atEdge.isEmpty()) {
         notes.prepend(tr("Water reached the edge of the sample in: %1. A larger sample changes these numbers.").arg(atEdge.join(", ")));
