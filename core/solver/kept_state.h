@@ -17,6 +17,7 @@ template <typename T> struct CopyValues {
     T* to;
     HL_FN void operator()(int i) const { to[i] = from[i]; }
 };
+template <typename T> CopyValues(const T*, T*) -> CopyValues<T>; // which clang 14 does not find by itself
 
 /// Room for one state. keeper() and returner() are archives, see StateWriter and StateReader, which pass the same things in the same order.
 template <typename Executor> class KeptState {
