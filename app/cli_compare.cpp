@@ -246,7 +246,7 @@ void add_compare(CLI::App& app, Verb& chosen)
     verb.footer(
         "Example: hygroloom-cli compare cloth.hygro --experiment \"one drop\" --fabrics \"Denim,Textile F\" -o compared\n"
         "The folder receives comparison.json, comparison.csv and a water map of each face of each fabric, all on one colour scale.\n"
-        "With --replicates the maps are of each cloth as given, which takes a run more of each, and the report's curves have bands.\n"
+        "With --replicates the maps are of the first of each cloth, and the report's curves have bands.\n"
         "Ctrl-C keeps the finished runs.\n"
         "Why is one better? hygroloom-cli compare cloth.hygro --why \"Textile E\" --baseline \"Textile F\" --by absorbency_time_s\n\n" +
         knob_help());

@@ -31,7 +31,7 @@ std::string processor_name()
 class CpuBackend : public Backend {
 public:
     std::string name() const override { return "cpu"; }
-    std::string device() const override { return fmt::format("{}, {} thread(s)", processor_name(), threads_); }
+    std::string device() const override { return fmt::format("{}, {} thread{}", processor_name(), threads_, threads_ == 1 ? "" : "s"); }
     void set_threads(int threads) override
     {
         threads_ = threads > 0 ? std::min(threads, usable_threads()) : usable_threads(); // TBB warns on stderr where it is asked for more

@@ -1552,10 +1552,6 @@
         <translation>Behalten, was er aufgezeichnet hat?</translation>
     </message>
     <message>
-        <source>The recording takes %1 beside the project. Discarded, its results leave the screen.</source>
-        <translation>Die Aufzeichnung belegt %1 neben dem Projekt. Wird sie verworfen, so gehen ihre Ergebnisse vom Bildschirm.</translation>
-    </message>
-    <message>
         <source>&amp;Keep</source>
         <translation>Beha&amp;lten</translation>
     </message>
@@ -1566,6 +1562,10 @@
     <message>
         <source>This run takes most of the memory that is free. Other programs may slow down.</source>
         <translation>Dieser Lauf belegt den größten Teil des freien Speichers. Andere Programme werden vielleicht langsamer.</translation>
+    </message>
+    <message>
+        <source>The recording takes %1 on the disk. If you discard it, its results leave the screen.</source>
+        <translation>Die Aufzeichnung belegt %1 auf dem Datenträger. Wenn Sie sie verwerfen, gehen ihre Ergebnisse vom Bildschirm.</translation>
     </message>
 </context>
 <context>
@@ -2433,10 +2433,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Ein Vergleich braucht ein zweites Gewebe: Fügen Sie eines mit Gewebe ▸ Gewebe hinzufügen hinzu oder kreuzen Sie unter Alle Läufe einen älteren Lauf an.</translation>
     </message>
     <message>
-        <source>Maps and 3D are of each cloth as given; curves and difference maps are of the replicates, whose yarns are uneven: %1.</source>
-        <translation>Karten und 3D zeigen jedes Gewebe wie angegeben; Kurven und Differenzkarten zeigen die Wiederholungen, deren Garne ungleichmäßig sind: %1.</translation>
-    </message>
-    <message>
         <source>%1 as given</source>
         <translation>%1 wie angegeben</translation>
     </message>
@@ -2447,10 +2443,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source> and </source>
         <translation> und </translation>
-    </message>
-    <message>
-        <source>The verdicts rest on the numerical error alone and take yarns as even as they are given. Cloths as they are woven may come in another order: choose 8 replicates to judge by them.</source>
-        <translation>Die Urteile beruhen nur auf dem numerischen Fehler und nehmen Garne so gleichmäßig an, wie sie angegeben sind. Gewebe, wie sie gewebt werden, können in anderer Reihenfolge liegen: Wählen Sie 8 Wiederholungen, um danach zu urteilen.</translation>
     </message>
     <message>
         <source>These runs have different fidelities, which is part of their difference.</source>
@@ -2539,6 +2531,14 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Since this was run, these have changed: %1.</source>
         <translation>Seit diesem Lauf wurde geändert: %1.</translation>
+    </message>
+    <message>
+        <source>Maps and 3D are of the first replicate; curves and difference maps are of all of them, whose yarns are uneven: %1.</source>
+        <translation>Karten und 3D zeigen die erste Wiederholung; Kurven und Differenzkarten zeigen alle, deren Garne ungleichmäßig sind: %1.</translation>
+    </message>
+    <message>
+        <source>The verdicts rest on the numerical error of one run of each cloth. Other pieces of the same cloths may come in another order: choose 8 replicates to judge by them.</source>
+        <translation>Die Urteile beruhen auf dem numerischen Fehler eines Laufs je Gewebe. Andere Stücke derselben Gewebe können in anderer Reihenfolge liegen: Wählen Sie 8 Wiederholungen, um danach zu urteilen.</translation>
     </message>
 </context>
 <context>
@@ -2884,16 +2884,16 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Geschwindigkeit abwärts, wenn er erscheint.</translation>
     </message>
     <message>
-        <source>%1: %2 µl at %3 s, at (%4, %5) mm</source>
-        <translation>%1: %2 µl bei %3 s, an (%4, %5) mm</translation>
-    </message>
-    <message>
         <source>add droplet</source>
         <translation>Tropfen hinzufügen</translation>
     </message>
     <message>
         <source>remove droplet</source>
         <translation>Tropfen entfernen</translation>
+    </message>
+    <message>
+        <source>%1: %2 µl at %3 s, at (%4, %5) %6</source>
+        <translation>%1: %2 µl bei %3 s, an (%4, %5) %6</translation>
     </message>
 </context>
 <context>

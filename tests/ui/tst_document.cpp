@@ -34,6 +34,13 @@ private Q_SLOTS:
 
     void cleanup() { document_.reset(); }
 
+    void aProjectWithoutAFileIsOpenedWithoutAWarning()
+    {
+        QTest::failOnWarning(QRegularExpression("."));
+        QVERIFY(document_->openExample(shippedExample()));
+        QVERIFY(document_->path().isEmpty() && !document_->changedOnDisk());
+    }
+
     void everyFieldOfThePanelsIsOneStepOfTheHistory()
     {
         FabricPanel fabric(*document_);

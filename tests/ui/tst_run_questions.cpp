@@ -44,6 +44,25 @@ private Q_SLOTS:
         QCOMPARE(QDir(runFolderOf(project_)).exists(), kept);
     }
 
+    void aRunCanBeStoppedWhileItIsSetUp()
+    {
+        shortenExperiment(3600, 10, 5);
+        QTRY_VERIFY(simulationPanel().canRun());
+        window_->simulate().startRun();
+        QVERIFY(simulation().running()); // before any word of its thread
+        int found = 0;
+        for (const QPushButton* each : simulationPanel().findChildren<QPushButton*>()) {
+            const QString text = each->text().remove('&');
+            if (text != "Run" && text != "Pause" && text != "Stop") { continue; }
+            ++found;
+            QVERIFY2(each->isEnabled() == (text != "Run"), qPrintable(text));
+        }
+        QCOMPARE(found, 3);
+        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        simulation().cancel();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20000);
+    }
+
     void anInstalledExampleIsOpenedWithoutItsFolder()
     {
         const QString folder = folder_.filePath(QString("i%1/share/hygroloom/examples").arg(tests_));

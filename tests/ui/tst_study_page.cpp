@@ -4,6 +4,7 @@
 #include "core/study/slurm.h"
 #include "study_test.h"
 #include "tests/support/drop_design.h"
+#include "ui/basics/preferences.h"
 #include "ui/document/document.h"
 #include "ui/study/cluster_dialog.h"
 #include "ui/study/indices_view.h"
@@ -17,6 +18,7 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
@@ -169,6 +171,28 @@ private Q_SLOTS:
         QCOMPARE(setup.problems(), QStringList{"Fabrics: Tick one at least."});
         bench.page.run();
         QVERIFY(!bench.page.job().running());
+    }
+
+    void measuresAreListedInTheReadersUnit()
+    {
+        Bench bench;
+        const auto listed = [&bench] {
+            QStringList titles;
+            for (const QListWidget* list : bench.page.setup().findChildren<QListWidget*>()) {
+                for (int row = 0; row < list->count(); ++row) { titles << list->item(row)->text(); }
+            }
+            return titles.join('\n');
+        };
+        QVERIFY2(listed().contains("wetted radius, top (mm)"), qPrintable(listed()));
+        const Study before = bench.page.setup().study();
+        Preferences inches = preferences();
+        inches.length = static_cast<int>(LengthUnit::inch);
+        setPreferences(inches);
+        const QString now = listed();
+        QVERIFY2(now.contains("wetted radius, top (in)") && !now.contains("(mm)"), qPrintable(now));
+        QVERIFY(bench.page.setup().study() == before);
+        setPreferences({});
+        QVERIFY(listed().contains("wetted radius, top (mm)"));
     }
 
     void itsCostIsForetold()

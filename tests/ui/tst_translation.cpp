@@ -20,6 +20,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QGroupBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QProcess>
@@ -213,6 +214,9 @@ private Q_SLOTS:
                 if (const auto* box = qobject_cast<const QGroupBox*>(widget)) { look(*box, box->title()); }
                 if (const auto* bar = qobject_cast<const QTabBar*>(widget)) {
                     for (int i = 0; i < bar->count(); ++i) { look(*bar, bar->tabText(i)); }
+                }
+                if (const auto* head = qobject_cast<const QHeaderView*>(widget); head && head->model()) {
+                    for (int i = 0; i < head->count(); ++i) { look(*head, head->model()->headerData(i, head->orientation()).toString()); }
                 }
                 if (const auto* choice = qobject_cast<const QComboBox*>(widget)) {
                     for (int i = 0; i < choice->count(); ++i) { look(*choice, choice->itemText(i)); }

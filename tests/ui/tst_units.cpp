@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Numbers in the units that the user prefers, and in three digits.
+#include "core/design/validate.h"
+#include "tests/support/drop_design.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/number_label.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity_edit.h"
+#include "ui/document/document.h"
+#include "ui/panels/experiment_panel.h"
 
+#include <QListWidget>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -51,6 +58,78 @@ private Q_SLOTS:
         QCOMPARE(*edit.typed(nullptr), 50.8);
         edit.setText("3 mm");
         QCOMPARE(*edit.typed(nullptr), 3.0);
+    }
+
+    void sentencesOfCoreAreInTheReadersUnits_data()
+    {
+        QTest::addColumn<QString>("metric");
+        QTest::addColumn<QString>("inches"); // with Ne
+        QTest::newRow("setts, sizes and counts")
+            << "118.1 ends/cm do not fit: a yarn of 0.2 mm (24.3 tex) has 0.083 x 0.083 mm of room; the packing would be 2.91."
+            << "300 ends/in do not fit: a yarn of 0.00787 in (24.3 Ne) has 0.00327 x 0.00327 in of room; the packing would be 2.91.";
+        QTest::newRow("both setts") << "40 ends and 30 picks per cm are 95 % of the limit."
+                                    << "102 ends and 76.2 picks per in are 95 % of the limit.";
+        QTest::newRow("a range of lengths") << "The sample must be from 0.1 to 2000 mm; given is 3000."
+                                            << "The sample must be from 0.00394 to 78.7 in; given is 118.";
+        QTest::newRow("a range with words") << "The droplet must land on the sample, from -10 to 10 mm along the weft; given is 12.7."
+                                            << "The droplet must land on the sample, from -0.394 to 0.394 in along the weft; given is 0.5.";
+        QTest::newRow("a range of setts") << "The number of ends per cm must be from 0.5 to 500; given is 600."
+                                          << "The number of ends per in must be from 1.27 to 1270; given is 1524.";
+        QTest::newRow("a range of counts, which turns round") << "The count must be from 0.05 to 50000 tex; given is 60000."
+                                                              << "The count must be from 0.0118 to 11810 Ne; given is 0.00984.";
+        QTest::newRow("names stay") << "A drop of 10 µl, 2.7 mm wide, falls through \"Net, 5 mm\": its holes are 4.9 mm wide."
+                                    << "A drop of 10 µl, 0.106 in wide, falls through \"Net, 5 mm\": its holes are 0.193 in wide.";
+        QTest::newRow("other units stay") << "1540 kg/m3, 3 loops/mm, 5 mm/s and 8 µm."
+                                          << "1540 kg/m3, 3 loops/mm, 5 mm/s and 8 µm.";
+        QTest::newRow("yarns by letters") << "30/cm of yarn B (extra yarn 1)"
+                                          << "76.2/in of yarn B (extra yarn 1)";
+    }
+    void sentencesOfCoreAreInTheReadersUnits()
+    {
+        QFETCH(QString, metric);
+        QFETCH(QString, inches);
+        QCOMPARE(inReadersUnits(metric), metric);
+        prefer(&Preferences::length, static_cast<int>(LengthUnit::inch));
+        prefer(&Preferences::sett, static_cast<int>(SettUnit::per_inch));
+        prefer(&Preferences::yarn, static_cast<int>(YarnUnit::ne));
+        QCOMPARE(inReadersUnits(metric), inches);
+    }
+    void noIssueOfACrowdedClothIsInMillimetres()
+    {
+        prefer(&Preferences::length, static_cast<int>(LengthUnit::inch));
+        prefer(&Preferences::sett, static_cast<int>(SettUnit::per_inch));
+        prefer(&Preferences::yarn, static_cast<int>(YarnUnit::ne));
+        Design design = drop_design();
+        Fabric& fabric = design.fabrics[0];
+        fabric.ends_per_cm = 118;
+        fabric.warp.linear_density_tex = 24;
+        fabric.warp.diameter_mm = 0.01;
+        fabric.thickness_mm = 90;
+        design.experiments[0].sample_mm = {5000, 0.01};
+        design.experiments[0].droplets[0].at_mm = {70, 0};
+        const std::vector<Issue> issues = validate(design);
+        QVERIFY(issues.size() > 3);
+        static const QRegularExpression metric("\\d (mm|tex)\\b|/cm|per cm");
+        for (const Issue& issue : issues) { QVERIFY2(!issueText(issue).contains(metric), qPrintable(issueText(issue))); }
+    }
+
+    void dropsAreListedInTheReadersUnit()
+    {
+        Document document;
+        Design design = drop_design();
+        design.experiments[0].droplets[0].at_mm = {2.54, 0};
+        document.take(design, "drops");
+        const ExperimentPanel panel(document);
+        const auto listed = [&panel] {
+            QStringList lines;
+            for (const QListWidget* list : panel.findChildren<QListWidget*>()) {
+                for (int row = 0; row < list->count(); ++row) { lines << list->item(row)->text(); }
+            }
+            return lines.join('\n');
+        };
+        QVERIFY2(listed().contains("at (2.54, 0) mm"), qPrintable(listed()));
+        prefer(&Preferences::length, static_cast<int>(LengthUnit::inch));
+        QVERIFY2(listed().contains("at (0.1, 0) in"), qPrintable(listed()));
     }
 
     void thinYarnsKeepTheirDigitsInInches()

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The window stays within small screens in every workspace, language and size of letters. Needs a display: xvfb-run.
+#include "ui/basics/count_edit.h"
 #include "ui/basics/language.h"
 #include "window_test.h"
 
 #include <QDockWidget>
 #include <QLayout>
 #include <QScreen>
+#include <QScrollArea>
 #include <QTranslator>
 
 using namespace hygroloom;
@@ -72,22 +74,13 @@ private Q_SLOTS:
         QFETCH(QString, language);
         QFETCH(double, letters);
         QFETCH(QSize, screen);
-        QSettings().setValue("look/language", language);
-        install_language(*qApp);
-        QFont font = usual_;
-        font.setPointSizeF(letters * usual_.pointSizeF());
-        QApplication::setFont(font);
+        show(language, letters, screen);
         const QSize room = screen - QSize(0, title_bar);
-        openWindow(room);
         QVERIFY(window_->minimumWidth() <= smallest_screen.width() && window_->minimumHeight() <= smallest_screen.height() - title_bar);
-        window_->openShippedExample();
         for (int round = 0; round < 2; ++round) { // the second from the states that the first left
             for (const Workspace workspace : workspaces) {
                 window_->setWorkspace(workspace);
-                for (int turn = 0; turn < 3; ++turn) {
-                    QApplication::processEvents(); // what is laid out later
-                    QCoreApplication::sendPostedEvents();
-                }
+                settle();
                 const QSize least = window_->layout()->totalMinimumSize();
                 const QString found = QString("workspace %1: %2 x %3; %4")
                                           .arg(static_cast<int>(workspace))
@@ -97,6 +90,30 @@ private Q_SLOTS:
                 QVERIFY2(least.width() <= room.width() && least.height() <= room.height(), qPrintable(found));
                 QCOMPARE(window_->size(), room);
             }
+        }
+    }
+
+    void longCountsAndComplaintsLeaveTheFormItsWidth_data() { everyWorkspaceFits_data(); }
+    void longCountsAndComplaintsLeaveTheFormItsWidth()
+    {
+        QFETCH(QString, language);
+        QFETCH(double, letters);
+        QFETCH(QSize, screen);
+        show(language, letters, screen);
+        for (const char* typed : {"133.2/24 den x 2", "Ne 88.88/2", "150/48 den", "60/2 Ny"}) {
+            auto* count = window_->findChild<CountEdit*>();
+            QVERIFY(count);
+            count->setFocus();
+            count->selectAll();
+            QTest::keyClicks(count, typed);
+            QTest::keyClick(count, Qt::Key_Return);
+            settle();
+            QVERIFY(window_->document().design()->fabrics[0].warp.linear_density_tex); // the count was taken
+            const QScrollArea* form = nullptr;
+            for (const QWidget* at = count; at && !form; at = at->parentWidget()) { form = qobject_cast<const QScrollArea*>(at); }
+            QVERIFY(form);
+            const int wide = form->widget()->minimumSizeHint().width(), room = form->viewport()->width();
+            QVERIFY2(wide <= room, qPrintable(QString("%1: %2 of %3 pixels").arg(typed).arg(wide).arg(room)));
         }
     }
 
@@ -118,6 +135,26 @@ private Q_SLOTS:
     }
 
 private:
+    /// The shipped example on such a screen.
+    void show(const QString& language, double letters, const QSize& screen)
+    {
+        QSettings().setValue("look/language", language);
+        install_language(*qApp);
+        QFont font = usual_;
+        font.setPointSizeF(letters * usual_.pointSizeF());
+        QApplication::setFont(font);
+        openWindow(screen - QSize(0, title_bar));
+        window_->openShippedExample();
+    }
+    /// Some things are laid out later.
+    static void settle()
+    {
+        for (int turn = 0; turn < 3; ++turn) {
+            QApplication::processEvents();
+            QCoreApplication::sendPostedEvents();
+        }
+    }
+
     QFont usual_;
 };
 

@@ -57,7 +57,7 @@ QString CountEdit::textOf(double tex) const
 QString CountEdit::otherSystem(double tex) const
 {
     const CountSystem other = preferredSystem() != CountSystem::tex ? CountSystem::tex : filaments_ ? CountSystem::denier : CountSystem::ne;
-    return QString::fromStdString(count_text(tex, plies_, filaments_, other)).replace(' ', QChar(0x00a0));
+    return QString::fromStdString(count_text(tex, plies_, filaments_, other));
 }
 
 double CountEdit::next(double tex, double steps) const { return plies_ * quantity().stepped(tex / plies_, steps); }

@@ -3,6 +3,7 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/design_undo.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/preferences.h"
 
 #include <QAction>
@@ -82,7 +83,7 @@ void QuantityEdit::setIssues(const std::vector<const Issue*>& issues)
     sentences_.clear();
     severity_.reset();
     for (const Issue* issue : issues) {
-        sentences_ << QString::fromStdString(issue->text);
+        sentences_ << issueText(*issue);
         severity_ = severity_ ? std::max(*severity_, issue->severity) : issue->severity;
     }
     updateMarks();

@@ -6,6 +6,7 @@
 #include "core/project/atomic_file.h"
 #include "core/run/plan_run.h"
 #include "gpu/backends.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/quantity.h"
 #include "ui/compare/candidate_table.h"
 #include "ui/compare/cloths_view.h"
@@ -194,16 +195,17 @@ void CompareView::refreshHint()
         fidelity = own;
     }
     if (entry() && choiceOf(*entry()).replicates > 1) {
-        notes << tr("Maps and 3D are of each cloth as given; curves and difference maps are of the replicates, whose unknown inputs are "
-                    "drawn. Yarns are uneven: %1.")
+        notes << tr("Maps and 3D are of the first replicate; curves and difference maps are of all of them, whose yarns are uneven: "
+                    "%1.")
                      .arg(uneven.join("; "));
         if (const std::string few = few_replicates_text(choiceOf(*entry()).replicates); !few.empty()) {
             notes.prepend(QString::fromStdString(few));
         }
     }
     if (entry() && choiceOf(*entry()).replicates == 1 && kept <= 1 && uneven.size() > 1) {
-        notes << tr("The verdicts rest on the numerical error of one run alone. Other pieces of the same cloths may come in another order: "
-                    "choose 8 replicates to judge by them.");
+        notes << tr(
+            "The verdicts rest on the numerical error of one run of each cloth. Other pieces of the same cloths may come in another "
+            "order: choose 8 replicates to judge by them.");
     }
     if (!atEdge.isEmpty()) {
         notes.prepend(tr("Water reached the edge of the sample in: %1. A larger sample changes these numbers.").arg(atEdge.join(", ")));
@@ -272,7 +274,7 @@ std::vector<StudyJob> CompareView::missing() const
 QString CompareView::whyNoRun() const
 {
     for (const Issue& issue : document_.issues()) {
-        if (issue.severity == Severity::error) { return QString::fromStdString(issue.text); }
+        if (issue.severity == Severity::error) { return issueText(issue); }
     }
     return {};
 }

@@ -15,6 +15,7 @@ namespace hygroloom {
 
 QByteArray hashOfFile(const QString& path)
 {
+    if (path.isEmpty()) { return {}; } // of a project that has no file
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
     return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result() : QByteArray();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The fields of the export dialog: what they offer, what they say, and how format and file name go together.
 #include "ui/basics/appearance.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
 #include "ui/export/export_dialog.h"
@@ -216,7 +217,7 @@ QString ExportDialog::sampleComplaint() const
     const std::string sample = "experiments[" + std::to_string(document_.experimentIndex()) + "].sample_mm";
     for (const char* axis : {"[0]", "[1]"}) {
         for (const Issue* issue : document_.issuesAt(sample + axis)) {
-            if (issue->severity == Severity::error) { return QString::fromStdString(issue->text); }
+            if (issue->severity == Severity::error) { return issueText(*issue); }
         }
     }
     return {};

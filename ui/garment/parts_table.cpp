@@ -111,22 +111,19 @@ PartsTable::PartsTable(WearPlayback& playback, QWidget* parent) : QTableWidget(p
 void PartsTable::refresh()
 {
     const auto& run = playback_.run();
-    if (!run || !run->metrics) {
-        setRowCount(0);
-        setColumnCount(0);
-        return;
-    }
-    const bool compares = playback_.kept() && playback_.kept() != run && playback_.kept()->metrics;
+    const bool known = run && run->metrics;
+    const bool compares = known && playback_.kept() && playback_.kept() != run && playback_.kept()->metrics;
     QStringList titles{tr("Part")};
     for (const Column& column : columns) {
-        const QString title = tr(column.title);
+        const QString title = hygroloom::tr(column.title); // the class has a tr of its own
         if (compares) {
             titles << "A " + title << "B " + title << QStringLiteral("B − A");
         } else {
             titles << title;
         }
     }
-    const std::vector<Line> lines = linesOf(*run->metrics, compares ? playback_.kept()->metrics.get() : nullptr);
+    std::vector<Line> lines;
+    if (known) { lines = linesOf(*run->metrics, compares ? playback_.kept()->metrics.get() : nullptr); }
     const bool anew = columnCount() != titles.size() || rowCount() != static_cast<int>(lines.size());
     setColumnCount(static_cast<int>(titles.size()));
     setRowCount(static_cast<int>(lines.size()));
@@ -166,12 +163,13 @@ void PartsTable::refresh()
 
 QString PartsTable::csv() const
 {
+    if (rowCount() == 0) { return {}; }
     const auto quoted = [](QString text) {
         return text.contains(',') || text.contains('"') ? '"' + text.replace('"', "\"\"") + '"' : text;
     };
     QStringList rows, head;
     for (int column = 0; column < columnCount(); ++column) { head << quoted(horizontalHeaderItem(column)->text()); }
-    if (!head.isEmpty()) { rows << head.join(','); }
+    rows << head.join(',');
     for (int row = 0; row < rowCount(); ++row) {
         QStringList cells{quoted(item(row, 0)->text())};
         for (int column = 1; column < columnCount(); ++column) {
@@ -180,7 +178,7 @@ QString PartsTable::csv() const
         }
         rows << cells.join(',');
     }
-    return rows.isEmpty() ? QString() : rows.join('\n') + '\n';
+    return rows.join('\n') + '\n';
 }
 
 void PartsTable::copy() const { QApplication::clipboard()->setText(csv()); }

@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/elided_combo.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/garment/worn_run.h"
@@ -131,7 +132,7 @@ bool RunForm::canRun(QString* reason) const
     } else {
         for (const Issue& issue : choice_.document().issues()) {
             if (issue.severity == Severity::error) {
-                why = QString::fromStdString(issue.text);
+                why = issueText(issue);
                 break;
             }
         }

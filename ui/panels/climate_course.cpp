@@ -2,6 +2,7 @@
 #include "ui/panels/climate_course.h"
 
 #include "ui/basics/appearance.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/quantity_edit.h"
 
 #include <QAction>
@@ -185,7 +186,7 @@ void ClimateCourse::refresh()
             QStringList sentences;
             const auto issues = document_.issuesAt(path(row, column));
             for (const Issue* issue : issues) {
-                sentences << QString::fromStdString(issue->text);
+                sentences << issueText(*issue);
                 faults << tr("Row %1: %2").arg(row).arg(sentences.last());
             }
             item->setData(Qt::UserRole + 1, issues.empty() ? QVariant() : QVariant(static_cast<int>(issues.front()->severity)));
@@ -193,9 +194,7 @@ void ClimateCourse::refresh()
         }
     }
     if (course) {
-        for (const Issue* issue : document_.issuesAt(path(0, 0).substr(0, path(0, 0).rfind('[')))) {
-            faults << QString::fromStdString(issue->text);
-        }
+        for (const Issue* issue : document_.issuesAt(path(0, 0).substr(0, path(0, 0).rfind('[')))) { faults << issueText(*issue); }
     }
     const int rows = std::min(table_->rowCount(), shown_rows);
     table_->setFixedHeight(table_->horizontalHeader()->sizeHint().height() + rows * table_->verticalHeader()->defaultSectionSize() +

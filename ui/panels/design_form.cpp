@@ -216,6 +216,8 @@ QLabel* DesignForm::noteBeside(QWidget* field)
     target_->getItemPosition(target_->indexOf(field), &row, &column, &rows, &columns);
     auto* note = new QLabel;
     note->setForegroundRole(QPalette::PlaceholderText);
+    note->setWordWrap(true); // or a long one makes the form wider than its dock
+    target_->setColumnMinimumWidth(2, note->fontMetrics().horizontalAdvance("8888.8/888"));
     note->setAccessibleName(tr("The same in other units"));
     target_->addWidget(note, row, 2);
     return note;

@@ -2,6 +2,7 @@
 #include "ui/panels/droplet_section.h"
 
 #include "ui/basics/icon_button.h"
+#include "ui/basics/preferences.h"
 
 #include <QLabel>
 #include <QListWidget>
@@ -31,6 +32,7 @@ DropletSection::DropletSection(DesignForm& form, QObject* parent) : QObject(pare
     addList();
     addFields();
     form_.onRefresh([this] { refresh(); });
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &DropletSection::refresh);
 }
 
 DesignField DropletSection::field(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&),
@@ -132,12 +134,13 @@ void DropletSection::refresh()
         return;
     }
     list_->clear();
+    const UserUnit user = userUnit("mm");
     for (int i = 0; i < count; ++i) {
         const Droplet& drop = experiment->droplets[static_cast<std::size_t>(i)];
-        list_->addItem(tr("%1: %2 µl at %3 s, at (%4, %5) mm")
+        list_->addItem(tr("%1: %2 µl at %3 s, at (%4, %5) %6")
                            .arg(i + 1)
-                           .arg(shownNumber(drop.volume_ul, 2), shownNumber(drop.time_s, 2), shownNumber(drop.at_mm[0], 1),
-                                shownNumber(drop.at_mm[1], 1)));
+                           .arg(shownNumber(drop.volume_ul, 2), shownNumber(drop.time_s, 2), significant(user.of(drop.at_mm[0])),
+                                significant(user.of(drop.at_mm[1])), user.unit));
     }
     list_->setCurrentRow(count > 0 ? droplet_ : -1);
     remove_->setEnabled(count > 0);

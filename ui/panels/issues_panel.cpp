@@ -2,6 +2,8 @@
 #include "ui/panels/issues_panel.h"
 
 #include "ui/basics/appearance.h"
+#include "ui/basics/issue_text.h"
+#include "ui/basics/preferences.h"
 #include "ui/weave/cloth_picture.h"
 
 #include <QLabel>
@@ -69,7 +71,7 @@ std::vector<const Issue*> shownIssues(const Document& document)
 QString issueInWords(const Design& design, const Issue& issue)
 {
     static const QRegularExpression owner("^(fabrics|experiments|materials|liquids)\\[(\\d+)\\]");
-    const QString where = QString::fromStdString(issue.where), text = QString::fromStdString(issue.text);
+    const QString where = QString::fromStdString(issue.where), text = issueText(issue);
     const auto match = owner.match(where);
     if (!match.hasMatch()) { return text; }
     const auto index = static_cast<std::size_t>(match.captured(2).toInt());
@@ -110,6 +112,7 @@ IssuesPanel::IssuesPanel(Document& document, QWidget* parent)
     connect(list_, &QListWidget::itemClicked, this,
             [this](QListWidgetItem* item) { Q_EMIT issueActivated(item->data(Qt::UserRole).toString()); });
     connect(&document_, &Document::designChanged, this, &IssuesPanel::refresh);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &IssuesPanel::refresh);
     refresh();
 }
 

@@ -21,7 +21,7 @@ void choosePreferred(QComboBox& box)
     box.setCurrentIndex(std::max(0, box.findData(QString::fromStdString(expected_backend(preferredBackend())))));
 }
 
-/// "CPU: AMD EPYC, 2 thread(s)"; where no device was found, "CUDA".
+/// "CPU: AMD EPYC, 2 threads"; where no device was found, "CUDA".
 QString nameOf(const BackendInfo& info)
 {
     const QString name = QString::fromStdString(info.name).toUpper();

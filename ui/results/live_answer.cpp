@@ -6,6 +6,7 @@
 #include "core/run/plan_run.h"
 #include "core/run/runner.h"
 #include "gpu/backends.h"
+#include "ui/basics/issue_text.h"
 
 #include <algorithm>
 #include <chrono>
@@ -23,7 +24,7 @@ constexpr double all_of_it = std::numeric_limits<double>::infinity(); // s, of a
 QString firstError(const Design& design)
 {
     for (const Issue& issue : validate(design)) {
-        if (issue.severity == Severity::error) { return QString::fromStdString(issue.text); }
+        if (issue.severity == Severity::error) { return issueText(issue); }
     }
     return {};
 }

@@ -28,7 +28,7 @@ bool wantsStoppedRun(QWidget* parent, const QString& recording)
     const QString size = bytesText(static_cast<double>(QFileInfo(recording).size()));
     return ask(parent, {tr("The run was stopped"),
                         tr("Keep what it recorded?"),
-                        tr("The recording takes %1 beside the project. Discarded, its results leave the screen.").arg(size),
+                        tr("The recording takes %1 on the disk. If you discard it, its results leave the screen.").arg(size),
                         {{Reply::act, tr("&Keep")}, {Reply::lose, tr("&Discard")}},
                         Reply::act}) != Reply::lose;
 }

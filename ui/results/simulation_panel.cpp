@@ -10,6 +10,7 @@
 #include "ui/basics/appearance.h"
 #include "ui/basics/elided_combo.h"
 #include "ui/basics/elided_label.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/device_choice.h"
 #include "ui/results/plan_dialog.h"
@@ -87,7 +88,7 @@ SimulationPanel::SimulationPanel(Document& document, SimulationRun& run, QWidget
     connect(pause_, &QPushButton::clicked, this, [this] { run_.setPaused(!run_.paused()); });
     connect(stop_, &QPushButton::clicked, this, &SimulationPanel::stopRequested);
     connect(why_, &QPushButton::clicked, this, &SimulationPanel::showPlan);
-    connect(&run_, &SimulationRun::started, this, [this] {
+    connect(&run_, &SimulationRun::begun, this, [this] {
         bar_->setValue(0);
         showState();
         state_->setText(tr("Starting."));
@@ -165,7 +166,7 @@ bool SimulationPanel::canRun(QString* reason) const
     } else if (document_.hasError()) {
         for (const Issue& issue : document_.issues()) {
             if (issue.severity == Severity::error) {
-                why = QString::fromStdString(issue.text);
+                why = issueText(issue);
                 break;
             }
         }

@@ -69,6 +69,7 @@ void SimulationRun::start(const std::shared_ptr<const Design>& design, const std
         sentence = QStringList{device_failure, sentence}.join(' ').trimmed();
         post([this, outcome, sentence] { end(outcome, sentence); });
     });
+    Q_EMIT begun();
 }
 
 void SimulationRun::end(Outcome outcome, const QString& sentence)

@@ -31,6 +31,8 @@ public:
     void cancel();
 
 Q_SIGNALS:
+    /// From start(): running() is true; what follows may take minutes before started().
+    void begun();
     /// Before it begins: it takes much of the memory that is free.
     void memoryIsShort();
     void started(const std::shared_ptr<const RunRecord>& run);

@@ -249,6 +249,11 @@ void StudySetup::selectFactor(int row)
 
 void StudySetup::refreshUnits()
 {
+    {
+        const QScopedValueRollback filling(filling_, true);
+        known_metrics_.clear(); // or their list stays
+        refreshMetrics();
+    }
     refreshFactors();
     selectFactor(factors_->indexOfTopLevelItem(factors_->currentItem()));
     refreshProblems();

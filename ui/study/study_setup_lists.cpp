@@ -4,6 +4,8 @@
 
 #include "core/analysis/outcomes.h"
 #include "core/base/error.h"
+#include "ui/basics/issue_text.h"
+#include "ui/basics/quantity.h"
 #include "ui/document/document.h"
 
 #include <QComboBox>
@@ -108,7 +110,9 @@ void StudySetup::refreshMetrics()
     known_metrics_ = known;
     metrics_->clear();
     for (const std::string& key : known) {
-        addItem(*metrics_, QString::fromStdString(key), metricTitle(key), std::find(on.begin(), on.end(), key) != on.end());
+        const MetricName name = metricName(key);
+        addItem(*metrics_, QString::fromStdString(key), titleWithUnit(name.title, userUnit(name.unit).unit),
+                std::find(on.begin(), on.end(), key) != on.end());
     }
 }
 
@@ -196,9 +200,7 @@ void StudySetup::refreshProblems()
     try {
         const Study study = parse_study(format_study(read()), "study");
         for (const Issue& issue : validate(study, *document_.design())) {
-            if (issue.severity == Severity::error) {
-                problems_ << tr("%1: %2").arg(placeInWords(issue.where), QString::fromStdString(issue.text));
-            }
+            if (issue.severity == Severity::error) { problems_ << tr("%1: %2").arg(placeInWords(issue.where), issueText(issue)); }
         }
     } catch (const Error& error) {
         const QString sentence = QString::fromStdString(error.what()).remove(0, QString("study: ").size());

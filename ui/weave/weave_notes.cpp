@@ -4,6 +4,7 @@
 #include "core/design/jam.h"
 #include "core/design/weave_analysis.h"
 #include "ui/basics/appearance.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/quantity.h"
 
 #include <QLabel>
@@ -144,7 +145,7 @@ void WeaveNotes::refresh()
     QStringList sentences = warnings_->property("analysis").toStringList();
     const std::string own = "fabrics[" + std::to_string(document_.fabricIndex()) + "].weave";
     for (const Issue& issue : document_.issues()) {
-        if (issue.where.starts_with(own)) { sentences << QString::fromStdString(issue.text); }
+        if (issue.where.starts_with(own)) { sentences << issueText(issue); }
     }
     warnings_->setText(sentences.join('\n'));
     warnings_->setVisible(!sentences.isEmpty());

@@ -3,6 +3,7 @@
 
 #include "ui/basics/appearance.h"
 #include "ui/basics/ask.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/wheel_guard.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/study_runs.h"
@@ -369,7 +370,7 @@ void MainWindow::refreshPicture()
         QString why;
         for (const Issue& issue : document_.issues()) {
             if (issue.severity == Severity::error) {
-                why = QString::fromStdString(issue.text);
+                why = issueText(issue);
                 break;
             }
         }
