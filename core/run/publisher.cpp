@@ -2,6 +2,7 @@
 #include "core/run/publisher.h"
 
 #include "core/base/error.h"
+#include "core/run/recording_layout.h"
 #include "core/run/session.h"
 #include "core/scene/ledger_closes.h"
 
@@ -33,10 +34,16 @@ void Publisher::publish(Frame frame, double time, bool beside)
     if (!ledger_closes(frame.ledger, session_.scene())) // then the result is worth nothing
         throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
     for (SwitchedPart& part : watch_.see(frame)) due_.push_back(std::move(part));
+    std::optional<Frame> recorded; // as bundles have it
+    if (recording_ && keeps_bundles(run_.plan)) recorded = frame;
     frame = session_.of_single_yarns(std::move(frame));
+    if (recorded) {
+        recorded->water_top = frame.water_top;
+        recorded->water_bottom = frame.water_bottom;
+    }
     if (recording_) {
         const auto begin = Clock::now();
-        recording_->append(frame);
+        recording_->append(recorded ? *recorded : frame);
         if (!beside) run_.recorded_in += seconds_since(begin);
     }
     if (time >= duration_) settle_due("the run was over");

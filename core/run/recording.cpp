@@ -9,6 +9,7 @@
 #include "core/run/hdf5_reader.h"
 #include "core/run/recording_layout.h"
 #include "core/run/recording_source.h"
+#include "core/scene/coarse_scene.h"
 
 #include <algorithm>
 #include <array>
@@ -90,7 +91,8 @@ std::uint64_t seed_from(const std::string& text)
     return seed;
 }
 
-void require_version(hid_t file)
+/// Throws FileError where it is none that can be read.
+double version_of(hid_t file)
 {
     if (!h5::exists(file, "format") || h5::read_text(file, "format") != recording_format)
         throw FileError("this is not a Hygroloom recording.");
@@ -98,7 +100,7 @@ void require_version(hid_t file)
     if (version > recording_version)
         throw FileError(
             fmt::format("the recording has version {:.0f}; this program reads up to {}. Use a newer program.", version, recording_version));
-    h5::read_count(file, "version", 1, recording_version);
+    return static_cast<double>(h5::read_count(file, "version", 1, recording_version));
 }
 
 /// All but the textile and what follows from the design. Returns the project that was run.
@@ -166,6 +168,7 @@ struct Recording::File {
     h5::Handle file;
     RunRecord run;
     bool finished = false;
+    bool in_bundles = false; ///< its frames' values
     std::vector<StoredFrame> frames;
     std::vector<Ledger> ledgers; ///< of the frames
     std::vector<std::string> problems;
@@ -246,7 +249,8 @@ Frame Recording::File::values_of(const StoredFrame& stored, std::span<const Fram
     frame.time = stored.time;
     frame.water_top = h5::read_number(g, "water_top_kg");
     frame.water_bottom = h5::read_number(g, "water_bottom_kg");
-    const auto n = static_cast<std::size_t>(run.textile.segments());
+    const int bundled = run.plan.crossings_per_cell;
+    const auto n = static_cast<std::size_t>(in_bundles ? bundled_segments(run.textile, bundled) : run.textile.segments());
     for (const FrameField& field : fields) {
         const bool is_older = field.absent && !h5::exists(g, field.name);
         field.in(frame) = is_older ? std::vector<float>(n, *field.absent) : h5::read_floats(g, field.name, n);
@@ -276,7 +280,7 @@ Frame Recording::File::values_of(const StoredFrame& stored, std::span<const Fram
         for (std::size_t i = 0; i < place.size(); i += 3)
             frame.caps.push_back({place[i], place[i + 1], size[i], place[i + 2], size[i + 1], size[i + 2]});
     }
-    return frame;
+    return in_bundles ? refined(std::move(frame), run.textile, bundled) : frame;
 }
 
 Recording::Recording(const std::filesystem::path& path)
@@ -287,7 +291,7 @@ try : file_(std::make_unique<File>(path)) {
         throw FileError(fmt::format("this is a project, not a recording. Run it first: hygroloom-cli simulate {} -o {}.", path.string(),
                                     std::filesystem::path(path).replace_extension(".hygrorec").string()));
     f.file = h5::open_file(f.source, "this is not a recording, or it is damaged or incomplete.");
-    require_version(f.file.get());
+    const double version = version_of(f.file.get());
     const std::string project = read_provenance(f.file.get(), f.run);
     f.finished = h5::has_number(f.file.get(), "wall_s");
     if (f.finished) f.run.wall = h5::read_number(f.file.get(), "wall_s");
@@ -295,6 +299,7 @@ try : file_(std::make_unique<File>(path)) {
     f.source.release_index();
     f.require_order();
     rebuild_textile(f.run, project);
+    f.in_bundles = version >= recording_version && keeps_bundles(f.run.plan);
     if (sizeof(float) * std::size(frame_fields) * static_cast<std::uint64_t>(f.run.textile.segments()) > f.room())
         throw FileError(
             fmt::format("the recording's cloth has {} segments; a file of this size cannot hold their values.", f.run.textile.segments()));

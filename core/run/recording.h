@@ -22,6 +22,7 @@ public:
     RecordingWriter(const RecordingWriter&) = delete;
     RecordingWriter& operator=(const RecordingWriter&) = delete;
 
+    /// Where yarns go in bundles and no cells are shown the frame is that of the bundles, with the faces' totals of the single yarns.
     void append(const Frame& frame);
     /// Lets the frames that were added take effect, where that has waited long enough: while nothing is added. From any thread; does
     /// nothing while another one adds.

@@ -2,6 +2,8 @@
 // What writing and reading a recording agree on. Frames are written whole before the ledger's row that counts them.
 #pragma once
 
+#include "core/plan/model_plan.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -10,8 +12,9 @@
 
 namespace hygroloom {
 
-constexpr int recording_version = 2;       ///< the first whose frames may show cells
-constexpr int recording_version_plain = 1; ///< of recordings without cells, which older programs read
+constexpr int recording_version = 3;       ///< the first whose frames hold the values of bundles, where yarns went in bundles
+constexpr int recording_version_cells = 2; ///< of recordings whose frames show cells
+constexpr int recording_version_plain = 1; ///< of others, which older programs read, too
 constexpr const char* recording_format = "hygroloom-recording";
 
 /// Of the acts of a RunRecord: name in the provenance, and time.
@@ -20,6 +23,9 @@ template <typename Acts> auto stored_acts(Acts& acts)
     return std::array{std::pair{"hand_tilted_s", &acts.tilted}, std::pair{"hand_squeezed_s", &acts.squeezed},
                       std::pair{"hand_wiped_s", &acts.wiped}};
 }
+
+/// Whether frames of a recording of the newest version hold bundles' values: see refined().
+inline bool keeps_bundles(const ModelPlan& plan) { return plan.crossings_per_cell > 1 && plan.shown_ends == 0; }
 
 inline std::string frame_name(int index) { return fmt::format("{:06d}", index); }
 

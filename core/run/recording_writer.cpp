@@ -3,6 +3,7 @@
 // writes the names of all frames and the last rows anew, however small a frame is: several frames share one.
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/plan/bundles.h"
 #include "core/plan/plan_json.h"
 #include "core/project/project_file.h"
 #include "core/run/hdf5_reader.h"
@@ -74,12 +75,14 @@ void write_textile(hid_t file, const Textile& textile)
     h5::write_floats(group.get(), "position", position.data(), n, 3, "m");
 }
 
-std::vector<float> pore_shares(const Textile& textile, YarnKind kind)
+/// Of each end, or pick, or of each of their bundles.
+std::vector<float> pore_shares(const RunRecord& run, YarnKind kind)
 {
+    const Bundles bundles = bundles_of(run.textile.system(kind).count, keeps_bundles(run.plan) ? run.plan.crossings_per_cell : 1);
     std::vector<float> shares;
-    shares.reserve(static_cast<std::size_t>(textile.system(kind).count));
-    for (int yarn = 0; yarn < textile.system(kind).count; ++yarn)
-        shares.push_back(static_cast<float>(1.0 - textile.type(kind, yarn).packing));
+    shares.reserve(static_cast<std::size_t>(bundles.count));
+    for (int bundle = 0; bundle < bundles.count; ++bundle)
+        shares.push_back(static_cast<float>(1.0 - run.textile.type(kind, bundles.middle_of(bundle)).packing));
     return shares;
 }
 
@@ -198,15 +201,18 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
         file_->file = h5::create_file(file_->target, "the recording cannot be created");
         const hid_t file = file_->id();
         h5::write_text(file, "format", recording_format);
-        h5::write_number(file, "version", run.plan.shown_ends > 0 ? recording_version : recording_version_plain);
+        h5::write_number(file, "version",
+                         keeps_bundles(run.plan)   ? recording_version
+                         : run.plan.shown_ends > 0 ? recording_version_cells
+                                                   : recording_version_plain);
         h5::write_text(file, "design", format_project(run.design));
         write_provenance(file, run);
         write_textile(file, run.textile);
         h5::create_group(file, "frames");
         file_->ledger = h5::create_table(file, "ledger", std::size(ledger_columns), column_names());
     });
-    file_->warp_pores = pore_shares(run.textile, YarnKind::warp);
-    file_->weft_pores = pore_shares(run.textile, YarnKind::weft);
+    file_->warp_pores = pore_shares(run, YarnKind::warp);
+    file_->weft_pores = pore_shares(run, YarnKind::weft);
 }
 
 /// Frames that wait for a reader are not lost.

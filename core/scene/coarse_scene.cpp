@@ -263,18 +263,27 @@ Scene coarsened(const Scene& fine, int crossings_per_cell)
     return coarse;
 }
 
-Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
+namespace {
+
+/// m, in the order of segments.
+std::vector<double> segment_lengths(const Textile& textile)
 {
-    const Blocks blocks{{fine.cloth.ends, coarse.cloth.ends}, {fine.cloth.picks, coarse.cloth.picks}};
-    const Frame cells = std::exchange(frame, {});
-    frame.time = cells.time;
-    frame.ledger = cells.ledger;
-    frame.unsolved_lines = cells.unsolved_lines;
-    frame.caps = cells.caps;
-    const auto segments = static_cast<std::size_t>(fine.cloth.segments());
-    frame.resize_fields(segments);
-    const std::size_t shells = cells.shells.size() / cells.regain.size();
-    frame.shells.resize(shells * segments);
+    std::vector<double> lengths(static_cast<std::size_t>(textile.segments()));
+    for (int end = 0; end < textile.ends(); ++end)
+        for (int pick = 0; pick < textile.picks(); ++pick)
+            for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+                lengths[static_cast<std::size_t>(textile.segment(kind, end, pick))] = textile.segment_length(kind, end, pick);
+    return lengths;
+}
+
+/// The frame with its fields, and its shells, on fine segments of these lengths (m).
+Frame on_yarns(Frame frame, const Blocks& blocks, const std::vector<double>& length, const std::vector<double>& coarse_length)
+{
+    const Frame cells = frame;
+    for (const FrameField& field : frame_fields)
+        if (std::vector<float>& values = field.in(frame); !values.empty()) values.assign(length.size(), 0.0F);
+    const std::size_t shells = cells.shells.size() / coarse_length.size();
+    frame.shells.assign(shells * length.size(), 0.0F);
     const std::vector<FieldCopy> fields = copies(cells, frame);
     const float* shells_of = cells.shells.data();
     float* shells_to = frame.shells.data();
@@ -283,13 +292,34 @@ Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
         for (std::size_t k = 0; k < parts.count; ++k) {
             const std::size_t c = parts.coarse[k];
             const double share = parts.share[k];
-            const double part = share * fine.cloth.length[i] / (blocks.yarns_of(c) * coarse.cloth.length[c]); // of the cell's pores
+            const double part = share * length[i] / (blocks.yarns_of(c) * coarse_length[c]); // of the cell's pores
             for (const FieldCopy& field : fields) add(field.to[i], field.is_amount ? part : share, field.from[c]);
             for (std::size_t s = 0; s < shells; ++s) add(shells_to[i * shells + s], share, shells_of[c * shells + s]);
         }
     });
+    return frame;
+}
+
+} // namespace
+
+Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
+{
+    const Blocks blocks{{fine.cloth.ends, coarse.cloth.ends}, {fine.cloth.picks, coarse.cloth.picks}};
+    frame = on_yarns(std::move(frame), blocks, fine.cloth.length, coarse.cloth.length);
     add_up_faces(frame, fine);
     return frame;
+}
+
+int bundled_segments(const Textile& textile, int crossings_per_cell)
+{
+    return 2 * bundles_of(textile.ends(), crossings_per_cell).count * bundles_of(textile.picks(), crossings_per_cell).count;
+}
+
+Frame refined(Frame frame, const Textile& textile, int crossings_per_cell)
+{
+    const Blocks blocks{bundles_of(textile.ends(), crossings_per_cell), bundles_of(textile.picks(), crossings_per_cell)};
+    const std::vector<double> length = segment_lengths(textile);
+    return on_yarns(std::move(frame), blocks, length, lengths(blocks, length));
 }
 
 } // namespace hygroloom

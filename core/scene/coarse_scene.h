@@ -17,4 +17,9 @@ Scene coarsened(const Scene& fine, int crossings_per_cell);
 /// faces' totals are those of the fine weave.
 Frame refined(Frame frame, const Scene& coarse, const Scene& fine);
 
+/// The same of the fields that a frame has, but for the faces' totals, which stay: as recordings keep frames of bundles.
+Frame refined(Frame frame, const Textile& textile, int crossings_per_cell);
+/// How many values each field of such a frame has.
+int bundled_segments(const Textile& textile, int crossings_per_cell);
+
 } // namespace hygroloom
