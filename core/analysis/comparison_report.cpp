@@ -314,7 +314,7 @@ std::string curves(const Comparison& comparison, const ReaderUnits& units)
 std::string maps_of(const Comparison& comparison, const std::vector<ReportPicture>& maps)
 {
     if (maps.empty()) return {};
-    const char* about = "<p>Each cloth as given, at the end of the experiment. Replicates, whose unknown inputs are drawn, have no "
+    const char* about = "<p>The first run of each cloth, at the end of the experiment. The other replicates have no "
                         "pictures here; their ranges stand round the curves.</p>\n";
     return (comparison.replicates > 1 ? about : "") + figures_of(maps);
 }

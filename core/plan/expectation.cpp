@@ -324,15 +324,27 @@ double rough_work(const ModelPlan& plan, const std::string& backend)
            network.touched * (by_suction ? offered : touched);
 }
 
+namespace {
+
+double shells_of(const ModelPlan& plan)
+{
+    return plan.watches("sorption") ? plan.knobs.fibre_shells : plan.fibre_shells; // it may come on
+}
+double particle_bytes(const ModelPlan& plan)
+{
+    const double wider = plan.knobs.double_precision != 0 ? 1.5 : 1.0;
+    return wider * plan.particles_per_droplet * plan.counts.drops * (8.0 * most_near + 4.0 * most_distant + 250.0);
+}
+/// Of what is kept aside for frames.
+double kept_bytes(const ModelPlan& plan) { return cells_of(plan) * (170.0 + 8.0 * shells_of(plan)) + particle_bytes(plan); }
+
+} // namespace
+
 double rough_bytes(const ModelPlan& plan)
 {
-    const double particles = plan.particles_per_droplet * plan.counts.drops;
-    const double shells = plan.watches("sorption") ? plan.knobs.fibre_shells : plan.fibre_shells; // it may come on
-    const double wider = plan.knobs.double_precision != 0 ? 1.5 : 1.0;
     const double shape = plan.on("liquid") ? 24.0 : 0.0; // of a cell, as particles meet it
-    // What is shown of a segment, and what is simulated of a cell and kept aside for frames.
-    return 180.0 * plan.segments + cells_of(plan) * (390.0 + shape + 16.0 * shells) +
-           2 * wider * particles * (8.0 * most_near + 4.0 * most_distant + 250.0);
+    // What is shown of a segment, and what is simulated of a cell.
+    return 180.0 * plan.segments + cells_of(plan) * (220.0 + shape + 8.0 * shells_of(plan)) + particle_bytes(plan) + kept_bytes(plan);
 }
 
 namespace {
@@ -371,7 +383,8 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const s
     const double start = start_on(scene.backend); // which no work makes longer
     plan.expected_seconds = start + std::max(0.0, run.seconds - start) * (rough_work(plan, scene.backend) - start) /
                                         (rough_work(run.plan, scene.backend) - start);
-    plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
+    // What was measured kept nothing aside.
+    plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan) + kept_bytes(run.plan));
     const bool is_reference = run.plan.fidelity == Fidelity::reference;
     const bool otherwise = moves_otherwise(plan, run.plan) && !is_reference,
                as_set = set_alike(run.plan, plan) && !is_cut(plan) && !otherwise;

@@ -387,7 +387,7 @@ GarmentParts garment_parts(const Design& design, const WearExperiment& wear, con
 
 double bytes_of_garment(double crossings)
 {
-    constexpr double bytes_per_crossing = 1300;
+    constexpr double bytes_per_crossing = 1800; // with what is kept aside for frames
     return bytes_per_crossing * crossings;
 }
 
