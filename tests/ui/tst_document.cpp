@@ -34,6 +34,13 @@ private Q_SLOTS:
 
     void cleanup() { document_.reset(); }
 
+    void aDesignWithoutAFileLooksForNone()
+    {
+        QTest::failOnWarning(QRegularExpression("No file name specified"));
+        document_->take(*document_->design(), "unsaved");
+        QVERIFY(!document_->changedOnDisk());
+    }
+
     void everyFieldOfThePanelsIsOneStepOfTheHistory()
     {
         FabricPanel fabric(*document_);

@@ -15,6 +15,7 @@ namespace hygroloom {
 
 QByteArray hashOfFile(const QString& path)
 {
+    if (path.isEmpty()) { return {}; } // opening it, Qt would complain to the terminal
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
     return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result() : QByteArray();
