@@ -25,6 +25,12 @@ foreach(file IN LISTS expected)
     message(FATAL_ERROR "Not installed: ${file}")
   endif()
 endforeach()
+# Nor does anything come along that was made beside the source's examples.
+file(GLOB_RECURSE installed LIST_DIRECTORIES true ${tree}/share/hygroloom/*)
+list(FILTER installed INCLUDE REGEX "-runs$|/[.]|~$|__pycache__")
+if(installed)
+  message(FATAL_ERROR "Not of the source, but installed: ${installed}")
+endif()
 execute_process(COMMAND ${tree}/bin/hygroloom-cli check ${tree}/share/hygroloom/examples/one-drop-on-cotton.hygro
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 # What reads files of strangers is found from the programs and from Python.

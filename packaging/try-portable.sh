@@ -23,22 +23,27 @@ if inside sh -c 'ldconfig -p | grep -q libQt6'; then
   echo "There is a Qt in $root; take another." >&2
   exit 1
 fi
-rm -rf "$root/opt/hygroloom"
-mkdir -p "$root/opt/hygroloom"
-tar --extract --file "$bundle" --directory "$root/opt/hygroloom" --strip-components 1
+bundled="/opt/moved, with blanks" # it may lie anywhere
+rm -rf "$root$bundled"
+mkdir -p "$root$bundled"
+tar --extract --file "$bundle" --directory "$root$bundled" --strip-components 1
+example="$bundled/share/hygroloom/examples/one-drop-on-cotton.hygro"
+touch "$root/tmp/begun"
 
-inside /opt/hygroloom/bin/hygroloom-cli simulate /opt/hygroloom/share/hygroloom/examples/one-drop-on-cotton.hygro --fidelity draft --quiet > "$root/tmp/said"
+inside "$bundled/bin/hygroloom-cli" simulate "$example" --fidelity draft --quiet > "$root/tmp/said"
 head -3 "$root/tmp/said"
 cp tests/data/garments/sheet.dae "$root/tmp/"
-inside /opt/hygroloom/bin/hygroloom-cli garment import /tmp/sheet.dae
-inside QT_QPA_PLATFORM=offscreen /opt/hygroloom/hygroloom --version
+inside "$bundled/bin/hygroloom-cli" garment import /tmp/sheet.dae
+inside QT_QPA_PLATFORM=offscreen "$bundled/hygroloom" --version
 number=77
 Xvfb ":$number" -screen 0 1280x1024x24 -nolisten tcp >/dev/null 2>&1 &
 screen=$!
 sleep 2
 mkdir -p "$root/tmp/.X11-unix"
 mount --bind /tmp/.X11-unix "$root/tmp/.X11-unix"
-inside DISPLAY=":$number" timeout --preserve-status 10 /opt/hygroloom/hygroloom 2>"$root/tmp/said" && code=0 || code=$?
+inside DISPLAY=":$number" timeout --preserve-status 10 "$bundled/hygroloom" "$example" 2>"$root/tmp/said" && code=0 || code=$?
 # 143: it ran until it was ended.
 [ "$code" -eq 143 ] || { cat "$root/tmp/said" >&2; echo "The window did not stay open; it ended with $code." >&2; exit 1; }
+written=$(find "$root$bundled" -newer "$root/tmp/begun")
+[ -z "$written" ] || { echo "Written into the bundle's folder: $written" >&2; exit 1; }
 echo "Both programs run without Qt on the system."
