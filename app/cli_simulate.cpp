@@ -404,8 +404,8 @@ void add_simulate(CLI::App& app, Verb& verb)
         ->check(CLI::Range(0.05, 100.0));
     simulate_verb
         .add_option("--shown-mm", options->shown_mm,
-                    "Sides of the cells that frames, maps and the recording show, mm. When left out: of a sample each crossing, of a worn "
-                    "garment each computed cell, or larger cells so that there are about 500 000 at most")
+                    "Cell size of frames, maps and recordings, mm. Default: every crossing, of a worn garment every computed cell, "
+                    "coarsened to about 500 000 cells where there are more, at live under sweat to 5 000")
         ->check(CLI::Range(0.05, 100.0));
     simulate_verb
         .add_option("--detail", options->detail, "Of a worn garment: panels, separated by commas, of which each computed cell is recorded")

@@ -10,8 +10,8 @@ namespace hygroloom {
 std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentType type);
 
 /// Fills in the cells in which frames show the sample: of about this side (m), of 64 yarns at most, or, with 0, each segment where that
-/// makes at most 500 000 crossings, else about so many cells; or why there can be none. Yarns that are simulated as one are never parted.
-/// After decide_bundles().
+/// makes at most 500 000 crossings (5 000 of a live run under sweat), else about so many cells; or why there can be none. Yarns that are
+/// simulated as one are never parted. After decide_bundles().
 void decide_shown_cells(ModelPlan& plan, const Textile& textile, ExperimentType type, double side = 0);
 
 /// Fills in which of the knobs for bundles have no effect, and why; an empty reason where one has. After decide_bundles().
