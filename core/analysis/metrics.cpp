@@ -306,7 +306,7 @@ void MetricsCollector::add(const Frame& frame)
     metrics_.wetted_area_ellipse_weft = axes[0];
     metrics_.wetted_area_ellipse_warp = axes[1];
     metrics_.ledger = frame.ledger;
-    unsolved_lines_ = std::max(unsolved_lines_, frame.unsolved_lines);
+    if (frame.unsolved_lines > 0) unsolved_lines_ = frame.unsolved_lines; // steps beside for earlier frames do not count
     metrics_.water_between_yarns = std::accumulate(frame.between.begin(), frame.between.end(), 0.0);
     if (frame.wet.empty() ? spreads(was_wet_, frame) : spreads(wet_ends_, frame.wet)) last_wetted_ = frame.time;
     metrics_.time_of_arrest.reset();
