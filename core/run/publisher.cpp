@@ -2,7 +2,6 @@
 #include "core/run/publisher.h"
 
 #include "core/base/error.h"
-#include "core/run/recording_layout.h"
 #include "core/run/session.h"
 #include "core/scene/ledger_closes.h"
 
@@ -15,6 +14,9 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
+/// Whether frames are spread from bundles over their yarns, and recorded as bundles.
+bool in_bundles(const ModelPlan& plan) { return plan.crossings_per_cell > 1 && plan.shown_ends == 0; }
+
 } // namespace
 
 Publisher::Publisher(RunRecord& run, double duration, const Session& session, const RunCallbacks& callbacks, Clock::time_point start)
@@ -24,7 +26,7 @@ Publisher::Publisher(RunRecord& run, double duration, const Session& session, co
 
 void Publisher::start(const std::filesystem::path& recording)
 {
-    if (!recording.empty()) recording_.emplace(recording, run_);
+    if (!recording.empty()) recording_.emplace(recording, run_, in_bundles(run_.plan));
     if (callbacks_.started) callbacks_.started(run_);
 }
 
@@ -34,8 +36,8 @@ void Publisher::publish(Frame frame, double time, bool beside)
     if (!ledger_closes(frame.ledger, session_.scene())) // then the result is worth nothing
         throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
     for (SwitchedPart& part : watch_.see(frame)) due_.push_back(std::move(part));
-    std::optional<Frame> recorded; // as bundles have it
-    if (recording_ && keeps_bundles(run_.plan)) recorded = frame;
+    std::optional<Frame> recorded;
+    if (recording_ && in_bundles(run_.plan)) recorded = frame;
     frame = session_.of_single_yarns(std::move(frame));
     if (recorded) {
         recorded->water_top = frame.water_top;

@@ -299,7 +299,7 @@ try : file_(std::make_unique<File>(path)) {
     f.source.release_index();
     f.require_order();
     rebuild_textile(f.run, project);
-    f.in_bundles = version >= recording_version && keeps_bundles(f.run.plan);
+    f.in_bundles = version >= recording_version;
     if (sizeof(float) * std::size(frame_fields) * static_cast<std::uint64_t>(f.run.textile.segments()) > f.room())
         throw FileError(
             fmt::format("the recording's cloth has {} segments; a file of this size cannot hold their values.", f.run.textile.segments()));

@@ -17,12 +17,12 @@ namespace hygroloom {
 /// Throws FileError, also when another run writes to the path. After an error the frames before it can be read.
 class RecordingWriter {
 public:
-    RecordingWriter(const std::filesystem::path& path, const RunRecord& run);
+    /// in_bundles: frames are those of the bundles that yarns go in, with the faces' totals of the single yarns; see refined().
+    RecordingWriter(const std::filesystem::path& path, const RunRecord& run, bool in_bundles = false);
     ~RecordingWriter();
     RecordingWriter(const RecordingWriter&) = delete;
     RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-    /// Where yarns go in bundles and no cells are shown the frame is that of the bundles, with the faces' totals of the single yarns.
     void append(const Frame& frame);
     /// Lets the frames that were added take effect, where that has waited long enough: while nothing is added. From any thread; does
     /// nothing while another one adds.

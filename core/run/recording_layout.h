@@ -2,8 +2,6 @@
 // What writing and reading a recording agree on. Frames are written whole before the ledger's row that counts them.
 #pragma once
 
-#include "core/plan/model_plan.h"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -12,7 +10,7 @@
 
 namespace hygroloom {
 
-constexpr int recording_version = 3;       ///< the first whose frames hold the values of bundles, where yarns went in bundles
+constexpr int recording_version = 3;       ///< of recordings whose frames are those of bundles
 constexpr int recording_version_cells = 2; ///< of recordings whose frames show cells
 constexpr int recording_version_plain = 1; ///< of others, which older programs read, too
 constexpr const char* recording_format = "hygroloom-recording";
@@ -23,9 +21,6 @@ template <typename Acts> auto stored_acts(Acts& acts)
     return std::array{std::pair{"hand_tilted_s", &acts.tilted}, std::pair{"hand_squeezed_s", &acts.squeezed},
                       std::pair{"hand_wiped_s", &acts.wiped}};
 }
-
-/// Whether frames of a recording of the newest version hold bundles' values: see refined().
-inline bool keeps_bundles(const ModelPlan& plan) { return plan.crossings_per_cell > 1 && plan.shown_ends == 0; }
 
 inline std::string frame_name(int index) { return fmt::format("{:06d}", index); }
 

@@ -76,9 +76,9 @@ void write_textile(hid_t file, const Textile& textile)
 }
 
 /// Of each end, or pick, or of each of their bundles.
-std::vector<float> pore_shares(const RunRecord& run, YarnKind kind)
+std::vector<float> pore_shares(const RunRecord& run, YarnKind kind, bool in_bundles)
 {
-    const Bundles bundles = bundles_of(run.textile.system(kind).count, keeps_bundles(run.plan) ? run.plan.crossings_per_cell : 1);
+    const Bundles bundles = bundles_of(run.textile.system(kind).count, in_bundles ? run.plan.crossings_per_cell : 1);
     std::vector<float> shares;
     shares.reserve(static_cast<std::size_t>(bundles.count));
     for (int bundle = 0; bundle < bundles.count; ++bundle)
@@ -194,7 +194,8 @@ void RecordingWriter::File::close(bool is_whole)
     target.commit(RecordingTarget::Commit::now, is_whole || may_replace());
 }
 
-RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRecord& run) : file_(std::make_unique<File>(path))
+RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRecord& run, bool in_bundles)
+    : file_(std::make_unique<File>(path))
 {
     keep_heap();
     file_->attempt([&] {
@@ -202,7 +203,7 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
         const hid_t file = file_->id();
         h5::write_text(file, "format", recording_format);
         h5::write_number(file, "version",
-                         keeps_bundles(run.plan)   ? recording_version
+                         in_bundles                ? recording_version
                          : run.plan.shown_ends > 0 ? recording_version_cells
                                                    : recording_version_plain);
         h5::write_text(file, "design", format_project(run.design));
@@ -211,8 +212,8 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
         h5::create_group(file, "frames");
         file_->ledger = h5::create_table(file, "ledger", std::size(ledger_columns), column_names());
     });
-    file_->warp_pores = pore_shares(run, YarnKind::warp);
-    file_->weft_pores = pore_shares(run, YarnKind::weft);
+    file_->warp_pores = pore_shares(run, YarnKind::warp, in_bundles);
+    file_->weft_pores = pore_shares(run, YarnKind::weft, in_bundles);
 }
 
 /// Frames that wait for a reader are not lost.

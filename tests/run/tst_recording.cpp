@@ -73,6 +73,32 @@ private Q_SLOTS:
             QCOMPARE(frame.ledger.water_free, was.ledger.water_free);
         }
     }
+    void bundlesReadBackAsTheYarnsThatTheyStandFor()
+    {
+        Design design = drop_design(35, 0.02);
+        design.experiments[0].closure = Closure::pores;
+        RunOptions options;
+        options.fidelity = Fidelity::live;
+        options.recording = at("bundles.hygrorec");
+        std::vector<Frame> frames;
+        RunControl control;
+        RunCallbacks callbacks;
+        callbacks.frame = [&](std::shared_ptr<const Frame> frame) { frames.push_back(*frame); };
+        const RunRecord run = run_experiment(design, "cloth", "drop", options, *make_cpu_backend(), control, callbacks);
+        QVERIFY(run.plan.crossings_per_cell > 1);
+        const Recording recording(at("bundles.hygrorec"));
+        QCOMPARE(recording.frames(), int(frames.size()));
+        QVERIFY(frames.back().ledger.water_liquid > 0.1 * frames.back().ledger.water_delivered);
+        for (int i = 0; i < recording.frames(); ++i) {
+            const Frame frame = recording.frame(i);
+            const Frame& was = frames[static_cast<std::size_t>(i)];
+            for (const FrameField& field : frame_fields) QVERIFY2(field.in(frame) == field.in(was), field.name);
+            QVERIFY(frame.water_top == was.water_top && frame.water_bottom == was.water_bottom);
+            QCOMPARE(frame.caps.size(), was.caps.size());
+        }
+        const FrameField one[] = {frame_fields[1]};
+        QVERIFY(recording.frame(1, one).liquid == frames[1].liquid && recording.frame(1, one).saturation.empty());
+    }
     void capsReadBackAndAreDrawn()
     {
         std::vector<Frame> frames;
