@@ -2,6 +2,7 @@
 // How long the yarns' steps are where no drop is about, and so how many there are.
 #pragma once
 
+#include "core/base/first_step.h"
 #include "core/plan/fidelity.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 
 namespace hygroloom {
 
-constexpr double first_step = 1e-3;      ///< s, of the yarns after something sudden
 constexpr double longest_calm_step = 60; ///< s
 constexpr double front_share = 0.2;      ///< of the knob saturation_change: a front moves by half as much of its way
 

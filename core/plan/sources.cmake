@@ -16,6 +16,7 @@ target_sources(hygroloom_core PRIVATE
   plan/bundling.cpp
   plan/cap_room.cpp
   plan/expectation.cpp
+  plan/expectations_together.cpp
   plan/fidelity.cpp
   plan/fidelity_choice.cpp
   plan/frame_times.cpp

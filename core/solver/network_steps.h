@@ -2,7 +2,7 @@
 // How long the yarns' next step and their next exchange with fibres and air may be: from errors, and from changes of saturation.
 #pragma once
 
-#include "core/plan/calm_steps.h"
+#include "core/base/first_step.h"
 #include "core/solver/steps/ordered_bits.h"
 #include "core/solver/steps/supply.h"
 

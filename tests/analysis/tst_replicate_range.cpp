@@ -288,7 +288,7 @@ private Q_SLOTS:
         const std::vector<ReportPicture> maps{{map_caption(comparison, "a", "top"), Image{1, 1, {0, 0, 0}}}};
         const std::string report = comparison_report_html(comparison, maps);
         for (const char* part : {"Line: the middle of the replicates. Band: least to most of 3 replicates.", "fill-opacity",
-                                 "Each cloth as given", "a, as given, top"})
+                                 "The first run of each cloth", "a, as given, top"})
             QVERIFY2(report.find(part) != std::string::npos, part);
         comparison.replicates = 1;
         for (Candidate& each : comparison.candidates) each.replicates.resize(1);

@@ -68,7 +68,7 @@ private Q_SLOTS:
         ModelPlan plan = plan_of(35);
         expect(plan, {scene_of("far", plan_of(88), 100, 0.5), scene_of("near", plan, 7, 0.02)});
         QVERIFY(std::abs(plan.expected_seconds / 7 - 1) < 1e-12);
-        QCOMPARE(plan.expected_bytes, 30e6);
+        QVERIFY(plan.expected_bytes > 30e6 && plan.expected_bytes < 30e6 + rough_bytes(plan)); // with what is kept for frames
         QCOMPARE(*plan.expected_error, 0.02);
         QVERIFY(mentions(plan.expectation_source, "near"));
     }
@@ -406,9 +406,8 @@ private Q_SLOTS:
         QVERIFY2(rows - within <= most_outside, qPrintable(QString::number(rows - within)));
     }
     // On a CPU nothing was fitted to flax, fine cotton and the drop on polyester at 89 degrees; on a GPU two unit costs were set on these
-    // scenes. Steep viscose was seen to be off at draft, because what was left of the drop did not come to rest: the liquid was mended, not
-    // the count. Of the other drops, steps and particles (no times) are among those above; what a run takes to start, and a frame, was set
-    // on the drying and the humidity step.
+    // scenes. Of the other drops, steps and particles (no times) are among those above; what a run takes to start, and a frame, was set on
+    // the drying and the humidity step.
     void scenesThatDoNotShipAreEstimatedWithinHalf_data()
     {
         QTest::addColumn<QString>("file");

@@ -16,7 +16,8 @@ def recording(small, tmp_path):
     return hygroloom.simulate(small, fidelity="live", recording=tmp_path / "small.hygrorec").recording
 
 
-def test_values_are_those_of_the_file(recording):
+def test_values_are_those_of_the_file(small, tmp_path):
+    recording = hygroloom.simulate(small, fidelity="draft", recording=tmp_path / "small.hygrorec").recording
     ds = hygroloom.read_recording(recording)
     with h5py.File(recording) as file:
         names = sorted(file["frames"])
@@ -34,7 +35,15 @@ def test_values_are_those_of_the_file(recording):
         np.testing.assert_array_equal(ds.water_delivered_kg.values, ledger[:, 2])
     assert ds.saturation.attrs["units"] == "1" and ds.temperature.attrs["units"] == "K"
     assert ds.water_map.attrs["units"] == "g/m2" and ds.wetted_radius_top_mm.attrs["units"] == "mm" and ds.energy_lost_j.attrs["units"] == "J"
-    assert ds.attrs["fidelity"] == "live" and ds.attrs["finished"] == 1
+    assert ds.attrs["fidelity"] == "draft" and ds.attrs["finished"] == 1
+
+
+def test_a_live_recording_holds_bundles_and_is_read_as_yarns(recording):
+    ds = hygroloom.read_recording(recording)
+    with h5py.File(recording) as file:
+        kept = file["frames"][sorted(file["frames"])[-1]]["liquid"][()]
+    assert len(kept) < ds.sizes["segment"]
+    np.testing.assert_allclose(ds.liquid.isel(time=-1).sum(), kept.sum(), rtol=1e-5)
 
 
 def test_maps_hold_the_water_that_the_metrics_have(recording):

@@ -132,7 +132,7 @@ private Q_SLOTS:
         QVERIFY(text(thin_).contains(QChar(0x00b1)));
         const auto labels = view.findChildren<QLabel*>();
         QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-            return !label->isHidden() && label->text().contains("rest on the numerical error alone");
+            return !label->isHidden() && label->text().contains("rest on the numerical error of one run");
         }));
         view.setBaseline(thin_.path);
         QVERIFY(text(thin_).endsWith("\nbaseline"));

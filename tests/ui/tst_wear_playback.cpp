@@ -55,12 +55,12 @@ private Q_SLOTS:
     void whatIsKeptStaysWhenTheRunIsDiscarded()
     {
         WearPlayback playback;
-        const std::shared_ptr<WornRun> a = runOf100s();
+        const std::shared_ptr<WornRun> a = runOf100s(0);
         playback.begin(a);
         append(playback, 100, {20, 0.06});
         playback.end();
         playback.keepAsA();
-        playback.begin(runOf100s());
+        playback.begin(runOf100s(0));
         append(playback, 1, {20, 0.06});
         playback.end();
         playback.discard();
@@ -70,14 +70,14 @@ private Q_SLOTS:
     }
 
 private:
-    /// Of one cell that holds up to 300 g/m2.
-    static std::shared_ptr<WornRun> runOf100s()
+    /// Of cells that hold up to 300 g/m2.
+    static std::shared_ptr<WornRun> runOf100s(std::size_t cells = 1)
     {
         auto record = std::make_shared<WearRecord>();
         GarmentCell cell;
         cell.area = 1e-4;
         cell.capacity = 30e-6;
-        record->layout.cells.push_back(cell);
+        record->layout.cells.assign(cells, cell);
         auto run = std::make_shared<WornRun>();
         run->record = record;
         run->live = true;
