@@ -11,7 +11,7 @@ namespace hygroloom {
 struct FidelityOptions : RunVerbOptions {
     std::string fidelity = "standard";
     std::string error, time; ///< of --fidelity auto
-    bool recorded = false;   ///< what is expected of a run is with its recording
+    bool recorded = false;   ///< whether its time counts the recording
 };
 
 /// --fidelity, --error and --time. whose ends the help of the last two: empty, or ", for all runs together".

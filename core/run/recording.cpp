@@ -16,6 +16,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 namespace hygroloom {
 
@@ -168,7 +169,8 @@ struct Recording::File {
     h5::Handle file;
     RunRecord run;
     bool finished = false;
-    bool in_bundles = false; ///< its frames' values
+    bool in_bundles = false;                  ///< its frames' values
+    std::optional<YarnsOfBundles> of_bundles; ///< of these, from the first frame that is read
     std::vector<StoredFrame> frames;
     std::vector<Ledger> ledgers; ///< of the frames
     std::vector<std::string> problems;
@@ -181,7 +183,7 @@ struct Recording::File {
     void require_order();
     /// Bytes that the values of one frame may take.
     std::uint64_t room() const { return base_frame_bytes + 3 * source.size(); }
-    Frame values_of(const StoredFrame& stored, std::span<const FrameField> fields) const;
+    Frame values_of(const StoredFrame& stored, std::span<const FrameField> fields);
 };
 
 /// Up to where the ledger counts none any more, or none is there any more.
@@ -242,15 +244,15 @@ std::vector<WetEnd> read_wet(hid_t group, int ends, int picks)
     return wet;
 }
 
-Frame Recording::File::values_of(const StoredFrame& stored, std::span<const FrameField> fields) const
+Frame Recording::File::values_of(const StoredFrame& stored, std::span<const FrameField> fields)
 {
     const hid_t g = stored.group.get();
     Frame frame;
     frame.time = stored.time;
     frame.water_top = h5::read_number(g, "water_top_kg");
     frame.water_bottom = h5::read_number(g, "water_bottom_kg");
-    const int bundled = run.plan.crossings_per_cell;
-    const auto n = static_cast<std::size_t>(in_bundles ? bundled_segments(run.textile, bundled) : run.textile.segments());
+    if (in_bundles && !of_bundles) of_bundles.emplace(run.textile, run.plan.crossings_per_cell);
+    const std::size_t n = of_bundles ? of_bundles->segments() : static_cast<std::size_t>(run.textile.segments());
     for (const FrameField& field : fields) {
         const bool is_older = field.absent && !h5::exists(g, field.name);
         field.in(frame) = is_older ? std::vector<float>(n, *field.absent) : h5::read_floats(g, field.name, n);
@@ -280,7 +282,8 @@ Frame Recording::File::values_of(const StoredFrame& stored, std::span<const Fram
         for (std::size_t i = 0; i < place.size(); i += 3)
             frame.caps.push_back({place[i], place[i + 1], size[i], place[i + 2], size[i + 1], size[i + 2]});
     }
-    return in_bundles ? refined(std::move(frame), run.textile, bundled) : frame;
+    if (!of_bundles) return frame; // a conditional expression would copy it
+    return of_bundles->refined(std::move(frame));
 }
 
 Recording::Recording(const std::filesystem::path& path)

@@ -17,7 +17,7 @@ namespace hygroloom {
 /// Throws FileError, also when another run writes to the path. After an error the frames before it can be read.
 class RecordingWriter {
 public:
-    /// in_bundles: frames are those of the bundles that yarns go in, with the faces' totals of the single yarns; see refined().
+    /// in_bundles: frames are those of the bundles that yarns go in, with the faces' totals of the single yarns; see YarnsOfBundles.
     RecordingWriter(const std::filesystem::path& path, const RunRecord& run, bool in_bundles = false);
     ~RecordingWriter();
     RecordingWriter(const RecordingWriter&) = delete;

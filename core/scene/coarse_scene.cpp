@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/scene/coarse_scene.h"
 
-#include "core/plan/bundles.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -310,16 +308,12 @@ Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
     return frame;
 }
 
-int bundled_segments(const Textile& textile, int crossings_per_cell)
+YarnsOfBundles::YarnsOfBundles(const Textile& textile, int crossings_per_cell)
+    : ends_(bundles_of(textile.ends(), crossings_per_cell)), picks_(bundles_of(textile.picks(), crossings_per_cell)),
+      lengths_(segment_lengths(textile)), bundled_(lengths({ends_, picks_}, lengths_))
 {
-    return 2 * bundles_of(textile.ends(), crossings_per_cell).count * bundles_of(textile.picks(), crossings_per_cell).count;
 }
 
-Frame refined(Frame frame, const Textile& textile, int crossings_per_cell)
-{
-    const Blocks blocks{bundles_of(textile.ends(), crossings_per_cell), bundles_of(textile.picks(), crossings_per_cell)};
-    const std::vector<double> length = segment_lengths(textile);
-    return on_yarns(std::move(frame), blocks, length, lengths(blocks, length));
-}
+Frame YarnsOfBundles::refined(Frame frame) const { return on_yarns(std::move(frame), {ends_, picks_}, lengths_, bundled_); }
 
 } // namespace hygroloom

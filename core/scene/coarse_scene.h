@@ -2,6 +2,7 @@
 // A cloth simulated in bundles of neighbouring yarns, and its frames shown yarn by yarn.
 #pragma once
 
+#include "core/plan/bundles.h"
 #include "core/scene/frame.h"
 #include "core/scene/scene.h"
 
@@ -17,9 +18,17 @@ Scene coarsened(const Scene& fine, int crossings_per_cell);
 /// faces' totals are those of the fine weave.
 Frame refined(Frame frame, const Scene& coarse, const Scene& fine);
 
-/// The same of the fields that a frame has, but for the faces' totals, which stay: as recordings keep frames of bundles.
-Frame refined(Frame frame, const Textile& textile, int crossings_per_cell);
-/// How many values each field of such a frame has.
-int bundled_segments(const Textile& textile, int crossings_per_cell);
+/// The same of frames whose scenes are gone, as recordings keep them: of the fields that a frame has; the faces' totals stay.
+class YarnsOfBundles {
+public:
+    YarnsOfBundles(const Textile& textile, int crossings_per_cell);
+    /// How many values each field of a frame of bundles has.
+    std::size_t segments() const { return bundled_.size(); }
+    Frame refined(Frame frame) const;
+
+private:
+    Bundles ends_, picks_;
+    std::vector<double> lengths_, bundled_; ///< m, of each yarn's segments, and of the bundles'
+};
 
 } // namespace hygroloom

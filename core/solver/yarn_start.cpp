@@ -22,7 +22,7 @@ void add_water_to_come(double& water, const Scene& scene, double pores)
     constexpr double filled = 0.2; // of the pores, by a bath
     if (!scene.supply.fed.empty()) water += filled * scene.climate.density * pores;
     for (const ScenePool& pool : scene.supply.pools) water += pool.rate * (pool.end - pool.start) * scene.climate.density;
-    constexpr double ahead = 60; // s, whatever the run's duration is, which steps must not depend on
+    constexpr double ahead = 60; // s, about the longest step; not the run's duration, which steps must not depend on
     water += sweat_rate(scene) * ahead;
 }
 

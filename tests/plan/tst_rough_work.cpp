@@ -57,8 +57,7 @@ private Q_SLOTS:
         QVERIFY2(plan.expected_seconds > 0.011 && plan.expected_seconds < 0.06, qPrintable(QString::number(plan.expected_seconds)));
     }
     // Scaled is the whole of a measured run: where one kind's counts are far off those of another, the smaller part of a run comes out as
-    // far off. At draft seconds, which were measured while frames ended
-    // steps, over rough work lie between 0.13 and 1.8.
+    // far off. Seconds at draft, which were measured while frames ended steps, over rough work lie between 0.13 and 1.8.
     void countsOfAllKindsTakeAlikeLong()
     {
         double least = 1e30, most = 0;
