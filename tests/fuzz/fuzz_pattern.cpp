@@ -5,23 +5,15 @@
 #include "core/garment/fill.h"
 #include "core/garment/mesh_bytes.h"
 #include "core/garment/readers.h"
+#include "tests/fuzz/require.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <unistd.h>
 
 using namespace hygroloom;
 
 namespace {
-
-void require(bool holds, const char* what)
-{
-    if (holds) return;
-    std::fprintf(stderr, "broken: %s\n", what);
-    std::abort();
-}
 
 void check(GarmentPattern pattern, bool flat)
 {

@@ -4,23 +4,11 @@
 #include "core/base/error.h"
 #include "core/design/fitted_fabric.h"
 #include "core/project/project_file.h"
+#include "tests/fuzz/require.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 using namespace hygroloom;
-
-namespace {
-
-void require(bool holds, const char* what)
-{
-    if (holds) return;
-    std::fprintf(stderr, "broken: %s\n", what);
-    std::abort();
-}
-
-} // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

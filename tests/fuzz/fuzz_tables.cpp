@@ -6,23 +6,15 @@
 #include "core/base/error.h"
 #include "core/garment/sweat_table.h"
 #include "core/verify/set_ups.h"
+#include "tests/fuzz/require.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
 #include <unistd.h>
 
 using namespace hygroloom;
 
 namespace {
-
-void require(bool holds, const char* what)
-{
-    if (holds) return;
-    std::fprintf(stderr, "broken: %s\n", what);
-    std::abort();
-}
 
 template <typename Read> void attempt(const Read& read)
 {

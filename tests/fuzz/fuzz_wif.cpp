@@ -5,20 +5,11 @@
 #include "core/design/drawdown.h"
 #include "core/project/draft_import.h"
 #include "core/project/project_file.h"
-
-#include <cstdio>
-#include <cstdlib>
+#include "tests/fuzz/require.h"
 
 using namespace hygroloom;
 
 namespace {
-
-void require(bool holds, const char* what)
-{
-    if (holds) return;
-    std::fprintf(stderr, "broken: %s\n", what);
-    std::abort();
-}
 
 void keep(const DraftImport& draft)
 {
