@@ -405,7 +405,7 @@ void add_simulate(CLI::App& app, Verb& verb)
     simulate_verb
         .add_option("--shown-mm", options->shown_mm,
                     "Cell size of frames, maps and recordings, mm. Default: every crossing, of a worn garment every computed cell, "
-                    "coarsened to about 500 000 cells where there are more, at live under sweat to 5 000")
+                    "coarsened to about 500 000 cells where there are more")
         ->check(CLI::Range(0.05, 100.0));
     simulate_verb
         .add_option("--detail", options->detail, "Of a worn garment: panels, separated by commas, of which each computed cell is recorded")

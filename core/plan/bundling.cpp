@@ -78,10 +78,8 @@ std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentTy
 
 void decide_shown_cells(ModelPlan& plan, const Textile& textile, ExperimentType type, double side)
 {
-    // Sweat wets single yarns at every fidelity; of a live run nobody looks at each.
-    const bool is_quick = plan.fidelity == Fidelity::live && info_of(type).source == WaterSource::face;
-    const double most_unasked = is_quick ? 5'000 : 500'000; // cells
-    constexpr double most_yarns = 64;                       // of each system in a cell, which one thread of a GPU sums up
+    constexpr double most_unasked = 500'000; // cells
+    constexpr double most_yarns = 64;        // of each system in a cell, which one thread of a GPU sums up
     plan.shown_ends = plan.shown_picks = 0;
     plan.not_in_cells.clear();
     const double crossings = double(textile.ends()) * textile.picks();

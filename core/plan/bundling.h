@@ -10,7 +10,7 @@ namespace hygroloom {
 std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentType type);
 
 /// Fills in the cells in which frames show the sample: of about this side (m), of 64 yarns at most, or, with 0, each segment where that
-/// makes at most 500 000 crossings (5 000 of a live run under sweat), else about so many cells; or why there can be none. Yarns that are
+/// makes at most 500 000 crossings, else about so many cells; or why there can be none. Yarns that are
 /// simulated as one are never parted. After decide_bundles().
 void decide_shown_cells(ModelPlan& plan, const Textile& textile, ExperimentType type, double side = 0);
 
