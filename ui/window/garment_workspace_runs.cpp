@@ -23,6 +23,7 @@
 #include <QDir>
 #include <QEventLoop>
 #include <QFileDialog>
+#include <QMainWindow>
 
 #include <utility>
 
