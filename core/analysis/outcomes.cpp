@@ -3,6 +3,7 @@
 #include "core/analysis/outcomes.h"
 
 #include "core/base/units.h"
+#include "core/physics/caps.h"
 
 #include <algorithm>
 #include <array>
@@ -95,7 +96,7 @@ const MetricGroup& absorbency()
           [](M m) { return m.absorbency_time; },
           "liquid is left on the cloth, or falls through it",
           nullptr,
-          [](M m) { return m.ledger.water_dripped > 0 ? "some of the liquid dripped off instead of being absorbed" : ""; }}}};
+          [](M m) { return m.ledger.water_dripped > unseen_share * m.ledger.water_delivered ? "some of the liquid dripped off instead of being absorbed" : ""; }}}};
     return group;
 }
 

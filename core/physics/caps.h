@@ -8,6 +8,10 @@
 
 namespace hygroloom {
 
+/// So little of a drop on a cloth is not seen: spread over where it stood, it is a film no thicker than a fibre, which mirrors nothing. An
+/// assumption; the last of a drop depends on which crossings its rim happens to lie on.
+constexpr double unseen_share = 0.01;
+
 /// Height of a ball's cap over the radius of its base (angle below pi).
 HL_FN double cap_steepness(double contact_angle) { return std::tan(0.5 * contact_angle); }
 

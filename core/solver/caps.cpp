@@ -16,7 +16,6 @@ void Caps::load(const Scene& scene)
     scene_ = &scene;
     weight_ = scene.climate.density * gravity_acceleration / scene.climate.surface_tension;
     next_ = 0;
-    came_ = 0;
     caps_.clear();
     on_face_.clear();
 }
@@ -49,7 +48,6 @@ std::int64_t Caps::release(double time)
         caps_.push_back(released(scene_->supply.droplets[next_]));
         came += caps_.back().water;
     }
-    came_ += came;
     return came;
 }
 
@@ -162,12 +160,6 @@ std::int64_t Caps::wipe_off()
     std::erase_if(caps_, [](const Cap& cap) { return cap.stands(); });
     on_face_.clear();
     return all;
-}
-
-bool Caps::feed() const
-{
-    const double clings = 1e-10 * static_cast<double>(came_);
-    return std::any_of(caps_.begin(), caps_.end(), [&](const Cap& cap) { return static_cast<double>(cap.water) > clings; });
 }
 
 std::int64_t Caps::water() const

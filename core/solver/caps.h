@@ -64,14 +64,11 @@ public:
     /// Those that stand leave the cloth; returns their water, quanta.
     std::int64_t wipe_off();
     std::vector<FrameCap> shown(double time) const;
-    /// Whether any falls, or holds more than clings to the cloth.
-    bool feed() const;
     std::int64_t water() const;
 
     template <typename Archive> void pass_state(Archive& archive)
     {
         archive.value(next_);
-        archive.value(came_);
         std::size_t count = caps_.size();
         archive.value(count);
         if constexpr (Archive::reads) caps_.resize(count < next_ ? count : next_);
@@ -86,9 +83,8 @@ private:
     void join();
 
     const Scene* scene_ = nullptr;
-    double weight_ = 0;     ///< 1/m2, see drop_of_top()
-    std::size_t next_ = 0;  ///< of the scene's drops
-    std::int64_t came_ = 0; ///< quanta
+    double weight_ = 0;    ///< 1/m2, see drop_of_top()
+    std::size_t next_ = 0; ///< of the scene's drops
     std::vector<Cap> caps_;
     std::vector<std::size_t> on_face_; ///< places of those in on_face()
 };

@@ -59,7 +59,8 @@ public:
         if (is_beside() && until != time_ && (until != beside_ || sync_time_ < 0)) come_back();
         while (until - time_ > rounding * until) {
             if (sync_time_ < 0) plan_step(until);
-            const bool stood = stands_on_cloth();
+            const double stood = yarns_.seen_standing();
+            const bool was_on_top = liquid_.is_on_top();
             if (liquid_.count() > 0) yarns_.expect_liquid();
             while (!liquid_.flow(time_, sync_time_, wall_seconds, yarns_.absorbed()))
                 if (elapsed(start) > wall_seconds) return time_;
@@ -67,8 +68,8 @@ public:
             yarns_.draw_from_particles(liquid_.offer(time_, yarns_.absorbed()));
             sync_time_ = -1;
             step_yarns(time_ - network_time_, is_beside() || meets_event_ || (!has_own_ends() && time_ >= until));
+            note_standing(was_on_top, stood);
             network_time_ = time_;
-            if (stood || yarns_.pool_was_fed() || stands_on_cloth()) free_until_ = time_;
             if (elapsed(start) > wall_seconds) break;
         }
         return until - time_ > rounding * until ? time_ : until;
@@ -135,7 +136,15 @@ private:
     {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-    bool stands_on_cloth() const { return liquid_.is_on_top() || yarns_.pool_feeds(); }
+    /// After a step, by what was seen standing before it (kg, see YarnNetwork::seen_standing()), whose last part goes evenly within it.
+    void note_standing(bool was_on_top, double stood)
+    {
+        const double stands = yarns_.seen_standing();
+        if (was_on_top || liquid_.is_on_top() || yarns_.pool_was_fed() || stands > 0)
+            free_until_ = time_;
+        else if (stood > 0)
+            free_until_ = network_time_ + (time_ - network_time_) * stood / (stood - stands);
+    }
     /// Whether steps do not end where frames are taken.
     bool has_own_ends() const { return scene_.rules.step_share > 0; }
     /// Whether steps were left for a frame.

@@ -33,7 +33,12 @@ public:
     void load(const Scene& scene);
     Segments segments();
     int visited_segments() { return yarns().visited_segments(); }
-    bool pool_feeds() const { return pools_.feeds() || caps_.feed() || film_ > 0; }
+    /// kg that stand on the cloth as pools, caps or a film, less what of all that came is too little to be seen.
+    double seen_standing() const
+    {
+        const std::int64_t stands = std::accumulate(pools_.standing.begin(), pools_.standing.end(), caps_.water() + film_);
+        return static_cast<double>(stands) * water_quantum - unseen_share * (pools_.pumped.mass() + scene_->cloth.start.film);
+    }
     bool pool_was_fed() const { return pools_.came; }
     double longest_step() const { return steps_.longest(); }
     /// The next time after this at which something begins or ends; steps end there.

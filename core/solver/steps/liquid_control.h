@@ -4,6 +4,7 @@
 // answer.
 #pragma once
 
+#include "core/physics/caps.h"
 #include "core/physics/liquid.h"
 #include "core/solver/steps/contact.h"
 #include "core/solver/steps/liquid.h"
@@ -97,7 +98,7 @@ struct LiquidControl {
     double fell_asleep = 0;                     ///< s, when
     double hurry = 1;                           ///< by which liquid that was woken creeps faster, to make up for the time it slept
 
-    std::int64_t unseen = 0; ///< quanta: so little of the last drop on the cloth is not seen (a thousandth, an assumption)
+    std::int64_t unseen = 0; ///< quanta: so little of the last drop on the cloth is not seen
 
     // Many elements add to these.
     int moved[6] = {};                             ///< see BeginStep
@@ -143,7 +144,7 @@ inline void count_drop(LiquidControl& c, std::int64_t water)
 {
     c.left += water;
     c.above += water;
-    c.unseen = water / 1000;
+    c.unseen = static_cast<std::int64_t>(unseen_share * static_cast<double>(water));
     c.asleep = 0;
     c.hurry = 1;
 }
