@@ -2,6 +2,7 @@
 #include "core/analysis/metrics.h"
 
 #include "core/analysis/outcomes.h"
+#include "core/analysis/stain_shape.h"
 #include "core/base/units.h"
 #include "core/design/holes.h"
 #include "core/plan/bundles.h"
@@ -19,6 +20,7 @@ namespace {
 /// The wet segments of one face.
 struct WetFace {
     std::vector<std::array<double, 2>> outline;     ///< m, of each end the first and the last; all others lie between
+    std::vector<std::array<double, 2>> places;      ///< m, of all; none where frames show cells
     double count = 0, x = 0, y = 0, xx = 0, yy = 0; ///< sums over all
     double each = 0;                                ///< m2 of the face that each lies on
 
@@ -29,6 +31,7 @@ struct WetFace {
         y += at_y;
         xx += at_x * at_x;
         yy += at_y * at_y;
+        places.push_back({at_x, at_y});
     }
 };
 
@@ -270,7 +273,7 @@ void MetricsCollector::start(const RunRecord& run)
 void MetricsCollector::add(const Frame& frame)
 {
     Series& s = metrics_.series;
-    const std::array<WetFace, 2> wet = wet_faces(textile_, frame);
+    std::array<WetFace, 2> wet = wet_faces(textile_, frame);
     const double top = std::max(0.0, smallest_enclosing_circle(wet[0].outline).radius);
     const double bottom = std::max(0.0, smallest_enclosing_circle(wet[1].outline).radius);
     s.time.push_back(frame.time);
@@ -305,6 +308,7 @@ void MetricsCollector::add(const Frame& frame)
     const std::array<double, 2> axes = wetted_ellipse(wet[0]);
     metrics_.wetted_area_ellipse_weft = axes[0];
     metrics_.wetted_area_ellipse_warp = axes[1];
+    stain_ = std::move(wet[0].places);
     metrics_.ledger = frame.ledger;
     if (frame.unsolved_lines > 0) unsolved_lines_ = frame.unsolved_lines; // steps beside for earlier frames do not count
     metrics_.water_between_yarns = std::accumulate(frame.between.begin(), frame.between.end(), 0.0);
@@ -348,6 +352,7 @@ void MetricsCollector::add(const SwitchedPart& part) { metrics_.notes.push_back(
 Metrics MetricsCollector::metrics() const
 {
     Metrics m = metrics_;
+    m.shape = stain_shape(stain_, textile_.warp.pitch, textile_.weft.pitch);
     m.edge_time = edge_time_;
     if (!falls_through_.empty()) {
         m.notes.push_back(falls_through_);

@@ -41,13 +41,14 @@ private:
     Metrics metrics_;
     std::array<double, 2> absorbed_before_{0, 0}; ///< kg, top and bottom: of the test's water, by the fibres before the first frame
     std::vector<float> regain_at_start_;
-    TesterPins pins_;                   ///< of moisture_management only
-    std::string falls_through_;         ///< see falls_through()
-    std::optional<double> edge_time_;   ///< s, when water was first seen where the sample ends
-    double unsolved_lines_ = 0;         ///< see Frame
-    std::vector<std::uint8_t> was_wet_; ///< 1: each segment, in any frame so far
-    std::vector<WetEnd> wet_ends_;      ///< where frames show cells, how far each end was wet in any frame so far
-    double last_wetted_ = 0;            ///< s, when the last of them got wet
+    TesterPins pins_;                          ///< of moisture_management only
+    std::string falls_through_;                ///< see falls_through()
+    std::optional<double> edge_time_;          ///< s, when water was first seen where the sample ends
+    double unsolved_lines_ = 0;                ///< see Frame
+    std::vector<std::array<double, 2>> stain_; ///< m, wet places on top in the last frame
+    std::vector<std::uint8_t> was_wet_;        ///< 1: each segment, in any frame so far
+    std::vector<WetEnd> wet_ends_;             ///< where frames show cells, how far each end was wet in any frame so far
+    double last_wetted_ = 0;                   ///< s, when the last of them got wet
     bool had_free_water_ = false;
     std::optional<double> wiped_; ///< s, see HandActs
     double delivered_ = 0;        ///< kg, by the last frame

@@ -49,6 +49,9 @@ double ring_mm(M m, FaceIndices ManagementIndices::*face, double radius)
     return 5.0 * std::floor(mm_from_metre(radius) / 5.0 + 1e-9);
 }
 
+Value of_shape(M m, double StainShape::*number) { return m.shape ? Value((*m.shape).*number) : std::nullopt; }
+constexpr const char* no_shape = "the stain is too small, or shown in cells";
+
 /// kg that are rounding beside what was delivered.
 bool negligible(double water, M m) { return water < 1e-9 * m.ledger.water_delivered; }
 
@@ -79,6 +82,11 @@ const MetricGroup& stain()
           [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_warp); }},
          {{"wetted_area_ellipse_weft_mm", "ellipse of equal moments on top, semi-axis along weft", "", "mm", neither},
           [](M m) -> Value { return mm_from_metre(m.wetted_area_ellipse_weft); }},
+         {{"stain_aspect", "aspect of the stain on top", "", "", neither}, [](M m) { return of_shape(m, &StainShape::aspect); }, no_shape},
+         {{"stain_armness", "arms of the stain on top", "", "", neither}, [](M m) { return of_shape(m, &StainShape::armness); }, no_shape},
+         {{"stain_solidity", "solidity of the stain on top", "", "", neither},
+          [](M m) { return of_shape(m, &StainShape::solidity); },
+          no_shape},
          {{"time_of_arrest_s", "stain at rest from", "", "s", neither},
           [](M m) { return m.time_of_arrest; },
           "no 10 s without growth before the end"},
@@ -90,13 +98,16 @@ const MetricGroup& stain()
 
 const MetricGroup& absorbency()
 {
-    static const MetricGroup group{
-        [](M m) { return m.ledger.water_delivered > 0; },
-        {{{"absorbency_time_s", "absorbency time", "", "s", less},
-          [](M m) { return m.absorbency_time; },
-          "liquid is left on the cloth, or falls through it",
-          nullptr,
-          [](M m) { return m.ledger.water_dripped > unseen_share * m.ledger.water_delivered ? "some of the liquid dripped off instead of being absorbed" : ""; }}}};
+    static const MetricGroup group{[](M m) { return m.ledger.water_delivered > 0; },
+                                   {{{"absorbency_time_s", "absorbency time", "", "s", less},
+                                     [](M m) { return m.absorbency_time; },
+                                     "liquid is left on the cloth, or falls through it",
+                                     nullptr,
+                                     [](M m) {
+                                         return m.ledger.water_dripped > unseen_share * m.ledger.water_delivered
+                                                    ? "some of the liquid dripped off instead of being absorbed"
+                                                    : "";
+                                     }}}};
     return group;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/analysis/laboratory.h"
 #include "core/analysis/moisture_tester.h"
+#include "core/analysis/stain_shape.h"
 #include "core/scene/frame.h"
 
 #include <optional>
@@ -31,6 +32,7 @@ struct Metrics {
     std::optional<double> absorbency_time;   ///< s
     double wetted_area_ellipse_warp = 0;     ///< m, semi-axis along the warp, of the final stain on top
     double wetted_area_ellipse_weft = 0;     ///< m
+    std::optional<StainShape> shape;         ///< of the final stain on top; none of little, and where frames show cells
     std::optional<double> time_of_arrest;    ///< s: when the last segment got wet that had been dry, at least 10 s before the end
     double water_between_yarns = 0;          ///< kg, at the end
     std::optional<ManagementIndices> management;

@@ -33,6 +33,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/report_parts.cpp
   analysis/run_trace.cpp
   analysis/series_keys.cpp
+  analysis/stain_shape.cpp
   analysis/sweep.cpp
   analysis/trace_json.cpp
   analysis/tradeoff.cpp

@@ -1117,6 +1117,22 @@
         <translation>Fleckradius nach Fläche</translation>
     </message>
     <message>
+        <source>aspect of the stain on top</source>
+        <translation>Längenverhältnis des Flecks oben</translation>
+    </message>
+    <message>
+        <source>arms of the stain on top</source>
+        <translation>Arme des Flecks oben</translation>
+    </message>
+    <message>
+        <source>solidity of the stain on top</source>
+        <translation>Geschlossenheit des Flecks oben</translation>
+    </message>
+    <message>
+        <source>the stain is too small, or shown in cells</source>
+        <translation>der Fleck ist zu klein oder in Zellen gezeigt</translation>
+    </message>
+    <message>
         <source>area of the stain</source>
         <translation>Fläche des Flecks</translation>
     </message>
