@@ -35,7 +35,7 @@ constexpr KnobInfo table[] = {
      .meaning = "longest time step of the yarns while there is free liquid; a quarter of it while a drop flows into cloth with the closure pores"},
     {.name = "saturation_change", .value = &Knobs::saturation_change, .unit = "",
      .at = {0.4, 0.2, 0.1, 0.03}, .least = 1e-3, .most = 1, .whole = false, .cheaper = 0.2, .finer = 0.05,
-     .meaning = "target change of saturation in one time step of the yarns while there is free liquid or a pool"},
+     .meaning = "target change of saturation in one time step of the yarns while there is free liquid or a pool; twice that where liquid spreads from a spot by suction"},
     {.name = "step_error", .value = &Knobs::step_error, .unit = "",
      .at = {5e-3, 2e-3, 5e-4, 1e-4}, .least = 1e-7, .most = 0.1, .whole = false, .cheaper = 1e-3, .finer = 2.5e-4,
      .meaning = "largest error of a time step without free liquid, as a share of the water and heat at stake"},

@@ -207,6 +207,13 @@ void add_yarns(Scene& scene, const Textile& textile, const Experiment& experimen
     scene.cloth.profile_samples = static_cast<int>(textile.warp.paths[0].height.size());
 }
 
+/// Whether liquid spreads by suction from where it falls or is poured. Then warp and weft flow at once: one after the other they carry
+/// it along both too far and between them too little, which shows as a cross. Elsewhere it goes one way, or evenly.
+bool spreads_from_a_spot(const Scene& scene)
+{
+    return scene.cloth.by_suction && (!scene.supply.droplets.empty() || !scene.supply.pools.empty());
+}
+
 void flow_by_suction(Scene& scene, const Textile& textile)
 {
     scene.cloth.by_suction = true;
@@ -404,7 +411,10 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     scene.rules.step_share = calm_step_share(plan.knobs);
     scene.rules.step_error = plan.knobs.step_error;
     scene.rules.rest_tolerance = plan.rest_tolerance;
-    scene.rules.saturation_change = plan.knobs.saturation_change;
+    constexpr double bears = 2.0, left_open = 5e-4; // changes of saturation in whole flow; of a change, in what suctions leave open
+    scene.rules.whole_flow = spreads_from_a_spot(scene);
+    scene.rules.saturation_change = (scene.rules.whole_flow ? bears : 1.0) * plan.knobs.saturation_change;
+    scene.rules.suction_error = left_open * plan.knobs.saturation_change;
     scene.rules.liquid_step_factor = plan.knobs.liquid_step_factor;
     scene.rules.steps_between_absorption = static_cast<int>(plan.knobs.steps_between_absorption);
     scene.rules.density_tolerance = plan.knobs.density_tolerance;

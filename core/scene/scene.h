@@ -323,6 +323,8 @@ struct StepRules {
     double step_error = 0;         ///< largest error of a step, over the water and the heat at stake; 0: not watched
     double saturation_change = 0;  ///< largest a step aims at, for the step's length
     int suction_rounds = 220;      ///< at most, for the suctions along a line where liquid flows by them
+    bool whole_flow = false;       ///< whether warp and weft flow at once by suction, in one system of equations; else one after the other
+    double suction_error = 1e-6;   ///< of what pores can hold: so much the suctions of all may then leave open; masses go by fluxes
     double liquid_step_factor = 1; ///< on the longest stable step of the free liquid
     int steps_between_absorption = 1; ///< of the free liquid, between times at which yarns absorb from it
     double density_tolerance = 0.01;

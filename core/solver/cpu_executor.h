@@ -93,8 +93,7 @@ public:
         in_ranges(lines, grain, [&](int begin, int end) {
             const std::unique_ptr<double[]> room(
                 new double[static_cast<std::size_t>(Alone::per_place<Stage>) * static_cast<std::size_t>(longest)]);
-            const Alone alone(room.get(), longest);
-            for (int line = begin; line < end; ++line) stage(alone, line);
+            go_along(stage, Alone(room.get(), longest), begin, end);
         });
     }
 
@@ -145,6 +144,19 @@ private:
             });
         });
     }
+    template <typename Stage> static void go_along(const Stage& stage, const Alone& alone, int begin, int end)
+    {
+#ifdef __x86_64__
+        if constexpr (is_wide_along_lines<Stage>) {
+            static const bool has_wide = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+            if (has_wide) {
+                go_along_wide(stage, alone, begin, end);
+                return;
+            }
+        }
+#endif
+        for (int line = begin; line < end; ++line) stage(alone, line);
+    }
     template <typename Stage> static void run_range(const Stage& stage, int begin, int end)
     {
         if constexpr (std::is_void_v<decltype(stage(0))>)
@@ -189,6 +201,12 @@ private:
         return sum;
     }
 #ifdef __x86_64__
+    template <typename Stage>
+    __attribute__((target("avx2,fma"), flatten, noinline)) static void go_along_wide(const Stage stage, const Alone& alone, int begin,
+                                                                                     int end)
+    {
+        for (int line = begin; line < end; ++line) stage(alone, line);
+    }
     template <typename Stage>
     __attribute__((target("avx2,fma"), flatten, noinline)) static std::int64_t run_wide(const Stage& stage, int begin, int end)
     {

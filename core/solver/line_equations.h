@@ -37,6 +37,29 @@ HL_FN Pair operator-(const Pair& v, const Pair& w) { return {v.first - w.first, 
 HL_FN Pair operator*(const PairMatrix& m, const Pair& v) { return {m.a * v.first + m.b * v.second, m.c * v.first + m.d * v.second}; }
 HL_FN PairMatrix diagonal(const Pair& v) { return {v.first, 0, 0, v.second}; }
 
+/// A pair's matrix (a b), (b d), in columns of numbers.
+struct SymmetricMatrix {
+    double a, b, d;
+
+    HL_FN Pair operator*(const Pair& v) const { return {a * v.first + b * v.second, b * v.first + d * v.second}; }
+    HL_FN SymmetricMatrix inverse() const
+    {
+        const double scale = plain_inverse(a * d - b * b);
+        return {d * scale, -b * scale, a * scale};
+    }
+};
+struct SymmetricColumns {
+    double *a, *b, *d;
+
+    HL_FN SymmetricMatrix read() const { return {*a, *b, *d}; }
+    HL_FN void write(const SymmetricMatrix& m) const
+    {
+        *a = m.a;
+        *b = m.b;
+        *d = m.d;
+    }
+};
+
 /// Of a line whose last place joins its first: what is found as if it were open, and how that answers to a unit that leaves by the joint
 /// from the first place and comes in at the last, of each number (Woodbury 1950).
 struct RingPair {

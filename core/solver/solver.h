@@ -9,6 +9,7 @@
 #include "core/solver/yarn_network_flow.h"
 #include "core/solver/yarn_network_stock.h"
 #include "core/solver/yarn_network_supply.h"
+#include "core/solver/yarn_network_whole.h"
 
 #include <array>
 #include <chrono>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The cloth's yarns: their arrays, and one step of the network that they form. How liquid comes to it stands in yarn_network_supply.h, how
-// it flows by suctions in yarn_network_flow.h.
+// it flows by suctions in yarn_network_flow.h and yarn_network_whole.h.
 #pragma once
 
 #include "core/solver/caps.h"
@@ -12,6 +12,8 @@
 #include "core/solver/steps/swelling.h"
 #include "core/solver/steps/touching.h"
 #include "core/solver/steps/track_change.h"
+#include "core/solver/steps/whole_flow.h"
+#include "core/solver/steps/whole_solution.h"
 #include "core/solver/stock.h"
 #include "core/solver/visited_region.h"
 #include "core/solver/water_passed.h"
@@ -122,6 +124,11 @@ private:
     StandingPool standing_pool();
     double lift(bool along_warp) const;
     void flow_by_suction(double dt, bool of_warp);
+    void flow_in_turn(double dt);
+    bool flow_whole(double dt);
+    template <typename Whole> bool find_suctions(const Whole& w, double open);
+    template <typename Whole> double solve_round(const Whole& w);
+    template <typename Whole> void carry_heat(const Whole& w, double dt);
     void flow_between_touching(double dt, bool odd_first);
     void flow_through_seams(double dt);
     template <typename Stage> void each_layer_joint(const char* name, const Stage& stage_from);
@@ -168,10 +175,13 @@ private:
     Buffer<LayerSide> layer_sides_; ///< one per segment, where there are layers
     Buffer<CapOnFace> cap_views_;
     Buffer<CapSums> cap_sums_;
-    Buffer<int> reach_;          ///< see Reach: where particles gave liquid since the last step
-    Buffer<YarnTotals> totals_;  ///< one, of this step
-    Buffer<CellSums> cells_;     ///< of a garment's frames
-    Buffer<float> shown_fields_; ///< of a cloth that is shown in cells
+    Buffer<int> reach_;         ///< see Reach: where particles gave liquid since the last step
+    Buffer<YarnTotals> totals_; ///< one, of this step
+    Buffer<CellSums> cells_;    ///< of a garment's frames
+    Buffer<double> whole_numbers_, whole_line_sums_;
+    Buffer<int> whole_reach_;
+    Buffer<WholeSums> whole_sums_; ///< one, of this step
+    Buffer<float> shown_fields_;   ///< of a cloth that is shown in cells
     Buffer<ShownSums> shown_sums_, shown_lines_;
     Buffer<WetEnd> wet_;
     bool cells_were_seen_ = false; ///< all of them, since the scene or a state was loaded
@@ -254,28 +264,6 @@ template <typename Executor> void YarnNetwork<Executor>::load_start()
     const FibreStart fibres = fibre_start(*scene_, start.regain, fields_.liquid.download());
     fields_.bound_before.upload(fibres.bound);
     fields_.heat_before.upload(fibres.heat);
-}
-
-template <typename Executor> double YarnNetwork<Executor>::next_event(double time) const
-{
-    double next = std::numeric_limits<double>::infinity();
-    const auto consider = [&](double event) {
-        if (event > time) next = std::min(next, event);
-    };
-    for (const ScenePool& pool : scene_->supply.pools) consider(pool.next_change(time));
-    for (const AirMoment& moment : scene_->climate.course) consider(moment.time);
-    consider(scene_->supply.skin.next_change(time));
-    consider(caps_.next_event(time));
-    return next;
-}
-
-template <typename Executor> bool YarnNetwork<Executor>::jumps_at(double time) const
-{
-    const std::vector<AirMoment>& course = scene_->climate.course;
-    const std::vector<SceneDroplet>& drops = scene_->supply.droplets;
-    if (scene_->caps.on && std::any_of(drops.begin(), drops.end(), [time](const SceneDroplet& drop) { return drop.time == time; }))
-        return true;
-    return std::count_if(course.begin(), course.end(), [time](const AirMoment& moment) { return moment.time == time; }) > 1;
 }
 
 template <typename Executor> void YarnNetwork<Executor>::set_climate(double time)

@@ -18,8 +18,9 @@ template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double 
     const int chains = of_warp ? all.panels.warp_chains : all.panels.weft_chains;
     const int longest = of_warp ? all.visited_picks() : all.visited_ends();
     exec_.for_each_line("flow", all.whole() ? lines : chains, all.whole() ? longest : all.panels.longest_chain,
-                        FlowAlongLines{s, climate_, dt, of_warp, lift(of_warp), pool, &totals_.data()->given, scene_->rules.suction_rounds,
-                                       &totals_.data()->shed, &totals_.data()->unsolved, of_warp != warp_first_});
+                        FlowAlongLines{s, climate_, dt, 0.5 * dt, of_warp, lift(of_warp), pool, &totals_.data()->given,
+                                       scene_->rules.suction_rounds, &totals_.data()->shed, &totals_.data()->unsolved,
+                                       of_warp != warp_first_});
     if (scene_->rules.heat)
         exec_.for_each_line("conduct", lines, longest, FromLine<ConductAlongYarn>{{s, climate_, dt, cloth.face_only}, first});
 }
@@ -90,8 +91,7 @@ template <typename Executor> void YarnNetwork<Executor>::pass_between_layers(dou
     });
 }
 
-/// Along warp and weft, one after the other; the other way round in the next step. Touching yarns, seams and layers pass half before each,
-/// which fills up what they have given.
+/// With what stands on the cloth.
 template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double dt)
 {
     const bool pools = pools_.feeds();
@@ -102,6 +102,19 @@ template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double 
         each_segment("offer pool", OfferPool{weigh, pools_.standing[0]});
     }
     if (!caps_on_face_.empty()) offer_caps(dt);
+    if (!scene_->rules.whole_flow || !flow_whole(dt)) flow_in_turn(dt);
+    warp_first_ = !warp_first_;
+    if (!caps_on_face_.empty()) caps_.take(cap_sums_.download());
+    if (!pools && caps_on_face_.empty()) return;
+    const YarnTotals found = totals_.read(0);
+    if (pools) pools_.standing[0] -= found.given;
+    pools_.ran_off.add(found.shed);
+}
+
+/// Along warp and weft, one after the other; the other way round in the next step. Touching yarns, seams and layers pass half before each,
+/// which fills up what they have given.
+template <typename Executor> void YarnNetwork<Executor>::flow_in_turn(double dt)
+{
     const bool hands_over = scene_->rules.heat; // the liquid between yarns
     for (bool of_warp : {warp_first_, !warp_first_}) {
         if (fields_.touching.size() > 0) flow_between_touching(0.5 * dt, of_warp);
@@ -111,12 +124,6 @@ template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double 
         flow_by_suction(dt, of_warp);
         if (hands_over && !of_warp) each_crossing("to warp", HandRoomOver{segments(), false});
     }
-    warp_first_ = !warp_first_;
-    if (!caps_on_face_.empty()) caps_.take(cap_sums_.download());
-    if (!pools && caps_on_face_.empty()) return;
-    const YarnTotals found = totals_.read(0);
-    if (pools) pools_.standing[0] -= found.given;
-    pools_.ran_off.add(found.shed);
 }
 
 } // namespace hygroloom::inline HL_PRECISION

@@ -9,6 +9,28 @@
 
 namespace hygroloom::inline HL_PRECISION {
 
+template <typename Executor> double YarnNetwork<Executor>::next_event(double time) const
+{
+    double next = std::numeric_limits<double>::infinity();
+    const auto consider = [&](double event) {
+        if (event > time) next = std::min(next, event);
+    };
+    for (const ScenePool& pool : scene_->supply.pools) consider(pool.next_change(time));
+    for (const AirMoment& moment : scene_->climate.course) consider(moment.time);
+    consider(scene_->supply.skin.next_change(time));
+    consider(caps_.next_event(time));
+    return next;
+}
+
+template <typename Executor> bool YarnNetwork<Executor>::jumps_at(double time) const
+{
+    const std::vector<AirMoment>& course = scene_->climate.course;
+    const std::vector<SceneDroplet>& drops = scene_->supply.droplets;
+    if (scene_->caps.on && std::any_of(drops.begin(), drops.end(), [time](const SceneDroplet& drop) { return drop.time == time; }))
+        return true;
+    return std::count_if(course.begin(), course.end(), [time](const AirMoment& moment) { return moment.time == time; }) > 1;
+}
+
 /// Liquid that came without drops in the last dt.
 template <typename Executor> void YarnNetwork<Executor>::supply(double time, double dt)
 {

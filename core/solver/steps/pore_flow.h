@@ -130,14 +130,20 @@ struct FlowAlongLines : PoreRounds {
         const double ax = from_room(line, i), ab = from_crossed(line, i), bx = from_crossed_to_room(line, i);
         double mass[3] = {liquid(p, own_pores) + along_own + ax + ab, liquid(p, room_pores) + along_room - ax + bx,
                           liquid(p, crossed_pores) - ab - bx};
-        // What rounds have left open goes to another class of the crossing, so that neither bound nor the total is touched.
+        const bool overflows = keep_in_bounds(p, mass, drew);
+        warm(p, liquid(p, crossed_pores) - mass[crossed_pores]);
+        for (int which = 0; which < 3; ++which) liquid(p, which) = mass[which];
+        return overflows;
+    }
+    /// What rounds have left open goes to another class of the crossing, so that neither bound nor the total is touched. Returns whether
+    /// the own pores are left with what no class has room for.
+    HL_FN bool keep_in_bounds(const Place& p, double (&mass)[3], const std::int64_t (&drew)[3]) const
+    {
         double over = 0;
         for (int which = 0; which < 3; ++which) over += put(mass[which], 0, capacity(p, which));
         for (int which = 0; which < 3 && over != 0; ++which) over = put(mass[which], over, capacity(p, which));
         if (over > 0) over -= hand_back(p, drew, over);
         mass[own_pores] += over;
-        warm(p, liquid(p, crossed_pores) - mass[crossed_pores]);
-        for (int which = 0; which < 3; ++which) liquid(p, which) = mass[which];
         return over != 0;
     }
     /// Adds as much of what comes as the bounds let, and takes off what lies outside them; returns the rest.
@@ -147,7 +153,7 @@ struct FlowAlongLines : PoreRounds {
         mass = wanted < 0 ? 0.0 : wanted > capacity ? capacity : wanted;
         return wanted - mass;
     }
-    template <typename Team> HL_FN void take_from_pool(const Line<Team>& line, const Place& p, int i, std::int64_t (&drew)[3]) const
+    template <typename Places> HL_FN void take_from_pool(const Places& line, const Place& p, int i, std::int64_t (&drew)[3]) const
     {
         for (int which = 0; which < 3; ++which) {
             drew[which] = static_cast<std::int64_t>(from_pool(line, which, i) / water_quantum);
@@ -186,7 +192,7 @@ struct FlowAlongLines : PoreRounds {
         }
         return back;
     }
-    template <typename Team> HL_FN void shed_through_hole(const Line<Team>& line, const Place& p, int i) const
+    template <typename Places> HL_FN void shed_through_hole(const Places& line, const Place& p, int i) const
     {
         const double passes = through_hole(line, room(p), i);
         const auto quanta = static_cast<std::int64_t>(passes / water_quantum);
@@ -205,11 +211,11 @@ struct FlowAlongLines : PoreRounds {
         const double heat = heat_capacity(yarn(p, came > 0), s.fibre_length(to, yarn(p, came > 0)), s.warm_water(to));
         s.warmth[to] = (heat * s.warmth[to] + carried * s.warmth[from]) * plain_inverse(heat + carried);
     }
-    template <typename Team> HL_FN void settle(const Line<Team>& line, int i) const
+    template <typename Places> HL_FN void settle(const Places& line, int i) const
     {
-        if (is_fed(i)) return;
         constexpr double most = 1e9; // Pa, by far more than any pores suck
         const Place p = place(line, i);
+        if (is_fed(p.own)) return;
         for (int which = 0; which < 3; ++which) {
             const double found = line(suction + which, i);
             const double sucks = found > -most && found < most ? found : line(before + which, i);
@@ -218,10 +224,10 @@ struct FlowAlongLines : PoreRounds {
         }
     }
     /// Where nothing flows, notes what the step's other stages have left.
-    template <typename Team> HL_FN void stay(const Line<Team>& line, int i) const
+    template <typename Places> HL_FN void stay(const Places& line, int i) const
     {
-        if (is_fed(i)) return;
         const Place p = place(line, i);
+        if (is_fed(p.own)) return;
         for (int which = 0; which < 3; ++which) {
             const HeldBefore now{line(held_before + which, i), line(before + which, i)};
             if (now.saturation != settled(p, which).saturation) settle_at(p, which, now);

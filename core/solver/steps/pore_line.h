@@ -21,6 +21,16 @@ struct StandingPool {
 /// Classes of pores at a place of a line.
 constexpr int own_pores = 0, room_pores = 1, crossed_pores = 2;
 
+/// A part of the cloth, end by end, with columns of numbers of each of its places; see WholePores.
+struct PlaceBox {
+    int first_end = 0, first_pick = 0, ends = 0, picks = 0;
+    double* numbers = nullptr;
+
+    HL_FN int places() const { return ends * picks; }
+    HL_FN double& operator()(int column, int k) const { return column_of(column)[k]; }
+    HL_FN double* column_of(int column) const { return numbers + static_cast<std::size_t>(column) * static_cast<std::size_t>(places()); }
+};
+
 struct PoreLines {
     /// What a line's team keeps of each place; of three, one for each class.
     enum Column {
@@ -49,9 +59,10 @@ struct PoreLines {
 
     Segments s;
     ClimateParameters climate;
-    double dt;    ///< s; half of it across the lines, for stages of both systems pass each crossing
-    bool of_warp; ///< lines are all ends, or all picks
-    double lift;  ///< Pa, by which suction rises from a place to the next in liquid at rest; in panels Pa/m, for each m of rise
+    double dt;        ///< s
+    double dt_across; ///< s, across the lines and from a pool: half of it where stages of both systems pass each crossing
+    bool of_warp;     ///< lines are all ends, or all picks
+    double lift;      ///< Pa, by which suction rises from a place to the next in liquid at rest; in panels Pa/m, for each m of rise
     StandingPool pool;
     std::int64_t* drawn;    ///< sums up quanta that came from the pool
     int most_rounds;        ///< for the suctions along a line
@@ -98,6 +109,11 @@ struct PoreLines {
         if (of_warp) return {i, i, s.weft_of(line.number, k), line.number, k};
         const int crossing = s.warp_of(k, line.number);
         return {i, crossing, crossing, k, line.number};
+    }
+    HL_FN Place place(const PlaceBox& box, int k) const
+    {
+        const int end = box.first_end + k / box.picks, pick = box.first_pick + k % box.picks, crossing = s.warp_of(end, pick);
+        return {crossing, crossing, s.weft_of(end, pick), end, pick};
     }
     HL_FN Place place_in_chain(int i) const
     {
@@ -154,19 +170,19 @@ struct PoreLines {
         (which == room_pores ? s.between_settled[p.crossing] : s.settled[segment]) = now.saturation;
     }
 
-    template <typename Team> HL_FN bool is_wet(const Line<Team>& line, int i) const
+    template <typename Places> HL_FN bool is_wet(const Places& line, int i) const
     {
         const Place p = place(line, i);
         for (int which = 0; which < 3; ++which)
             if (liquid(p, which) > 0 || (pool.stands && s.offered[taker(p, which)] > 0)) return true;
         return false;
     }
-    template <typename Team> HL_FN void look_at(const Line<Team>& line, int i) const
+    template <typename Places> HL_FN void look_at(const Places& line, int i) const
     {
         const Place p = place(line, i);
         for (int which = 0; which < 3; ++which) {
             const PoresFound found_now = found(p, which);
-            const HeldBefore now{found_now.saturation, is_fed(i) ? 0.0 : found_now.suction};
+            const HeldBefore now{found_now.saturation, is_fed(p.own) ? 0.0 : found_now.suction};
             line(suction + which, i) = line(before + which, i) = now.suction;
             line(held_before + which, i) = now.saturation;
             line(can_hold + which, i) = found_now.capacity;
@@ -190,7 +206,7 @@ struct PoreLines {
         const int cap = s.cap_over[p.crossing];
         return cap < 0 ? 0.0 : pool.caps[cap].pressure;
     }
-    template <typename Team> HL_FN PoreCourse course(const Line<Team>& line, const Place& p, int which, int i) const
+    template <typename Places> HL_FN PoreCourse course(const Places& line, const Place& p, int which, int i) const
     {
         return {narrowed(retention(p, which), line(finer + which, i)), line(begun + which, i), line(zero + which, i),
                 line(empties + which, i), line(bend + which, i)};
@@ -203,14 +219,14 @@ struct PoreLines {
 
         HL_FN bool is_connected() const { return saturation > threshold; }
     };
-    template <typename Team> HL_FN End end_of(const Line<Team>& line, const Place& p, int which, int i) const
+    template <typename Places> HL_FN End end_of(const Places& line, const Place& p, int which, int i) const
     {
         const Retention& holds = retention(p, which);
         // Between dry yarns liquid does not spread by itself.
         const double gate = which != room_pores ? pores(p, which).gate : any_yarn_wet(line, p, i) ? 1.0 : 0.0;
         return {line(before + which, i), line(held_before + which, i), holds.threshold, holds.entry, line(can_hold + which, i), gate};
     }
-    template <typename Team> HL_FN bool any_yarn_wet(const Line<Team>& line, const Place& p, int i) const
+    template <typename Places> HL_FN bool any_yarn_wet(const Places& line, const Place& p, int i) const
     {
         return line(held_before + own_pores, i) > pores(p, own_pores).retention.threshold ||
                line(held_before + crossed_pores, i) > pores(p, crossed_pores).retention.threshold;
@@ -254,7 +270,7 @@ struct PoreLines {
         const bool from_room = a_is_room && difference > 0;
         double share = from_room ? from.saturation : share_of_permeability(from.saturation, from.threshold, 7);
         if (!to.is_connected()) share *= to.gate;
-        return coupling(conductance * share, difference, from, to, 0.5 * dt, moves);
+        return coupling(conductance * share, difference, from, to, dt_across, moves);
     }
     /// Finds what couples a place's classes with each other and with the next place's; whether anything does.
     template <typename Team> HL_FN bool couple(const Line<Team>& line, int i) const
@@ -294,7 +310,7 @@ struct PoreLines {
         if (s.warmth[i] == 0 && s.warmth[next] == 0) return flows;
         return flows * 0.5 * (flow_factor(climate.flow, s.warmth[i]) + flow_factor(climate.flow, s.warmth[next]));
     }
-    template <typename Team> HL_FN bool couple_with_pool(const Line<Team>& line, const Place& p, int i) const
+    template <typename Places> HL_FN bool couple_with_pool(const Places& line, const Place& p, int i) const
     {
         bool any = false;
         for (int which = 0; which < 3; ++which) {
@@ -306,7 +322,7 @@ struct PoreLines {
             const double conductance =
                 which == room_pores ? find().permeability_of_room(p.crossing, room(p)) * room(p).face : yarn_of(p, which).face_conductance;
             const double gate = pool.drops && which != room_pores ? to.gate * pores(p, which).between_hairs : to.gate;
-            line(feed + which, i) = climate.density * conductance * 0.5 * dt * (to.is_connected() ? 1.0 : gate);
+            line(feed + which, i) = climate.density * conductance * dt_across * (to.is_connected() ? 1.0 : gate);
             any = any || line(feed + which, i) > 0;
         }
         return any;

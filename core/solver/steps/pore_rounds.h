@@ -22,20 +22,20 @@ struct PoreRounds : PoreLines {
         if (place_after(line, i) != none) in -= flux_along(line, which, i);
         return in;
     }
-    template <typename Team> HL_FN double from_room(const Line<Team>& line, int i) const // kg to the own pores
+    template <typename Places> HL_FN double from_room(const Places& line, int i) const // kg to the own pores
     {
         return line(own_room, i) * (line(suction + own_pores, i) - line(suction + room_pores, i));
     }
-    template <typename Team> HL_FN double from_crossed(const Line<Team>& line, int i) const
+    template <typename Places> HL_FN double from_crossed(const Places& line, int i) const
     {
         return line(own_crossed, i) * (line(suction + own_pores, i) - line(suction + crossed_pores, i));
     }
-    template <typename Team> HL_FN double from_crossed_to_room(const Line<Team>& line, int i) const
+    template <typename Places> HL_FN double from_crossed_to_room(const Places& line, int i) const
     {
         return line(room_crossed, i) * (line(suction + room_pores, i) - line(suction + crossed_pores, i));
     }
     /// kg; less than nothing goes back.
-    template <typename Team> HL_FN double from_pool(const Line<Team>& line, int which, int i) const
+    template <typename Places> HL_FN double from_pool(const Places& line, int which, int i) const
     {
         if (!pool.stands) return 0;
         const double draws = line(feed + which, i) * (line(suction + which, i) + line(presses, i)), most = line(most_fed + which, i);
@@ -46,10 +46,10 @@ struct PoreRounds : PoreLines {
     HL_FN double hole(const BetweenParameters& room, double pressure) const
     {
         const bool opens = pool.stands && pressure > room.holds_back;
-        return opens ? climate.density * room.through * 0.5 * dt : 0.0;
+        return opens ? climate.density * room.through * dt_across : 0.0;
     }
     /// kg out of a room.
-    template <typename Team> HL_FN double through_hole(const Line<Team>& line, const BetweenParameters& room, int i) const
+    template <typename Places> HL_FN double through_hole(const Places& line, const BetweenParameters& room, int i) const
     {
         const double over = -line(suction + room_pores, i) - room.holds_back;
         return over > 0 ? hole(room, line(presses, i)) * over : 0.0;
@@ -77,16 +77,25 @@ struct PoreRounds : PoreLines {
     };
     template <typename Team> HL_FN Balance balance(const Line<Team>& line, int i, bool nested) const
     {
-        constexpr double enough = 1e-10;      // of the capacity
+        const double to_own = from_room(line, i), ab = from_crossed(line, i), bx = from_crossed_to_room(line, i);
+        const double ab_all = line(own_crossed, i), ax_all = line(own_room, i), bx_all = line(room_crossed, i);
+        const int last = place_before(line, i);
+        constexpr double enough = 1e-10; // of the capacity
+        return balance(line, i, nested, enough,
+                       {{to_own + ab + inflow_along(line, 0, i), inflow_along(line, 1, i) - to_own + bx, -ab - bx},
+                        {line(along, i) + (last == none ? 0.0 : line(along, last)) + ab_all + ax_all,
+                         line(along + 1, i) + (last == none ? 0.0 : line(along + 1, last)) + ax_all + bx_all, ab_all + bx_all}});
+    }
+    /// What passes a place's joints.
+    struct Inflow {
+        double in[3];      ///< kg
+        double coupled[3]; ///< kg/Pa, of all joints of a class
+    };
+    template <typename Places> HL_FN Balance balance(const Places& line, int i, bool nested, double enough, const Inflow& joints) const
+    {
         constexpr double rounding = 1e-14;    // of what would flow by the whole suction
         constexpr double least_fall = 1e-10;  // of the capacity over the entry suction, so that full pores do not leave their suction open
         constexpr double least_share = 1e-13; // of what couples them, so that elimination does not lose it among full pores in long steps
-        const double to_own = from_room(line, i), ab = from_crossed(line, i), bx = from_crossed_to_room(line, i);
-        const double in[3] = {to_own + ab + inflow_along(line, 0, i), inflow_along(line, 1, i) - to_own + bx, -ab - bx};
-        const double ab_all = line(own_crossed, i), ax_all = line(own_room, i), bx_all = line(room_crossed, i);
-        const int last = place_before(line, i);
-        const double coupled[3] = {line(along, i) + (last == none ? 0.0 : line(along, last)) + ab_all + ax_all,
-                                   line(along + 1, i) + (last == none ? 0.0 : line(along + 1, last)) + ax_all + bx_all, ab_all + bx_all};
         const Place p = place(line, i);
         const double falls = through_hole(line, room(p), i), leak = falls > 0 ? hole(room(p), line(presses, i)) : 0.0;
         Balance found{{}, {}, false};
@@ -95,12 +104,12 @@ struct PoreRounds : PoreLines {
             const PoreCourse c = course(line, p, which, i);
             const Held h = held(c, line(suction + which, i), nested ? bends_taken(line, which, i) : 0, nested);
             const double out = which == room_pores ? falls : 0.0, leaks = which == room_pores ? leak : 0.0;
-            const double over = in[which] + fed - out - cap * (h.saturation - line(held_before + which, i));
-            const double least = cap * least_fall / c.pores.entry + least_share * coupled[which];
+            const double over = joints.in[which] + fed - out - cap * (h.saturation - line(held_before + which, i));
+            const double least = cap * least_fall / c.pores.entry + least_share * joints.coupled[which];
             found.left[which] = over;
             found.falls[which] = (cap * h.fall > least ? cap * h.fall : least) + leaks;
             if (pool.stands && fed < line(most_fed + which, i)) found.falls[which] += line(feed + which, i);
-            const double flows = coupled[which] + leaks + (pool.stands ? line(feed + which, i) : 0.0);
+            const double flows = joints.coupled[which] + leaks + (pool.stands ? line(feed + which, i) : 0.0);
             const double noise = enough * cap + rounding * flows * std::abs(line(suction + which, i));
             found.open = found.open || !(over <= noise && over >= -noise);
         }
@@ -160,7 +169,7 @@ struct PoreRounds : PoreLines {
     }
 
     /// Bits of a class.
-    template <typename Team> HL_FN int bends_taken(const Line<Team>& line, int which, int i) const
+    template <typename Places> HL_FN int bends_taken(const Places& line, int which, int i) const
     {
         return static_cast<int>(line(taken, i)) >> which * PoreCourse::bends & ((1 << PoreCourse::bends) - 1);
     }
