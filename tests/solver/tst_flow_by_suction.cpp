@@ -301,6 +301,7 @@ private Q_SLOTS:
         run.textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
         Scene scene = build_scene(design, run.textile, design.experiments[0],
                                   plan_model(design, run.textile, design.experiments[0], Fidelity::draft), 1);
+        scene.rules.whole_flow = false; // by lines
         for (int rounds : {1, scene.rules.suction_rounds}) {
             scene.rules.suction_rounds = rounds;
             const Frame frame = frames_at(*backend, scene, {0.5}).front();
