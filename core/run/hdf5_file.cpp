@@ -47,7 +47,7 @@ Handle packed_properties(const std::vector<hsize_t>& sizes)
     chunk[0] = std::min<hsize_t>(chunk[0], 65536);
     H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
     H5Pset_shuffle(properties.get());
-    H5Pset_deflate(properties.get(), 1);
+    H5Pset_deflate(properties.get(), 4);
     return properties;
 }
 

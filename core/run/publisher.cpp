@@ -36,6 +36,7 @@ void Publisher::publish(Frame frame, double time, bool beside)
     if (!ledger_closes(frame.ledger, session_.scene())) // then the result is worth nothing
         throw Error("The water ledger does not close; this is a fault of the program. The recording ends before it.");
     for (SwitchedPart& part : watch_.see(frame)) due_.push_back(std::move(part));
+    frame.round_fields();
     std::optional<Frame> recorded;
     if (recording_ && in_bundles(run_.plan)) recorded = frame;
     frame = session_.of_single_yarns(std::move(frame));

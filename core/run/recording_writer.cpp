@@ -3,7 +3,6 @@
 // writes the names of all frames and the last rows anew, however small a frame is: several frames share one.
 #include "core/base/error.h"
 #include "core/base/version.h"
-#include "core/plan/bundles.h"
 #include "core/plan/plan_json.h"
 #include "core/project/project_file.h"
 #include "core/run/hdf5_reader.h"
@@ -75,17 +74,6 @@ void write_textile(hid_t file, const Textile& textile)
     h5::write_floats(group.get(), "position", position.data(), n, 3, "m");
 }
 
-/// Of each end, or pick, or of each of their bundles.
-std::vector<float> pore_shares(const RunRecord& run, YarnKind kind, bool in_bundles)
-{
-    const Bundles bundles = bundles_of(run.textile.system(kind).count, in_bundles ? run.plan.crossings_per_cell : 1);
-    std::vector<float> shares;
-    shares.reserve(static_cast<std::size_t>(bundles.count));
-    for (int bundle = 0; bundle < bundles.count; ++bundle)
-        shares.push_back(static_cast<float>(1.0 - run.textile.type(kind, bundles.middle_of(bundle)).packing));
-    return shares;
-}
-
 void write_provenance(hid_t file, const RunRecord& run)
 {
     const h5::Handle provenance = h5::create_group(file, "provenance");
@@ -117,21 +105,12 @@ void write_caps(hid_t group, const std::vector<FrameCap>& caps)
     h5::write_floats(group, "cap_size", size.data(), caps.size(), 3, "m, m, m3");
 }
 
-void write_frame(hid_t group, const Frame& frame, const std::vector<float>& warp_pores, const std::vector<float>& weft_pores)
+void write_frame(hid_t group, const Frame& frame)
 {
     h5::write_number(group, "time_s", frame.time);
     h5::write_number(group, "water_top_kg", frame.water_top);
     h5::write_number(group, "water_bottom_kg", frame.water_bottom);
     const auto n = frame.saturation.size();
-    std::vector<float> fraction;
-    fraction.reserve(n);
-    const auto along = [&](const std::vector<float>& pores, std::size_t crossed) { // segments are numbered along the yarns
-        for (float share : pores)
-            for (std::size_t i = 0; i < crossed; ++i) fraction.push_back(frame.saturation[fraction.size()] * share);
-    };
-    along(warp_pores, weft_pores.size());
-    along(weft_pores, warp_pores.size());
-    h5::write_floats(group, "liquid_volume_fraction", fraction.data(), n, 1, "1");
     for (const FrameField& field : frame_fields) h5::write_floats(group, field.name, field.in(frame).data(), n, 1, field.unit);
     const auto particles = frame.positions.size();
     h5::write_floats(group, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
@@ -151,10 +130,9 @@ struct RecordingWriter::File {
     h5::Handle ledger;
     std::mutex adding;
     int frames = 0;
-    double end = 0;                            ///< s, of the last frame
-    double kept_end = 0;                       ///< s, of the last frame that took effect
-    bool waits = false;                        ///< something was added since the last commit
-    std::vector<float> warp_pores, weft_pores; ///< pore volume / yarn volume of each end and of each pick
+    double end = 0;      ///< s, of the last frame
+    double kept_end = 0; ///< s, of the last frame that took effect
+    bool waits = false;  ///< something was added since the last commit
 
     hid_t id() const { return file.get(); }
     /// What fails leaves the recording as it was before, and nothing is added to it any more.
@@ -212,8 +190,6 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
         h5::create_group(file, "frames");
         file_->ledger = h5::create_table(file, "ledger", std::size(ledger_columns), column_names());
     });
-    file_->warp_pores = pore_shares(run, YarnKind::warp, in_bundles);
-    file_->weft_pores = pore_shares(run, YarnKind::weft, in_bundles);
 }
 
 /// Frames that wait for a reader are not lost.
@@ -234,7 +210,7 @@ void RecordingWriter::append(const Frame& frame)
         {
             const h5::Handle frames = h5::open_group(file_->id(), "frames");
             const h5::Handle group = h5::create_group(frames.get(), frame_name(file_->frames));
-            write_frame(group.get(), frame, file_->warp_pores, file_->weft_pores);
+            write_frame(group.get(), frame);
         }
         if (frame.unsolved_lines > 0)
             h5::write_number(h5::open_group(file_->id(), "provenance").get(), "unsolved_lines", frame.unsolved_lines);

@@ -203,6 +203,14 @@ std::vector<FieldCopy> copies(const Frame& from, Frame& to)
     return all;
 }
 
+/// As a run's frames show it.
+double regain_shown(double regain)
+{
+    const auto shows_regain = [](const FrameField& field) { return field.values == &Frame::regain; };
+    const FrameField* field = std::find_if(std::begin(frame_fields), std::end(frame_fields), shows_regain);
+    return static_cast<double>(rounded(*field, static_cast<float>(regain)));
+}
+
 /// kg of liquid and bound water that a face's segments have more than at the start.
 void add_up_faces(Frame& frame, const Scene& scene)
 {
@@ -211,7 +219,7 @@ void add_up_faces(Frame& frame, const Scene& scene)
     for (std::size_t line = 0; line < scene.cloth.type.size(); ++line) {
         const YarnParameters& yarn = scene.cloth.yarns[scene.cloth.type[line]];
         const bool is_warp = line < static_cast<std::size_t>(scene.cloth.ends);
-        const auto start = static_cast<double>(static_cast<float>(yarn.initial_regain)); // as frames show it
+        const double start = regain_shown(yarn.initial_regain);
         const auto picks = static_cast<std::size_t>(scene.cloth.picks),
                    crossed = is_warp ? picks : static_cast<std::size_t>(scene.cloth.ends);
         for (std::size_t i = 0; i < crossed; ++i, ++segment) {

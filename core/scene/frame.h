@@ -5,7 +5,9 @@
 #include "core/base/portable.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -136,6 +138,7 @@ struct Frame {
     double water_bottom = 0;
 
     void resize_fields(std::size_t segments);
+    void round_fields(); ///< see rounded()
 };
 
 /// A value that frames show of every segment, by the name that recordings have for it.
@@ -146,15 +149,35 @@ struct FrameField {
     bool is_amount;                ///< of a bundle of yarns the sum is shared out among them; of all else each has the bundle's
     const char* shows = nullptr;   ///< the solver's field of segments that it is a copy of; none: its formula stands in frame_of()
     std::optional<float> absent{}; ///< its value in scenes without that field and in recordings made before it; none: all have it
+    float step = 0;                ///< runs show whole multiples of it; 0: 13 significant bits. See rounded()
 
     std::vector<float>& in(Frame& frame) const { return values ? frame.*values : frame.others[name]; }
     const std::vector<float>& in(const Frame& frame) const { return values ? frame.*values : frame.others.at(name); }
 };
 inline constexpr FrameField frame_fields[] = {
-    {"saturation", &Frame::saturation, "1", false},   {"liquid", &Frame::liquid, "kg", true},
-    {"bound_water", &Frame::regain, "kg/kg", false},  {"vapour_concentration", &Frame::vapour, "kg/m3", false},
-    {"temperature", &Frame::temperature, "K", false}, {"liquid_between", &Frame::between, "kg", true, nullptr, 0.0F},
+    {"saturation", &Frame::saturation, "1", false, nullptr, {}, 1.0F / 4096},
+    {"liquid", &Frame::liquid, "kg", true},
+    {"bound_water", &Frame::regain, "kg/kg", false},
+    {"vapour_concentration", &Frame::vapour, "kg/m3", false},
+    {"temperature", &Frame::temperature, "K", false, nullptr, {}, 1.0F / 512},
+    {"liquid_between", &Frame::between, "kg", true, nullptr, 0.0F},
 };
+
+/// The value as runs show it: to its field's step, or to one part in 8 000. A recording packs such values to a third of its size, and what
+/// is measured while a run goes on is what is measured from its recording.
+inline float rounded(const FrameField& field, float value)
+{
+    if (field.step > 0) return static_cast<float>(static_cast<int>(value / field.step + 0.5F)) * field.step; // none is less than 0
+    constexpr std::uint32_t dropped = 11; // of a float's 24 significant bits
+    const auto bits = std::bit_cast<std::uint32_t>(value) + (1U << (dropped - 1));
+    return std::bit_cast<float>(bits & ~((1U << dropped) - 1));
+}
+
+inline void Frame::round_fields()
+{
+    for (const FrameField& field : frame_fields)
+        for (float& value : field.in(*this)) value = rounded(field, value);
+}
 
 inline void Frame::resize_fields(std::size_t segments)
 {

@@ -73,6 +73,20 @@ private Q_SLOTS:
             QCOMPARE(frame.ledger.water_free, was.ledger.water_free);
         }
     }
+    void aRunShowsRoundedValues()
+    {
+        for (const FrameField& field : frame_fields)
+            for (float value : {0.0F, 1e-38F, 3.7e-12F, 0.0851F, 0.99999F, 293.1537F}) {
+                const float shown = rounded(field, value);
+                QVERIFY2(std::abs(shown - value) <= (field.step > 0 ? field.step / 2 : value / 8000), field.name);
+                QCOMPARE(rounded(field, shown), shown);
+            }
+        std::vector<Frame> frames;
+        record_run(at("rounded.hygrorec"), 0.05, &frames);
+        QVERIFY(frames.back().saturation != frames.front().saturation);
+        for (const FrameField& field : frame_fields)
+            for (float value : field.in(frames.back())) QCOMPARE(rounded(field, value), value);
+    }
     void bundlesReadBackAsTheYarnsThatTheyStandFor()
     {
         Design design = drop_design(35, 0.02);
