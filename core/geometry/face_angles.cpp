@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/geometry/face_angles.h"
 
-#include "core/physics/pores.h"
+#include "core/physics/scattered_gate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +16,7 @@ double cosine_beside(double cosine, double cover, bool liquid) { return cover * 
 
 FaceAngles angles_on_face(const Textile& textile)
 {
+    constexpr double least_gate = 0.01; // of fibres that are wet before a drop's edge reaches them; an assumption
     double advancing = 0, receding = 0, covered = 0;
     bool takes_in = false;
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
@@ -24,7 +25,7 @@ FaceAngles angles_on_face(const Textile& textile)
             const YarnType& type = system.types[own];
             const double angle = textile.face_angle.value_or(type.contact_angle);
             const double back = std::max(0.0, angle - std::max(0.0, type.contact_angle - type.receding_angle));
-            const bool wets = gate_of_dry_fibres(type.packing_round_core(), angle) > 0;
+            const bool wets = gate_of_dry_fibres(type.packing_round_core(), angle) > least_gate;
             takes_in = takes_in || wets;
             const double covers = type.section.width / (system.pitch * static_cast<double>(system.order.size()));
             advancing += covers * cosine_beside(std::cos(angle), type.packing_round_core(), wets);

@@ -2,9 +2,10 @@
 // The room between the yarns of a woven layer: one cell for each crossing. Lengths in m, angles in radian.
 #pragma once
 
-#include "core/physics/pores.h"
+#include "core/physics/wicking.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 
@@ -20,12 +21,21 @@ struct CrossingYarn {
     double outline() const { return pi * std::min(width, height) + 2.0 * std::max(0.0, width - height); }
 };
 
+/// Suctions of a crossing's room, Pa. A full room has two free faces, one on either side of the cloth, and they cost what the wetted skin
+/// of the yarns gains; where they cost more, only liquid that presses fills it.
+struct RoomSuctions {
+    double filling = 0;  ///< at which a dry room fills
+    double emptying = 0; ///< at which a full one has emptied to a half
+};
+/// Which yarns of a crossing liquid has pervaded: 1 the warp, 2 the weft, 3 both.
+constexpr int wet_states = 4, both_wet = 3;
+
 /// What a crossing's room holds and lets through.
 struct RoomBetweenYarns {
     double volume = 0;      ///< m3
     double share = 0;       ///< of the layer
     double pore_radius = 0; ///< m, twice the volume over the yarns' skin about it
-    PoreClosure closure;
+    RoomSuctions suctions[wet_states];
     double along_warp = 0, along_weft = 0; ///< m2, permeabilities
 };
 
@@ -33,8 +43,12 @@ struct RoomBetweenYarns {
 /// fibre.
 inline double cosine_on_wet_yarn(double packing, double angle) { return 1.0 - packing * (1.0 - std::cos(angle)); }
 
+/// The same while its pores are full of air (Cassie and Baxter 1944).
+inline double cosine_on_dry_yarn(double packing, double angle) { return packing * (1.0 + std::cos(angle)) - 1.0; }
+
 /// Permeability along one system's direction, m2: narrow slices where a crossed yarn stands in the way, wide ones beside it, one after the
-/// other, each by Kozeny and Carman with a constant of 5; derived here. The weakest number of the closure.
+/// other, each by Kozeny and Carman with a constant of 5; derived here. Such slices conduct too little: Stokes flow in drawn plain, rib,
+/// twill, basket and satin weaves of equal void came out 1.5 to 3.3 times as large, 1.7 in the middle.
 inline double permeability_between(const CrossingYarn& along, const CrossingYarn& across, double thickness, double share,
                                    double pore_radius)
 {
@@ -43,7 +57,27 @@ inline double permeability_between(const CrossingYarn& along, const CrossingYarn
     const double narrow = std::max(least_open, 1.0 - across.height / thickness - along.area / (across.pitch * thickness));
     const double wide = std::max(least_open, (share - in_the_way * narrow) / (1.0 - in_the_way));
     const double slow = (1.0 - in_the_way) * std::pow(share / wide, 3) + in_the_way * std::pow(share / narrow, 3);
-    return share * pore_radius * pore_radius / 20.0 / slow;
+    constexpr double drawn_over_slices = 1.7;
+    return drawn_over_slices * share * pore_radius * pore_radius / 20.0 / slow;
+}
+
+/// Of a room of this volume (m3), from the energy of its surfaces: what the skin of the yarns gains, less the two faces, over the volume is
+/// the mean of the suctions at which it fills. It fills all at once at 1.18 times that: seen in diffuse-interface computations of two
+/// fabrics, and within 15 % of it in five more. state: see wet_states.
+inline RoomSuctions room_suctions(const CrossingYarn& warp, const CrossingYarn& weft, double volume, double surface_tension, int state)
+{
+    constexpr double fills_at = 1.18; // of the mean
+    const double overlap = warp.width * weft.width, faces = 2.0 * warp.pitch * weft.pitch;
+    const auto gains = [&](const CrossingYarn& yarn, double angle, bool wet) { // m2
+        const double cosine = wet ? cosine_on_wet_yarn(yarn.packing, angle) : cosine_on_dry_yarn(yarn.packing, angle);
+        return cosine * std::max(0.5 * overlap, yarn.outline() * yarn.length - overlap);
+    };
+    const auto suction = [&](double CrossingYarn::*angle) {
+        const double all = gains(warp, warp.*angle, (state & 1) != 0) + gains(weft, weft.*angle, (state & 2) != 0) - faces;
+        return fills_at * surface_tension * all / volume;
+    };
+    const double filling = suction(&CrossingYarn::advancing);
+    return {filling, std::max(filling, suction(&CrossingYarn::receding))};
 }
 
 /// Thickness of the layer in m. The room is what the yarns leave of it, at least the corners that they cannot fill.
@@ -57,19 +91,7 @@ inline RoomBetweenYarns room_between(const CrossingYarn& warp, const CrossingYar
     const double overlap = warp.width * weft.width;
     const double skin = std::max(overlap, warp.outline() * warp.length + weft.outline() * weft.length - 2.0 * overlap);
     room.pore_radius = 2.0 * room.volume / skin;
-    const auto on_both = [&](double CrossingYarn::*angle) {
-        return 0.5 * (cosine_on_wet_yarn(warp.packing, warp.*angle) + cosine_on_wet_yarn(weft.packing, weft.*angle));
-    };
-    const double advancing = std::max(0.05, on_both(&CrossingYarn::advancing)), receding = on_both(&CrossingYarn::receding);
-    PoreClosure& pores = room.closure;
-    pores.shape = 2.0; // round crossing cylinders: the liquid held goes with suction^-2
-    pores.entry_suction = surface_tension * advancing / room.pore_radius;
-    constexpr double cluster = 1.0 - 0.3701; // sites that percolate on stacked honeycombs leave these
-    pores.hysteresis = std::max(1.1, std::pow(cluster, -1.0 / (pores.shape - 1.0)) * receding / advancing);
-    const double half_yarn = 0.5 * std::pow(warp.width * warp.height * weft.width * weft.height, 0.25);
-    const double meet = warp.pitch * weft.pitch / (16.0 * half_yarn * advancing) / (2.0 * room.pore_radius);
-    pores.threshold = std::clamp(meet * meet, 0.1, 0.6); // corners of neighbouring crossings meet
-    pores.front_suction = pores.entry_suction * std::pow(pores.threshold, -1.0 / pores.shape);
+    for (int state = 0; state < wet_states; ++state) room.suctions[state] = room_suctions(warp, weft, room.volume, surface_tension, state);
     room.along_warp = permeability_between(warp, weft, thickness, room.share, room.pore_radius);
     room.along_weft = permeability_between(weft, warp, thickness, room.share, room.pore_radius);
     return room;

@@ -75,8 +75,9 @@ HL_FN double connected_gap(double packing)
     return (0.86 - 0.54 * in_core) * (0.9523 / std::sqrt(in_core) - 1.0);
 }
 
-/// How readily dry fibres take liquid in, 0..1: 0 from the angle on at which the gaps that liquid runs through no longer connect.
-HL_FN double gate_of_dry_fibres(double packing, double contact_angle)
+/// How readily dry fibres let liquid in whose contact angle is the same everywhere, 0..1: 0 from the angle on at which the gaps that liquid
+/// runs through no longer connect.
+HL_FN double gate_of_like_fibres(double packing, double contact_angle)
 {
     if (contact_angle >= 0.5 * pi) return 0.0;
     const double share = 1.0 - connected_gap(packing) / widest_gap(contact_angle);

@@ -5,6 +5,7 @@
 #include "core/physics/between_yarns.h"
 #include "core/physics/heat_moisture.h"
 #include "core/physics/pores.h"
+#include "core/physics/scattered_gate.h"
 #include "core/physics/sorption.h"
 #include "core/physics/wicking.h"
 #include "core/plan/supply.h"
@@ -166,7 +167,8 @@ private:
         const RoomBetweenYarns room =
             room_between(yarn(textile.warp, textile.weft), yarn(textile.weft, textile.warp), textile.thickness, b_.liquid.surface_tension);
         b_.pores += room.volume / (textile.warp.pitch * textile.weft.pitch);
-        b_.uptake += (room.along_warp + room.along_weft) * textile.thickness * room.closure.entry_suction / b_.liquid.viscosity;
+        b_.uptake +=
+            (room.along_warp + room.along_weft) * textile.thickness * std::max(0.0, room.suctions[both_wet].filling) / b_.liquid.viscosity;
     }
 
     Bounds& b_;

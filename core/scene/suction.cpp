@@ -2,6 +2,7 @@
 #include "core/scene/suction.h"
 
 #include "core/physics/between_yarns.h"
+#include "core/physics/scattered_gate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -109,7 +110,8 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
     };
     BetweenParameters between;
     between.volume = room.volume;
-    between.retention = retention_of_room(room.closure);
+    for (int state = 0; state < wet_states; ++state)
+        between.retention[state] = retention_of_room(room.suctions[state].filling, room.suctions[state].emptying);
     between.along_warp = room.along_warp * thickness * weft.pitch / (liquid.viscosity * warp.pitch);
     between.along_weft = room.along_weft * thickness * warp.pitch / (liquid.viscosity * weft.pitch);
     between.to_warp = into(warp, across_warp);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/textile.h"
+#include "core/physics/between_yarns.h"
 #include "core/physics/retention.h"
 
 namespace hygroloom {
@@ -16,8 +17,8 @@ struct WettedPores {
 
 /// The room between the yarns at a crossing, m3/(Pa s) unless said.
 struct BetweenParameters {
-    double volume = 0; ///< m3
-    Retention retention;
+    double volume = 0;                     ///< m3
+    Retention retention[wet_states];       ///< by which of its yarns are wet
     double along_warp = 0, along_weft = 0; ///< from one crossing's to the next
     double to_warp = 0, to_weft = 0;       ///< into each yarn beside it
     double yarns = 0;                      ///< from the one into the other, where they touch

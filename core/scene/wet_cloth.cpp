@@ -84,7 +84,10 @@ struct Room {
 std::vector<double> fill_rooms(const std::vector<Room>& rooms, double density, double water)
 {
     double low = 0, high = 0; // Pa
-    for (const Room& room : rooms) high = std::max(high, room.retention.dry);
+    for (const Room& room : rooms) {
+        low = std::min(low, room.retention.full_at());
+        high = std::max(high, room.retention.dry);
+    }
     const auto all_at = [&](double suction) {
         double all = 0;
         for (const Room& room : rooms) all += density * room.held_at(suction);
@@ -128,7 +131,7 @@ std::vector<Room> rooms_of(const Scene& scene)
         const BetweenParameters& between = pores.between(crossing);
         const double volume = pores.room(crossing);
         const double finer = scene.cloth.swelling > 0 && volume > 0 ? between.volume / volume : 1.0;
-        rooms.push_back({narrowed(between.retention, finer), volume});
+        rooms.push_back({narrowed(between.retention[both_wet], finer), volume});
     }
     return rooms;
 }

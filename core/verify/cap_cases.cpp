@@ -182,7 +182,7 @@ Scene drop_to_dry(double volume, double angle, bool pinned, double air, double h
     }
     scene.cloth.by_suction = true; // as caps ask for; nothing wicks
     scene.cloth.crossing[0].between.volume = 1e-6 * base * base * base;
-    scene.cloth.crossing[0].between.retention = closed;
+    for (Retention& retention : scene.cloth.crossing[0].between.retention) retention = closed;
     SceneDroplet drop;
     drop.volume = volume;
     drop.centre.z = scene.cloth.half_thickness + std::cbrt(3.0 * volume / (4.0 * pi));

@@ -84,7 +84,7 @@ double held_after_draining(const Design& design, const Textile& textile)
         held += share(yarn.on_face[0].retention) * yarn.pore_area * cloth.length[i];
     }
     const BetweenParameters& room = cloth.crossing[0].between;
-    held += share(room.retention) * room.volume * cloth.crossings();
+    held += share(room.retention[both_wet]) * room.volume * cloth.crossings();
     return 998 * held / (cloth.cell_area * cloth.crossings());
 }
 

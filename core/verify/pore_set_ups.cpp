@@ -2,6 +2,7 @@
 #include "core/verify/pore_set_ups.h"
 
 #include "core/base/error.h"
+#include "core/physics/scattered_gate.h"
 #include "core/physics/water.h"
 
 #include <fmt/format.h>
@@ -47,7 +48,7 @@ Scene lone_yarn(const FibreBundle& bundle, int cells, double cell)
     scene.cloth.yarns[0].flow_along = bundle.permeability * section / scene.climate.viscosity;
     BetweenParameters& between = scene.cloth.crossing[0].between;
     between.volume = section * cell;
-    between.retention = wetted.retention;
+    std::fill(std::begin(between.retention), std::end(between.retention), wetted.retention);
     scene.cloth.start.liquid.assign(static_cast<std::size_t>(scene.cloth.segments()), 0.0);
     scene.cloth.start.between.assign(static_cast<std::size_t>(cells), 0.0);
     std::fill(scene.cloth.start.liquid.begin() + cells, scene.cloth.start.liquid.end(), cell_capacity(scene));
@@ -59,7 +60,9 @@ void open_rooms(Scene& scene, const RoomBeside& room)
     const double section = 1e-8, cell = scene.cloth.length[0];
     BetweenParameters& between = scene.cloth.crossing[0].between;
     between.volume = room.porosity * section * cell;
-    between.retention = retention_of_room(room.pores);
+    Retention retention = retention_of(room.pores);
+    retention.gives = retention.emptying; // its menisci stand until it empties
+    std::fill(std::begin(between.retention), std::end(between.retention), retention);
     between.along_warp = room.permeability * section / (scene.climate.viscosity * cell);
 }
 

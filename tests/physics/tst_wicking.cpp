@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Wetting and wicking against hand-worked numbers and limits.
-#include "core/physics/pores.h"
+#include "core/physics/scattered_gate.h"
 #include "core/physics/water.h"
 #include "core/physics/wetting.h"
 #include "core/physics/wicking.h"
@@ -60,9 +60,9 @@ private Q_SLOTS:
                 QVERIFY(pores.shape >= 3 && pores.shape <= 6 && pores.hysteresis >= 1.1);
                 QVERIFY(pores.entry_suction > 0 && pores.front_suction > pores.entry_suction);
                 QVERIFY(pores.threshold > 0 && pores.threshold <= 0.3);
-                const double gate = gate_of_dry_fibres(packing, angle);
+                const double gate = gate_of_like_fibres(packing, angle);
                 QVERIFY(gate >= 0 && gate < 1);
-                QVERIFY(gate_of_dry_fibres(packing, angle + 0.01) <= gate);
+                QVERIFY(gate_of_like_fibres(packing, angle + 0.01) <= gate);
             }
     }
     void dryFibresTakeNothingInFromTheAngleOnAtWhichGapsNoLongerConnect()
@@ -70,10 +70,25 @@ private Q_SLOTS:
         QVERIFY(within(widest_gap(0), 0.5708, 1e-4)); // Princen: pi / 2 - 1
         QVERIFY(std::abs(widest_gap(0.5 * pi)) < 1e-15);
         QVERIFY(within(connected_gap(0.5), 0.10689, 1e-4));
-        QVERIFY(within(gate_of_dry_fibres(0.5, radian_from_degree(35)), 0.7030, 1e-4));
-        QVERIFY(gate_of_dry_fibres(0.5, radian_from_degree(62.7)) > 0);
-        QCOMPARE(gate_of_dry_fibres(0.5, radian_from_degree(62.8)), 0.0);
-        QCOMPARE(gate_of_dry_fibres(0.5, radian_from_degree(120)), 0.0);
+        QVERIFY(within(gate_of_like_fibres(0.5, radian_from_degree(35)), 0.7030, 1e-4));
+        QVERIFY(gate_of_like_fibres(0.5, radian_from_degree(62.7)) > 0);
+        QCOMPARE(gate_of_like_fibres(0.5, radian_from_degree(62.8)), 0.0);
+        QCOMPARE(gate_of_like_fibres(0.5, radian_from_degree(120)), 0.0);
+    }
+    void whereAnglesScatterTheGateClosesBySmallSteps()
+    {
+        for (double open : {0.0, 0.3, 0.4, 0.7, 1.0}) // of a mixture of open and closed pores (Kirkpatrick 1973)
+            QVERIFY(std::abs(conductance_of_mixture({{open, 1}, {1 - open, 0}}) - std::max(0.0, 1.5 * open - 0.5)) < 1e-12);
+        const auto gate = [](double packing, double degrees) { return gate_of_dry_fibres(packing, radian_from_degree(degrees)); };
+        const struct {
+            double degrees, loose, close; // at packings of 0.5 and 0.7, by Gauss and Hermite's quadrature
+        } known[] = {{35, .647, .909},  {45, .482, .857}, {55, .246, .731}, {60, .128, .621}, {65, .038, .480},
+                     {70, .0018, .317}, {75, 2e-6, .157}, {80, 0, .038},    {85, 0, .0009}};
+        for (const auto& k : known)
+            QVERIFY(std::abs(gate(0.5, k.degrees) - k.loose) < 0.005 && std::abs(gate(0.7, k.degrees) - k.close) < 0.005);
+        QVERIFY(gate(0.5, 75) > 0 && gate(0.5, 80) == 0 && gate(0.5, 90) == 0);
+        for (int degrees = 0; degrees < 89; ++degrees) QVERIFY(gate(0.6, degrees + 1) <= gate(0.6, degrees));
+        QCOMPARE(gate_of_dry_fibres(0.5, 0.6, 0), gate_of_like_fibres(0.5, 0.6));
     }
     void aColumnBetweenTwoRodsStandsAsPrincenSays()
     {

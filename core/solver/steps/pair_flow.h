@@ -23,7 +23,13 @@ struct PairFlow {
 
         HL_FN PoreLines::End end() const
         {
-            return {suction(), pores.saturation, pores.retention.threshold, pores.retention.entry, pores.capacity, gate};
+            return {suction(),
+                    pores.saturation,
+                    pores.retention.threshold,
+                    pores.retention.entry,
+                    pores.capacity,
+                    gate,
+                    pores.retention.is_straight()};
         }
         HL_FN double suction() const { return fed ? 0.0 : pores.suction; }
         HL_FN double held() const { return pores.saturation * pores.capacity; } // kg
@@ -37,10 +43,9 @@ struct PairFlow {
     };
     /// What a pair passes.
     struct Way {
-        double conductance;       ///< m3/(Pa s), of full pores
-        int twice_power;          ///< of the permeability, see share_of_permeability()
-        double lift;              ///< Pa, by which suction rises from the first to the second in liquid at rest
-        bool through_skin = true; ///< what enters dry pores passes their gate; otherwise along the fibres
+        double conductance; ///< m3/(Pa s), of full pores
+        int twice_power;    ///< of the permeability, see share_of_permeability()
+        double lift;        ///< Pa, by which suction rises from the first to the second in liquid at rest
     };
 
     HL_FN Side side(int i) const
@@ -52,10 +57,10 @@ struct PairFlow {
     }
     HL_FN Side room_side(int crossing) const
     {
-        const int end = crossing / s.picks, pick = crossing % s.picks;
         const FindPores find{s, climate.density};
-        const bool wet = side(crossing).pores.is_connected() || side(s.weft_of(end, pick)).pores.is_connected();
-        return {crossing, true, false, find.between(crossing, s.crossing_at(end, pick).between), wet ? 1.0 : 0.0};
+        const int wet = find.wet_yarns(crossing);
+        const BetweenParameters& at = s.crossing_at(crossing / s.picks, crossing % s.picks).between;
+        return {crossing, true, false, find.between(crossing, at, wet), wet > 0 ? 1.0 : 0.0};
     }
 
     HL_FN void flow(const Side& first, const Side& second, const Way& way) const
@@ -71,10 +76,8 @@ private:
     /// By a difference, Pa, which is more than nothing.
     HL_FN void flow(const Side& from, const Side& to, const Way& way, double difference, double lift) const
     {
-        if ((from.fed && to.fed) || (!to.end().is_connected() && to.gate <= 0)) return;
-        double conductance = climate.density * way.conductance *
-                             share_of_permeability(from.pores.saturation, from.pores.retention.threshold, way.twice_power);
-        if (way.through_skin && !to.end().is_connected()) conductance *= to.gate;
+        if (from.fed && to.fed) return;
+        const double conductance = climate.density * way.conductance * to.end().lets_in() * from.end().permeability(way.twice_power);
         bool moves = false;
         const double coupling = PoreLines::coupling(conductance, difference, from.end(), to.end(), dt, moves);
         if (moves) pass(from, to, passing(from, to, coupling, lift));

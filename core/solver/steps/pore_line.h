@@ -52,9 +52,10 @@ struct PoreLines {
         presses = 38,      ///< Pa, of the pool or cap over the place
         taken = 39,        ///< bends of all classes, see PoreCourse; a bit for each
         left = 40,         ///< kg more comes than the crossed segment holds
-        response = 41      ///< Pa/kg, of the crossed segment
+        response = 41,     ///< Pa/kg, of the crossed segment
+        wet = 42           ///< which yarns are, see wet_states
     };
-    static constexpr int columns = 42;
+    static constexpr int columns = 43;
     static constexpr double near_course = 1e-6; // of saturation
 
     Segments s;
@@ -145,13 +146,14 @@ struct PoreLines {
     {
         return climate.density * (which == room_pores ? s.room[p.crossing] : s.pores[which == own_pores ? p.own : p.crossed]);
     }
-    HL_FN const Retention& retention(const Place& p, int which) const // of dry pores
+    /// Of dry pores.
+    template <typename Places> HL_FN const Retention& retention(const Places& line, const Place& p, int which, int i) const
     {
-        return which == room_pores ? room(p).retention : pores(p, which).retention;
+        return which == room_pores ? room(p).retention[static_cast<int>(line(wet, i))] : pores(p, which).retention;
     }
-    HL_FN PoresFound found(const Place& p, int which) const
+    HL_FN PoresFound found(const Place& p, int which, int wet_yarns) const
     {
-        if (which == room_pores) return find().between(p.crossing, room(p));
+        if (which == room_pores) return find().between(p.crossing, room(p), wet_yarns);
         return find().segment(which == own_pores ? p.own : p.crossed, yarn_of(p, which), face(p, which));
     }
 
@@ -170,7 +172,7 @@ struct PoreLines {
         (which == room_pores ? s.between_settled[p.crossing] : s.settled[segment]) = now.saturation;
     }
 
-    template <typename Places> HL_FN bool is_wet(const Places& line, int i) const
+    template <typename Team> HL_FN bool is_wet(const Line<Team>& line, int i) const
     {
         const Place p = place(line, i);
         for (int which = 0; which < 3; ++which)
@@ -180,8 +182,10 @@ struct PoreLines {
     template <typename Places> HL_FN void look_at(const Places& line, int i) const
     {
         const Place p = place(line, i);
+        const int wet_yarns = find().wet_yarns(p.crossing);
+        line(wet, i) = wet_yarns;
         for (int which = 0; which < 3; ++which) {
-            const PoresFound found_now = found(p, which);
+            const PoresFound found_now = found(p, which, wet_yarns);
             const HeldBefore now{found_now.saturation, is_fed(p.own) ? 0.0 : found_now.suction};
             line(suction + which, i) = line(before + which, i) = now.suction;
             line(held_before + which, i) = now.saturation;
@@ -208,28 +212,32 @@ struct PoreLines {
     }
     template <typename Places> HL_FN PoreCourse course(const Places& line, const Place& p, int which, int i) const
     {
-        return {narrowed(retention(p, which), line(finer + which, i)), line(begun + which, i), line(zero + which, i),
+        return {narrowed(retention(line, p, which, i), line(finer + which, i)), line(begun + which, i), line(zero + which, i),
                 line(empties + which, i), line(bend + which, i)};
     }
 
     /// A class of pores as couplings see it.
     struct End {
         double suction, saturation, threshold, entry, capacity;
-        double gate; ///< of dry pores
+        double gate;   ///< of dry pores
+        bool straight; ///< see Retention
 
         HL_FN bool is_connected() const { return saturation > threshold; }
+        /// What dry pores let in, of what connected ones do.
+        HL_FN double lets_in() const { return is_connected() ? 1.0 : gate; }
+        /// Share of the permeability of full pores.
+        HL_FN double permeability(int twice_power) const
+        {
+            return straight ? share_of_permeability_of_room(saturation) : share_of_permeability(saturation, threshold, twice_power);
+        }
     };
     template <typename Places> HL_FN End end_of(const Places& line, const Place& p, int which, int i) const
     {
-        const Retention& holds = retention(p, which);
+        const Retention& holds = retention(line, p, which, i);
         // Between dry yarns liquid does not spread by itself.
-        const double gate = which != room_pores ? pores(p, which).gate : any_yarn_wet(line, p, i) ? 1.0 : 0.0;
-        return {line(before + which, i), line(held_before + which, i), holds.threshold, holds.entry, line(can_hold + which, i), gate};
-    }
-    template <typename Places> HL_FN bool any_yarn_wet(const Places& line, const Place& p, int i) const
-    {
-        return line(held_before + own_pores, i) > pores(p, own_pores).retention.threshold ||
-               line(held_before + crossed_pores, i) > pores(p, crossed_pores).retention.threshold;
+        const double gate = which != room_pores ? pores(p, which).gate : line(wet, i) > 0 ? 1.0 : 0.0;
+        return {line(before + which, i), line(held_before + which, i), holds.threshold, holds.entry, line(can_hold + which, i), gate,
+                holds.is_straight()};
     }
 
     /// kg/Pa in some seconds, of a conductance in kg/(s Pa). Says where more than next to nothing would pass: in a line with no such place
@@ -259,8 +267,7 @@ struct PoreLines {
     {
         const double difference = next.suction - here.suction - rises; // more than 0: on along the line
         const End &from = difference > 0 ? here : next, &to = difference > 0 ? next : here;
-        if (!to.is_connected() && to.gate <= 0) return 0;
-        return coupling(conductance * share_of_permeability(from.saturation, from.threshold, twice_power), difference, from, to, dt, moves);
+        return coupling(conductance * to.lets_in() * from.permeability(twice_power), difference, from, to, dt, moves);
     }
     /// Within a crossing. Liquid in the room stands on as much of the yarns' skin as it fills of the room.
     HL_FN double coupling_across(const End& a, bool a_is_room, const End& b, double conductance, bool& moves) const
@@ -268,8 +275,7 @@ struct PoreLines {
         const double difference = b.suction - a.suction;
         const End &from = difference > 0 ? a : b, &to = difference > 0 ? b : a;
         const bool from_room = a_is_room && difference > 0;
-        double share = from_room ? from.saturation : share_of_permeability(from.saturation, from.threshold, 7);
-        if (!to.is_connected()) share *= to.gate;
+        const double share = to.lets_in() * (from_room ? from.saturation : from.permeability(7));
         return coupling(conductance * share, difference, from, to, dt_across, moves);
     }
     /// Finds what couples a place's classes with each other and with the next place's; whether anything does.

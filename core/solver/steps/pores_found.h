@@ -72,10 +72,23 @@ struct FindPores {
         const double finer = s.narrows ? tightness(i, yarn) : 1.0;
         return found(yarn.on_face[face].retention, finer, density * s.pores[i], s.liquid[i], {s.settled[i], s.suction[i]});
     }
-    HL_FN PoresFound between(int crossing, const BetweenParameters& at) const
+    HL_FN PoresFound between(int crossing, const BetweenParameters& at) const { return between(crossing, at, wet_yarns(crossing)); }
+    HL_FN PoresFound between(int crossing, const BetweenParameters& at, int wet) const
     {
-        return found(at.retention, narrowness(crossing, at), density * s.room[crossing], s.between[crossing],
+        return found(at.retention[wet], narrowness(crossing, at), density * s.room[crossing], s.between[crossing],
                      {s.between_settled[crossing], s.between_suction[crossing]});
+    }
+    /// Whether liquid has pervaded a segment.
+    HL_FN bool is_connected(int i, bool is_warp, int crossing) const
+    {
+        const YarnParameters& yarn = s.yarn_of(i);
+        return s.liquid[i] > yarn.on_face[s.face_of(crossing, is_warp)].retention.threshold * density * s.pores[i];
+    }
+    /// Which of a crossing's yarns it has, see wet_states.
+    HL_FN int wet_yarns(int crossing) const
+    {
+        const int weft = s.weft_of(crossing / s.picks, crossing % s.picks);
+        return (is_connected(crossing, true, crossing) ? 1 : 0) + (is_connected(weft, false, crossing) ? 2 : 0);
     }
     HL_FN static PoresFound found(const Retention& dry, double finer, double capacity, double liquid, const HeldBefore& then)
     {

@@ -70,7 +70,7 @@ private:
     HL_FN double conductance(const PoresFound& pores, bool from_drop) const
     {
         if (is_room())
-            return pores.is_connected() || yarn_is_wet()
+            return pores.is_connected() || FindPores{s, density}.wet_yarns(crossing()) > 0
                        ? FindPores{s, density}.permeability_of_room(crossing(), at().between) * at().between.face
                        : 0.0;
         const YarnParameters& yarn = s.yarn_of(number);
@@ -79,15 +79,6 @@ private:
         return yarn.face_conductance * (pores.is_connected() ? 1.0 : gate);
     }
     HL_FN const CrossingParameters& at() const { return s.crossing_at(crossing() / s.picks, crossing() % s.picks); }
-    HL_FN bool yarn_is_wet() const
-    {
-        const int at = crossing();
-        const FindPores find{s, density};
-        const auto is_wet = [&](int segment, bool is_warp) {
-            return find.segment(segment, s.yarn_of(segment), s.face_of(at, is_warp)).is_connected();
-        };
-        return is_wet(at, true) || is_wet(s.weft_of(at / s.picks, at % s.picks), false);
-    }
 };
 
 /// Where a face is fed: within a circle.

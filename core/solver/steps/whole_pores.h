@@ -14,7 +14,6 @@ struct WholeSums {
     double slope;         ///< of the energy along a round's change, J
     double product;       ///< of what is left and what the preconditioner makes of it
     double first_product; ///< in the first of a solution's rounds
-    double answer;        ///< of a round's way and the equations' answer to it
     double along, kept;   ///< how far a round goes its way; how much of the last way the next one keeps
     double downhill;      ///< by how much the energy falls at first along all the ways so far, J
 };
@@ -197,7 +196,7 @@ struct WholePores : FlowAlongLines {
     {
         constexpr int most = 24;
         constexpr double nothing = 1e-9; // of the capacity
-        const double cap = box(can_hold + which, k), joints = coupled(which, k), least = cap * 1e-10 / retention(p, which).entry;
+        const double cap = box(can_hold + which, k), joints = coupled(which, k), least = cap * 1e-10 / retention(box, p, which, k).entry;
         double& now = box(suction + which, k);
         const double others = comes(which, k) - joints * now; // what comes is this and joints times the suction
         const PoreCourse held = course(box, p, which, k);
@@ -353,7 +352,6 @@ struct SumLines {
             sums->product = first;
             break;
         case answer:
-            sums->answer = first;
             sums->along = sums->product / first;
             sums->downhill += sums->along * sums->product;
             break;
