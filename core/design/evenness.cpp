@@ -52,6 +52,8 @@ double fineness(const Design& design, const std::string& name)
     return 0.1 * staple.dtex * std::pow(fibre.fibre_radius_um / find_library_material(of_library)->fibre_radius_um, 2);
 }
 
+} // namespace
+
 bool is_filament(const Design& design, const Yarn& yarn)
 {
     constexpr double least_of_staple = 300; // turns/m
@@ -60,8 +62,6 @@ bool is_filament(const Design& design, const Yarn& yarn)
                return staple_of(library_fibre(design, part.name)).spun;
            });
 }
-
-} // namespace
 
 double limit_irregularity(double constant, double yarn_density, double fibre_density)
 {

@@ -16,25 +16,37 @@ constexpr double steepest = 0.49; // rise over span of the steepest arcs
 
 constexpr double circle_area(double diameter) { return 0.25 * pi * diameter * diameter; }
 
-void fit(FittedYarn& yarn, double height, double pitch)
+/// The racetrack of so much area, by its height over its width.
+Section section_of_shape(double area, double shape)
+{
+    const double width = std::sqrt(area / (shape * (1 - (1 - 0.25 * pi) * shape)));
+    return {width, shape * width};
+}
+
+/// Of a racetrack so wide, up to a circle.
+double height_of_area(double area, double width)
+{
+    constexpr double corners = 1 - 0.25 * pi;
+    const double root = width * width - 4 * corners * area;
+    return std::min(width, root > 0 ? (width - std::sqrt(root)) / (2 * corners) : width);
+}
+
+/// scale: of the height that it has where only the weave presses it.
+void fit(FittedYarn& yarn, double scale, double pitch)
 {
     const double diameter = yarn.free.diameter;
-    yarn.section = height < diameter ? flattened_section(diameter, height) : Section{diameter, diameter};
-    yarn.flattened = height < diameter;
+    const Section usual = section_of_shape(circle_area(diameter), yarn.shape);
+    yarn.flattened = scale < 1;
+    yarn.section = yarn.flattened ? flattened_section(diameter, scale * usual.height) : usual;
     yarn.narrowed = false;
     const double widest = widest_share_of_pitch * pitch;
     if (yarn.section.width > widest) {
         yarn.section = {widest, std::min(yarn.section.height, widest)};
         yarn.narrowed = true;
+        const double closest = circle_area(diameter) * yarn.free.packing_factor / densest_squeezed;
+        if (!yarn.flattened && section_area(yarn.section) < closest) yarn.section.height = height_of_area(closest, widest);
     }
     yarn.packing_factor = yarn.free.packing_factor * circle_area(diameter) / section_area(yarn.section);
-}
-
-double stiffness(const FittedYarn& yarn)
-{
-    // A core of elastane is so soft that the fibres round it alone count.
-    return (1 - yarn.core) * yarn.free.linear_density_tex * yarn.fibre.fibre_radius_um * yarn.fibre.fibre_radius_um /
-           yarn.fibre.density_kg_m3;
 }
 
 /// The greatest rise of a yarn over the other's sections without tightening its arcs, from 0 to the sum of the half heights.
@@ -65,8 +77,8 @@ struct Loom {
 
     void lay(double scale)
     {
-        for (FittedYarn& yarn : fitted.warp) fit(yarn, scale * yarn.free.diameter, warp_pitch);
-        for (FittedYarn& yarn : fitted.weft) fit(yarn, scale * yarn.free.diameter, weft_pitch);
+        for (FittedYarn& yarn : fitted.warp) fit(yarn, scale, warp_pitch);
+        for (FittedYarn& yarn : fitted.weft) fit(yarn, scale, weft_pitch);
         fitted.heights.clear();
         for (const FittedYarn& warp : fitted.warp)
             for (const FittedYarn& weft : fitted.weft) fitted.heights.push_back(rises(warp, weft));
@@ -90,7 +102,7 @@ struct Loom {
             const double rise = std::max(sum - warp_limit, rise_of_crimp(fitted, warp_pitch, b, a, weft_crimp, weft_limit));
             return {sum - rise, rise};
         }
-        const double warp_gives = std::pow(weft_pitch, 3) / stiffness(warp), weft_gives = std::pow(warp_pitch, 3) / stiffness(weft);
+        const double warp_gives = std::pow(weft_pitch, 1.5), weft_gives = std::pow(warp_pitch, 1.5);
         // Level faces jam last of all, so each may rise at least as far.
         const double warp_most = std::max(0.5 * b.height, rise_before_jam(weft_pitch, a, b));
         const double weft_most = std::max(0.5 * a.height, rise_before_jam(warp_pitch, b, a));
@@ -171,6 +183,19 @@ FreeYarn free_yarn(const Yarn& yarn, double density)
     return free;
 }
 
+double usual_shape(const Design& design, const Yarn& yarn, const FreeYarn& free)
+{
+    constexpr double flat = 0.30, textured = 0.40, flat_from = 0.65, textured_to = 0.55, plied = 0.80;
+    if (is_filament(design, yarn)) {
+        const double loose = std::clamp((flat_from - free.packing_factor) / (flat_from - textured_to), 0.0, 1.0);
+        return flat + loose * (textured - flat);
+    }
+    if (yarn.plies > 1) return plied;
+    constexpr double untwisted = 0.35, hard_twisted = 0.86, hard = 4600, course = 1600; // twist times the root of tex
+    const double twist = std::min(hard, yarn.twist_per_m * std::sqrt(free.linear_density_tex));
+    return untwisted + (hard_twisted - untwisted) * std::expm1(-twist / course) / std::expm1(-hard / course);
+}
+
 double filament_radius_um(double linear_density_tex, int filaments, double fibre_density_kg_m3)
 {
     const double section_mm2 = linear_density_tex / (filaments * fibre_density_kg_m3); // 1 tex over 1 kg/m3 is 1 mm2
@@ -228,6 +253,7 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             yarn.fibre = yarn_substance(design, yarn_in(fabric, warp, number));
             yarn.core = core_of_solids(design, yarn_in(fabric, warp, number));
             yarn.free = free_yarn(yarn_in(fabric, warp, number), yarn.fibre.density_kg_m3);
+            yarn.shape = usual_shape(design, yarn_in(fabric, warp, number), yarn.free);
             yarn.unevenness = typical_unevenness(design, yarn_in(fabric, warp, number));
             if (const auto& given = yarn_in(fabric, warp, number).irregularity_cv) yarn.unevenness.cv = *given;
             if (const auto& filaments = yarn_in(fabric, warp, number).filament_count)
