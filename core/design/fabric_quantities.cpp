@@ -23,17 +23,17 @@ double open_share(const FittedYarns& fitted, double warp_pitch, double weft_pitc
         for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
             const Section &a = fitted.warp[i].section, &b = fitted.weft[j].section;
             const CrossingHeights& rise = fitted.at(i, j);
-            const auto edges = [](const Interlacing& path, const Section& own, const Section& other, double other_rise, double own_pitch) {
+            const auto edges = [](const Interlacing& path, const Section& own, const Section& other, double other_rise) {
                 std::vector<double> half;
                 for (std::size_t k = 0; k < steps; ++k) {
                     const double x = 0.5 * path.pitch * (static_cast<double>(k) + 0.5) / steps;
-                    half.push_back(0.5 * squeezed_width(own, squeezed_height_at(path, own, other, other_rise, x), own_pitch));
+                    half.push_back(0.5 * (own.width - own.height + squeezed_height_at(path, own, other, other_rise, x)));
                 }
                 return half;
             };
-            const std::vector<double> warp_bent = edges(fitted.path(weft_pitch, a, b, rise.warp), a, b, rise.weft, warp_pitch),
+            const std::vector<double> warp_bent = edges(fitted.path(weft_pitch, a, b, rise.warp), a, b, rise.weft),
                                       warp_straight(steps, 0.5 * a.width);
-            const std::vector<double> weft_bent = edges(fitted.path(warp_pitch, b, a, rise.weft), b, a, rise.warp, weft_pitch),
+            const std::vector<double> weft_bent = edges(fitted.path(warp_pitch, b, a, rise.weft), b, a, rise.warp),
                                       weft_straight(steps, 0.5 * b.width);
             const double dx = 0.5 * warp_pitch / steps, dy = 0.5 * weft_pitch / steps;
             const auto beyond = [](std::size_t cell, double size, double edge) {

@@ -55,25 +55,19 @@ double squeezed_height(const Section& own, const Section& crossed, double along,
     return 2 * std::clamp(clearance, 0.5 * least * own.height, 0.5 * own.height);
 }
 
-double squeezed_width(const Section& own, double height, double own_pitch)
-{
-    const double kept = section_area(own) / height + (1.0 - 0.25 * pi) * height;
-    return std::clamp(kept, own.width, std::max(own.width, widest_share_of_pitch * own_pitch));
-}
-
 double squeezed_height_at(const Interlacing& path, const Section& own, const Section& other, double other_rise, double x)
 {
     const double z = path.height_at(x);
     return std::min(squeezed_height(own, other, x, z + other_rise), squeezed_height(own, other, path.pitch - x, other_rise - z));
 }
 
-double mean_width(const Interlacing& path, const Section& own, const Section& other, double other_rise, double own_pitch)
+double mean_width(const Interlacing& path, const Section& own, const Section& other, double other_rise)
 {
     constexpr int steps = 64;
     double sum = 0;
     for (int i = 0; i < steps; ++i) {
         const double x = 0.5 * path.pitch * (i + 0.5) / steps; // the other half is the same
-        sum += squeezed_width(own, squeezed_height_at(path, own, other, other_rise, x), own_pitch);
+        sum += own.width - own.height + squeezed_height_at(path, own, other, other_rise, x);
     }
     return sum / steps;
 }

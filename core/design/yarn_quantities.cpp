@@ -33,8 +33,7 @@ double mean_width_of(const WovenYarns& yarns, bool warp, std::size_t type)
     double sum = 0;
     for (std::size_t other = 0; other < yarns.types(!warp).size(); ++other) {
         const Meeting m = meeting(yarns, warp, type, other);
-        sum += yarns.order(!warp).share[other] *
-               (changes * mean_width(m.path, m.own, m.other, m.other_rise, yarns.pitch_mm(warp)) + (1 - changes) * m.own.width);
+        sum += yarns.order(!warp).share[other] * (changes * mean_width(m.path, m.own, m.other, m.other_rise) + (1 - changes) * m.own.width);
     }
     return sum;
 }

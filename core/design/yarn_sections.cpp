@@ -185,6 +185,7 @@ FreeYarn free_yarn(const Yarn& yarn, double density)
 
 double usual_shape(const Design& design, const Yarn& yarn, const FreeYarn& free)
 {
+    if (yarn.diameter_mm) return 1;
     constexpr double flat = 0.30, textured = 0.40, flat_from = 0.65, textured_to = 0.55, plied = 0.80;
     if (is_filament(design, yarn)) {
         const double loose = std::clamp((flat_from - free.packing_factor) / (flat_from - textured_to), 0.0, 1.0);

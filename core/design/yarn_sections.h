@@ -11,6 +11,7 @@
 
 namespace hygroloom {
 
+constexpr double widest_share_of_pitch = 0.98;  ///< neighbours leave this much of the pitch to one yarn at most
 constexpr double loosest_packing = 0.01;        ///< fibre volume / yarn volume of a free yarn, at least
 constexpr double densest_packing = 0.99;        ///< the same at most: fibres that fit each other, or hardly more than one
 constexpr double densest_squeezed = 0.85;       ///< the same that a looser yarn can be squeezed to
@@ -27,10 +28,10 @@ struct FreeYarn {
 /// The missing values from the given ones: tex = packing x density x pi d2 / 4. Precondition: a diameter or a linear density is given.
 FreeYarn free_yarn(const Yarn& yarn, double fibre_density_kg_m3);
 
-/// Height over width of a yarn's section in cloth. Spun yarn by its twist times the root of its tex, t: e = 0.35 + 0.51 (1 - exp(-t/1600))
-/// / (1 - exp(-4600/1600)), whose ends, 0.35 untwisted and 0.86 at 4600, were measured (Afrashteh, Merati and Jeddi 2013) and whose course
-/// between them is an assumption; plied yarn 0.8, as its plies keep it round. Filaments lie flatter: 0.3 where they are packed to 0.65 or
-/// closer, 0.4 where texture keeps them at 0.55 or looser; assumptions.
+/// Height over width of a yarn's section in cloth. One that is given by its diameter is round. Spun yarn by its twist times the root of its
+/// tex, t: e = 0.35 + 0.51 (1 - exp(-t/1600)) / (1 - exp(-4600/1600)), whose ends, 0.35 untwisted and 0.86 at 4600, were measured
+/// (Afrashteh, Merati and Jeddi 2013) and whose course between them is an assumption; plied yarn 0.8, as its plies keep it round. Filaments
+/// lie flatter: 0.3 where they are packed to 0.65 or closer, 0.4 where texture keeps them at 0.55 or looser; assumptions.
 double usual_shape(const Design& design, const Yarn& yarn, const FreeYarn& free);
 
 /// Packing of the fibres in the room that a solid core leaves them, which is so much of a yarn's solids.

@@ -28,8 +28,7 @@ struct Crossed {
 };
 
 /// From over a to under b (or over b, when it stays up). Between two different yarns the two paths that each would make are blended.
-YarnPath make_path(const FittedYarns& fitted, const Section& own, const Crossed& a, const Crossed& b, double pitch, double own_pitch,
-                   bool changes)
+YarnPath make_path(const FittedYarns& fitted, const Section& own, const Crossed& a, const Crossed& b, double pitch, bool changes)
 {
     const Interlacing from = fitted.path(pitch, own, a.section, a.own_rise), to = fitted.path(pitch, own, b.section, b.own_rise);
     const bool alike = a.own_rise == b.own_rise && a.section == b.section;
@@ -46,13 +45,13 @@ YarnPath make_path(const FittedYarns& fitted, const Section& own, const Crossed&
             z = a.own_rise + smooth(t) * (b.own_rise - a.own_rise);
             slope = smooth_slope(t) / pitch * (b.own_rise - a.own_rise);
         }
-        // Its height is what the two crossed yarns leave it.
+        // The section keeps its flat; its height is what the two crossed yarns leave it.
         const double height = std::min(squeezed_height(own, a.section, x, z + a.other_rise),
                                        squeezed_height(own, b.section, x - pitch, z + sign * b.other_rise));
         path.height.push_back(z);
         path.slope.push_back(slope);
         path.half_height.push_back(0.5 * height);
-        path.half_width.push_back(0.5 * squeezed_width(own, height, own_pitch));
+        path.half_width.push_back(0.5 * (own.width - own.height + height));
     }
     if (changes && alike) {
         path.length = from.length;
@@ -131,8 +130,7 @@ YarnSystem make_system(const Fabric& fabric, const FittedYarns& fitted, bool war
         }
         for (const Crossed& before : all)
             for (const Crossed& after : all)
-                for (bool turns : {false, true})
-                    system.paths.push_back(make_path(fitted, type.section, before, after, span, system.pitch, turns));
+                for (bool turns : {false, true}) system.paths.push_back(make_path(fitted, type.section, before, after, span, turns));
         for (std::size_t other = 0; other < all.size(); ++other) {
             const YarnPath& path = system.paths[((own * all.size() + other) * all.size() + other) * 2 + 1];
             type.length_per_pitch.push_back(1 + (path.length / span - 1) * changes);

@@ -211,7 +211,7 @@ HL_FN PoreCourse course_from(const Retention& pores, const HeldBefore& before)
     if (pores.is_straight()) {
         const double steeper = 0.5 / pores.entry - course.slope(), meets = pores.gives + (1.0 - course.on_line(pores.gives)) / steeper;
         if (meets < pores.emptying && course.zero < pores.emptying) {
-            course.empties = meets > course.zero ? meets : course.zero;
+            course.empties = meets;
             course.bend = steeper;
             return course;
         }

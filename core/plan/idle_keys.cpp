@@ -31,14 +31,16 @@ std::vector<Row> rows_of(const Fabric& fabric, const Experiment& experiment, con
 {
     const bool by_suction = experiment.closure == Closure::pores, printed = experiment.closure == Closure::paper;
     const auto out = [&](const char* part) { return !plan.on(part) && !plan.watches(part); };
+    const bool lie_alike = counts_filaments(fabric); // staple yarns lie the flatter the less they are twisted
     const bool turned_over_alike =
         !wets_a_spot(experiment.type) && info_of(experiment.type).source != WaterSource::face && !fabric.finish_face && !fabric.finish_back;
     return {
         {!by_suction,
          "only the closure pores reads it",
-         {"material.receding_angle_deg", "material.cross_section", "yarn.twist_per_m", "yarn.plies", "yarn.ply_twist_per_m",
-          "yarn.irregularity_cv", "fabric.finish_face", "fabric.finish_back", "fabric.flyaway.loop_density_per_mm",
-          "fabric.flyaway.hair_density_per_mm", "fabric.flyaway.hair_length_mm"}},
+         {"material.receding_angle_deg", "material.cross_section", "yarn.ply_twist_per_m", "yarn.irregularity_cv", "fabric.finish_face",
+          "fabric.finish_back", "fabric.flyaway.loop_density_per_mm", "fabric.flyaway.hair_density_per_mm",
+          "fabric.flyaway.hair_length_mm"}},
+        {lie_alike && !by_suction, "filaments lie flat at any twist", {"yarn.twist_per_m", "yarn.plies"}},
         {by_suction, "the closure pores has radii from fibres and packing", {"fabric.capillary_radius_um"}},
         {by_suction && falling_drops(experiment).empty(),
          "no drop falls, which hairs would hold off",
@@ -47,17 +49,19 @@ std::vector<Row> rows_of(const Fabric& fabric, const Experiment& experiment, con
         {out("vapour"), "vapour is left out", {"experiment.climate.relative_humidity"}},
         {!meets_liquid(experiment),
          "no liquid comes to the cloth",
-         {"material.contact_angle_deg", "material.receding_angle_deg", "material.cross_section", "yarn.twist_per_m", "yarn.plies",
-          "yarn.ply_twist_per_m", "fabric.contact_angle_deg", "fabric.finish_face", "fabric.finish_back", "fabric.capillary_radius_um",
-          "experiment.liquid", "liquid.surface_tension_mn_m", "liquid.viscosity_mpa_s", "liquid.density_kg_m3"}},
+         {"material.contact_angle_deg", "material.receding_angle_deg", "material.cross_section", "yarn.ply_twist_per_m",
+          "fabric.contact_angle_deg", "fabric.finish_face", "fabric.finish_back", "fabric.capillary_radius_um", "experiment.liquid",
+          "liquid.surface_tension_mn_m", "liquid.viscosity_mpa_s", "liquid.density_kg_m3"}},
+        {lie_alike && !meets_liquid(experiment), "filaments lie flat at any twist", {"yarn.twist_per_m", "yarn.plies"}},
         {fabric.contact_angle_deg.has_value(), "the fabric's contact_angle_deg counts", {"material.contact_angle_deg"}},
         {printed,
          "the closure paper gives all fibres the contact angle of cotton, and one pore radius",
          {"material.contact_angle_deg", "fabric.capillary_radius_um"}},
         {counts_filaments(fabric), "filament_count says how thick the fibres are", {"material.fibre_radius_um"}},
-        {fabric.measured.tortuosity.has_value(),
-         "the measured tortuosity counts",
-         {"yarn.twist_per_m", "yarn.plies", "yarn.ply_twist_per_m"}},
+        {fabric.measured.tortuosity.has_value(), "the measured tortuosity counts", {"yarn.ply_twist_per_m"}},
+        {lie_alike && fabric.measured.tortuosity.has_value(),
+         "the measured tortuosity counts, and filaments lie flat at any twist",
+         {"yarn.twist_per_m"}},
         {out("sorption"),
          "sorption is left out",
          {"material.saturation_regain", "material.fibre_diffusivity_m2_s", "material.heat_of_wetting_j_g", "material.sorption_heat_j_g"}},

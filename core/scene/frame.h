@@ -157,9 +157,9 @@ struct FrameField {
 inline constexpr FrameField frame_fields[] = {
     {"saturation", &Frame::saturation, "1", false, nullptr, {}, 1.0F / 4096},
     {"liquid", &Frame::liquid, "kg", true},
-    {"bound_water", &Frame::regain, "kg/kg", false},
+    {"bound_water", &Frame::regain, "kg/kg", false, nullptr, {}, 1.0F / (1 << 18)},
     {"vapour_concentration", &Frame::vapour, "kg/m3", false},
-    {"temperature", &Frame::temperature, "K", false, nullptr, {}, 1.0F / 512},
+    {"temperature", &Frame::temperature, "K", false, nullptr, {}, 1.0F / 2048},
     {"liquid_between", &Frame::between, "kg", true, nullptr, 0.0F},
 };
 

@@ -149,6 +149,12 @@ struct FollowedPores {
     double capacity = 0; ///< m3
     HeldBefore held{};
 
+    /// As the room beside yarns that have become wet: what that gains is the yarns'.
+    void turn_into(const Retention& now)
+    {
+        retention = now;
+        if (held.saturation > 0 && held.saturation < nearly_full) held.suction = suction_after(now, held, held.saturation);
+    }
     /// J that liquid brings in on the way to a saturation: -V int p ds.
     double move_to(double saturation)
     {
@@ -246,6 +252,7 @@ std::vector<VerifyResult> free_energy(const VerifyValues& v, Backend& backend)
 {
     const double until = value(v, "time_s");
     const Scene scene = striped_patch(v.at("fabric").word, until);
+    const Yarns yarns = yarns_of(scene);
     std::vector<FollowedPores> pores = pores_of(scene);
     const double cycle = least_cycle_work(pores);
     backend.load(scene);
@@ -262,6 +269,14 @@ std::vector<VerifyResult> free_energy(const VerifyValues& v, Backend& backend)
         while (backend.advance(time) < time) {}
         const Frame frame = backend.frame();
         double change = 0;
+        for (std::size_t k = segments; k < pores.size(); ++k) {
+            const auto crossing = static_cast<int>(k - segments);
+            const int end = crossing / yarns.picks, pick = crossing % yarns.picks;
+            const std::size_t warp = k - segments, weft = static_cast<std::size_t>(scene.cloth.crossings() + pick * yarns.ends + end);
+            const auto wet = [&](std::size_t i) { return pores[i].held.saturation > pores[i].retention.threshold; };
+            const BetweenParameters& room = yarns.crossing_at(end, pick).between;
+            pores[k].turn_into(room.retention[(wet(warp) ? 1 : 0) + (wet(weft) ? 2 : 0)]);
+        }
         for (std::size_t k = 0; k < pores.size(); ++k) change += pores[k].move_to(shown(frame, k));
         largest = std::max(largest, change);
         released -= change;

@@ -5,6 +5,7 @@
 #include "core/geometry/mesh.h"
 #include "core/geometry/textile.h"
 #include "core/project/project_file.h"
+#include "core/verify/set_ups.h"
 
 #include <QTest>
 
@@ -196,21 +197,48 @@ private Q_SLOTS:
         QVERIFY(std::abs(gap - 0.5 * (t.warp.types[0].section.height + t.weft.types[0].section.height)) < 1e-12);
         QVERIFY((t.height_at_crossing(YarnKind::warp, 1, 2) > 0) == t.warp_up(1, 2));
     }
-    void crimpGoesToTheYarnThatBendsMoreEasily()
+    void crimpGoesToTheYarnOfTheLongerSpan()
     {
-        // Beams: deflection ~ span3 / stiffness. Picks twice as far apart let the ends bend 8 times as far as the picks.
         Design design = example("textile-G");
         Fabric& fabric = design.fabrics[0];
         fabric.thickness_mm.reset();
         fabric.ends_per_cm = 16;
         fabric.picks_per_cm = 8;
         const Textile t = build_textile(design, fabric, {0, 0, 4, 4});
-        QVERIFY(std::abs(t.warp.types[0].rise[0] / t.weft.types[0].rise[0] - 8) < 1e-9);
-        // A weft of twice the linear density is twice as stiff.
-        fabric.ends_per_cm = fabric.picks_per_cm = 12;
-        fabric.weft.diameter_mm = 0.2 * std::sqrt(2.0);
-        const Textile stiff = build_textile(design, fabric, {0, 0, 4, 4});
-        QVERIFY(std::abs(stiff.warp.types[0].rise[0] / stiff.weft.types[0].rise[0] - 2) < 1e-9);
+        QVERIFY(std::abs(t.warp.types[0].rise[0] / t.weft.types[0].rise[0] - std::pow(2, 1.5)) < 1e-9);
+    }
+    void yarnsLieAsFlatAsTheirKindAndTwistMakeThem()
+    {
+        const auto shape = [](const Yarn& yarn) { return usual_shape({}, yarn, free_yarn(yarn, 1390)); };
+        Yarn yarn;
+        yarn.linear_density_tex = 16;
+        const struct {
+            double twist_factor, shape;
+        } spun[] = {{0, .35}, {1000, .601}, {2000, .736}, {3000, .808}, {3500, .830}, {4600, .86}};
+        for (const auto& known : spun) {
+            yarn.twist_per_m = known.twist_factor / 4;
+            QVERIFY2(std::abs(shape(yarn) - known.shape) < 2e-3, qPrintable(QString::number(shape(yarn))));
+        }
+        yarn.plies = 2;
+        QCOMPARE(shape(yarn), 0.8);
+        yarn.filament_count = 72;
+        for (const auto& [packing, flat] : {std::pair(0.7, 0.3), std::pair(0.6, 0.35), std::pair(0.5, 0.4)}) {
+            yarn.packing_factor = packing;
+            QVERIFY(std::abs(shape(yarn) - flat) < 1e-12);
+        }
+        yarn.diameter_mm = 0.2;
+        QCOMPARE(shape(yarn), 1.0);
+    }
+    void aTaffetaIsThin() // sold ones are 0.08 to 0.11 mm thick
+    {
+        Fabric fabric = library_fabric("Polyester taffeta");
+        const Textile as_shipped = build_textile({}, fabric, {0, 0, 4, 4});
+        fabric.warp_crimp_percent.reset();
+        fabric.weft_crimp_percent.reset();
+        const Textile unset = build_textile({}, fabric, {0, 0, 4, 4});
+        for (const Textile* t : {&as_shipped, &unset})
+            QVERIFY2(t->thickness > 0.09e-3 && t->thickness < 0.13e-3, qPrintable(QString::number(t->thickness)));
+        QVERIFY(worst_overlap(unset) < 0.01);
     }
     void setCrimpIsTheCrimp()
     {

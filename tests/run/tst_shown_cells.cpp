@@ -135,8 +135,9 @@ void TestShownCells::cells_hold_what_segments_hold()
         QVERIFY(std::abs(a.water_bottom - b.water_bottom) < 1e-9 * water);
         const std::vector<double> liquid = in_cells_of(fine, a.liquid, coarse), between = in_cells_of(fine, a.between, coarse);
         for (std::size_t i = 0; i < liquid.size(); ++i) {
-            QVERIFY(std::abs(liquid[i] - static_cast<double>(b.liquid[i])) < 1e-6 * sum(a.liquid) + 1e-20);
-            QVERIFY(std::abs(between[i] - static_cast<double>(b.between[i])) < 1e-6 * sum(a.between) + 1e-20);
+            // Frames are rounded.
+            QVERIFY(std::abs(liquid[i] - static_cast<double>(b.liquid[i])) < 2.5e-4 * liquid[i] + 1e-6 * sum(a.liquid) + 1e-20);
+            QVERIFY(std::abs(between[i] - static_cast<double>(b.between[i])) < 2.5e-4 * between[i] + 1e-6 * sum(a.between) + 1e-20);
             QVERIFY(b.saturation[i] >= 0 && b.saturation[i] <= 1.0001F);
         }
         const auto mean = [](const std::vector<float>& values) { return sum(values) / static_cast<double>(values.size()); };
@@ -280,7 +281,7 @@ void TestShownCells::bundles_are_never_parted()
     for (const Run* cells : {&alike, &few}) {
         QCOMPARE(which_ledger_differs(all.end().ledger, cells->end().ledger), nullptr);
         QVERIFY(near_to(sum(all.end().liquid), sum(cells->end().liquid), 1e-5));
-        QVERIFY(std::abs(all.end().water_top - cells->end().water_top) < 1e-5 * all.end().ledger.water_initial);
+        QVERIFY(std::abs(all.end().water_top - cells->end().water_top) < 5e-5 * all.end().ledger.water_initial); // frames are rounded
     }
     const Design pool = design_of(ExperimentType::horizontal_wicking, 2);
     const RunOptions pairs = draft(all_parts, {{"crossings_per_cell", 2}});

@@ -349,8 +349,8 @@ private Q_SLOTS:
                 start += fibres * yarn.initial_regain;
                 QVERIFY(frame.saturation[i] >= 0 && frame.saturation[i] <= 1.000001f);
             });
-            QVERIFY(alike(liquid, l.water_liquid, 1e-6));
-            QVERIFY(alike(bound, l.water_bound, 1e-6));
+            QVERIFY(alike(liquid, l.water_liquid, 1e-4)); // frames are rounded
+            QVERIFY(alike(bound, l.water_bound, 1e-4));
             QVERIFY(std::abs(frame.water_top + frame.water_bottom - (liquid + bound - start)) <= 1e-6 * l.water_bound);
         }
         QVERIFY(result.frames.back().ledger.water_liquid > 0.5 * result.frames.back().ledger.water_delivered);

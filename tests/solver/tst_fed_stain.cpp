@@ -57,20 +57,22 @@ private Q_SLOTS:
     void stepsTwiceAsFineLeaveItsShape_data()
     {
         QTest::addColumn<QString>("fabric");
-        QTest::newRow("C, whose ends touch") << "Textile C";
-        QTest::newRow("D") << "Textile D";
-        QTest::newRow("denim") << "Denim";
+        QTest::addColumn<double>("most");                            // by which the share in wefts may differ
+        QTest::newRow("C, whose ends touch") << "Textile C" << 0.25; // touching yarns pass liquid after the step: see limits.md
+        QTest::newRow("D") << "Textile D" << 0.02;
+        QTest::newRow("denim") << "Denim" << 0.02;
     }
     void stepsTwiceAsFineLeaveItsShape()
     {
         QFETCH(QString, fabric);
+        QFETCH(double, most);
         const Stain usual = fed_stain(fabric.toStdString(), 1), half = fed_stain(fabric.toStdString(), 0.5),
                     fine = fed_stain(fabric.toStdString(), 0.2);
         for (const Stain& s : {usual, half, fine}) qInfo("%.3f by %.3f mm, %.4f in wefts", 1e3 * s.warp, 1e3 * s.weft, s.in_wefts);
         const auto apart = [](double a, double b) { return std::abs(a / b - 1); };
         QVERIFY(apart(usual.radius(), half.radius()) < 0.03);
         QVERIFY(apart(usual.warp, half.warp) < 0.05 && apart(usual.weft, half.weft) < 0.05);
-        QVERIFY(apart(usual.in_wefts, fine.in_wefts) < 0.08);
+        QVERIFY(apart(usual.in_wefts, fine.in_wefts) < most);
     }
 };
 

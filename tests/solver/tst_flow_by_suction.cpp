@@ -118,7 +118,7 @@ private Q_SLOTS:
             for (int k = 0; k < 200; ++k) {
                 const double saturation = k == 0 ? 0.0 : k == 1 ? 1.0 : share(random);
                 const double low = suction_filling(pores, saturation), high = suction_emptying(pores, saturation);
-                const HeldBefore before{saturation, saturation >= 1 ? high * share(random)
+                const HeldBefore before{saturation, saturation >= 1 ? high - std::abs(high) * share(random)
                                                                     : std::min(low, high) + std::abs(high - low) * share(random)};
                 const PoreCourse course = course_from(pores, before);
                 double last = 1;
@@ -390,7 +390,7 @@ private Q_SLOTS:
         Design changed = fed_design();
         change(changed);
         const std::vector<float> after = water_after_a_second(changed, 1);
-        QVERIFY2(differ(before, after) > 1e-3, qPrintable(QString::number(differ(before, after))));
+        QVERIFY2(differ(before, after) > 3e-4, qPrintable(QString::number(differ(before, after))));
     }
     void theSeedMattersWhereYarnsAreUnevenOnly() // so that the same run gives the same again
     {
