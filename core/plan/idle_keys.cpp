@@ -21,6 +21,13 @@ bool counts_filaments(const Fabric& fabric)
     return counts(fabric.warp) && counts(fabric.weft) && std::all_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), counts);
 }
 
+/// Whether no yarn's section follows its twist.
+bool told_shape(const Fabric& fabric)
+{
+    const auto told = [](const Yarn& yarn) { return yarn.filament_count || yarn.diameter_mm; };
+    return told(fabric.warp) && told(fabric.weft) && std::all_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), told);
+}
+
 struct Row {
     bool idle;
     const char* because;
@@ -31,7 +38,7 @@ std::vector<Row> rows_of(const Fabric& fabric, const Experiment& experiment, con
 {
     const bool by_suction = experiment.closure == Closure::pores, printed = experiment.closure == Closure::paper;
     const auto out = [&](const char* part) { return !plan.on(part) && !plan.watches(part); };
-    const bool lie_alike = counts_filaments(fabric); // staple yarns lie the flatter the less they are twisted
+    const bool lie_alike = told_shape(fabric); // other yarns lie the flatter the less they are twisted
     const bool turned_over_alike =
         !wets_a_spot(experiment.type) && info_of(experiment.type).source != WaterSource::face && !fabric.finish_face && !fabric.finish_back;
     return {
@@ -40,7 +47,9 @@ std::vector<Row> rows_of(const Fabric& fabric, const Experiment& experiment, con
          {"material.receding_angle_deg", "material.cross_section", "yarn.ply_twist_per_m", "yarn.irregularity_cv", "fabric.finish_face",
           "fabric.finish_back", "fabric.flyaway.loop_density_per_mm", "fabric.flyaway.hair_density_per_mm",
           "fabric.flyaway.hair_length_mm"}},
-        {lie_alike && !by_suction, "filaments lie flat at any twist", {"yarn.twist_per_m", "yarn.plies"}},
+        {lie_alike && !by_suction,
+         "sections of filament yarns and of given diameters do not follow it",
+         {"yarn.twist_per_m", "yarn.plies"}},
         {by_suction, "the closure pores has radii from fibres and packing", {"fabric.capillary_radius_um"}},
         {by_suction && falling_drops(experiment).empty(),
          "no drop falls, which hairs would hold off",
@@ -52,16 +61,16 @@ std::vector<Row> rows_of(const Fabric& fabric, const Experiment& experiment, con
          {"material.contact_angle_deg", "material.receding_angle_deg", "material.cross_section", "yarn.ply_twist_per_m",
           "fabric.contact_angle_deg", "fabric.finish_face", "fabric.finish_back", "fabric.capillary_radius_um", "experiment.liquid",
           "liquid.surface_tension_mn_m", "liquid.viscosity_mpa_s", "liquid.density_kg_m3"}},
-        {lie_alike && !meets_liquid(experiment), "filaments lie flat at any twist", {"yarn.twist_per_m", "yarn.plies"}},
+        {lie_alike && !meets_liquid(experiment),
+         "sections of filament yarns and of given diameters do not follow it",
+         {"yarn.twist_per_m", "yarn.plies"}},
         {fabric.contact_angle_deg.has_value(), "the fabric's contact_angle_deg counts", {"material.contact_angle_deg"}},
         {printed,
          "the closure paper gives all fibres the contact angle of cotton, and one pore radius",
          {"material.contact_angle_deg", "fabric.capillary_radius_um"}},
         {counts_filaments(fabric), "filament_count says how thick the fibres are", {"material.fibre_radius_um"}},
         {fabric.measured.tortuosity.has_value(), "the measured tortuosity counts", {"yarn.ply_twist_per_m"}},
-        {lie_alike && fabric.measured.tortuosity.has_value(),
-         "the measured tortuosity counts, and filaments lie flat at any twist",
-         {"yarn.twist_per_m"}},
+        {lie_alike && fabric.measured.tortuosity.has_value(), "the measured tortuosity counts", {"yarn.twist_per_m", "yarn.plies"}},
         {out("sorption"),
          "sorption is left out",
          {"material.saturation_regain", "material.fibre_diffusivity_m2_s", "material.heat_of_wetting_j_g", "material.sorption_heat_j_g"}},

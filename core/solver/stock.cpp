@@ -48,7 +48,9 @@ struct SegmentNow {
     double between; ///< kg of the liquid between the yarns of its crossing that clings to this one
 };
 
-double saturation(const SegmentNow& s) { return s.liquid / (s.scene.climate.density * s.pores); }
+/// kg; rounding leaves some 1e-17 of what a segment can hold below nothing where a whole yarn runs dry.
+double in_pores(const SegmentNow& s) { return std::max(0.0, s.liquid); }
+double saturation(const SegmentNow& s) { return in_pores(s) / (s.scene.climate.density * s.pores); }
 double regain(const SegmentNow& s) { return s.bound / s.fibres; }
 /// Where vapour is not modelled, none of it makes way for the liquid or condenses.
 double vapour_concentration(const SegmentNow& s)
@@ -57,7 +59,7 @@ double vapour_concentration(const SegmentNow& s)
     return s.scene.rules.vapour ? vapour : std::min(vapour, saturation_concentration(s.temperature));
 }
 double temperature(const SegmentNow& s) { return s.temperature; }
-double liquid(const SegmentNow& s) { return s.liquid + s.between; }
+double liquid(const SegmentNow& s) { return in_pores(s) + s.between; }
 double between(const SegmentNow& s) { return s.between; }
 
 /// Of a frame field that is no copy of a solver's field.

@@ -98,7 +98,7 @@ private Q_SLOTS:
     {
         QFETCH(QString, fabric);
         const VerifyReport& report = usual_report_of(fabric.toStdString());
-        QCOMPARE(report.results.size(), std::size_t(14));
+        QCOMPARE(report.results.size(), std::size_t(10));
         std::printf("%-20s", qPrintable(fabric));
         for (const VerifyResult& r : report.results)
             std::printf(" %s %.4g/%.4g=%.2f", r.name.c_str(), r.computed, r.expected, r.computed / r.expected);

@@ -4,8 +4,8 @@
 #include "core/design/validate.h"
 #include "core/geometry/mesh.h"
 #include "core/geometry/textile.h"
+#include "core/project/library.h"
 #include "core/project/project_file.h"
-#include "core/verify/set_ups.h"
 
 #include <QTest>
 
@@ -231,7 +231,10 @@ private Q_SLOTS:
     }
     void aTaffetaIsThin() // sold ones are 0.08 to 0.11 mm thick
     {
-        Fabric fabric = library_fabric("Polyester taffeta");
+        const auto& presets = shipped_presets();
+        const auto found =
+            std::find_if(presets.begin(), presets.end(), [](const Preset& p) { return p.fabric().name == "Polyester taffeta"; });
+        Fabric fabric = found->fabric();
         const Textile as_shipped = build_textile({}, fabric, {0, 0, 4, 4});
         fabric.warp_crimp_percent.reset();
         fabric.weft_crimp_percent.reset();
