@@ -196,7 +196,7 @@ private Q_SLOTS:
         const auto is_twist = [](const QJsonValue& key) { return key.toObject()["key"].toString() == "yarn.twist_per_m"; };
         const auto twist = std::find_if(keys.begin(), keys.end(), is_twist);
         QVERIFY(twist != keys.end());
-        QCOMPARE(twist->toObject()["because"].toString(), QString("only the closure pores reads it"));
+        QCOMPARE(twist->toObject()["because"].toString(), QString("sections of filament yarns and of given diameters do not follow it"));
     }
     void planListsTheKnobsAndTakesOne()
     {
