@@ -17,7 +17,10 @@ end() {
   [ -n "${ROOT:-}" ] || rm -rf --one-file-system "$root" # what could not be unmounted is not its own
 }
 trap end EXIT
-[ -e "$root/etc/debian_version" ] || debootstrap --variant=minbase "$suite" "$root" "${MIRROR:-http://deb.debian.org/debian}" >/dev/null
+[ -e "$root/etc/debian_version" ] || debootstrap --variant=minbase "$suite" "$root" "${MIRROR:-http://deb.debian.org/debian}" > "$listed/debootstrap" || {
+  tail -5 "$listed/debootstrap" >&2
+  exit 1
+}
 mount -t proc none "$root/proc"
 rm -rf "$root"/tmp/*.deb "$root/tmp/home"
 mkdir "$root/tmp/home" # what lies there is the user's, not the packages'
