@@ -13,7 +13,8 @@ namespace hygroloom {
 /// bulging in the gaps between rods; an estimate of its order.
 constexpr double bulging = 0.03;
 
-/// A PoreClosure as steps use it, whose shape is a half number.
+/// A PoreClosure as steps use it, whose shape is a half number; or a room between yarns. Of a room, entry is by how much suction grows
+/// until a full one has emptied to a half, emptying the suction then, and gives where it is full.
 struct Retention {
     double entry = 0;     ///< Pa
     double emptying = 0;  ///< Pa, at which full pores begin to empty
