@@ -12,10 +12,14 @@ screen=""
 end() {
   [ -z "$screen" ] || kill "$screen"
   umount "$root/tmp/.X11-unix" "$root/proc" 2>/dev/null || true
+  rm -f "$root.log"
   [ -n "${ROOT:-}" ] || rm -rf --one-file-system "$root" # what could not be unmounted is not its own
 }
 trap end EXIT
-[ -e "$root/etc/debian_version" ] || debootstrap --variant=minbase bookworm "$root" "${MIRROR:-http://deb.debian.org/debian}" >/dev/null
+[ -e "$root/etc/debian_version" ] || debootstrap --variant=minbase bookworm "$root" "${MIRROR:-http://deb.debian.org/debian}" > "$root.log" || {
+  tail -5 "$root.log" >&2
+  exit 1
+}
 mount -t proc none "$root/proc"
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 inside apt-get install -y -qq --no-install-recommends libgl1 libegl1 libopengl0 libgl1-mesa-dri libx11-6 libx11-xcb1 libfontconfig1 fonts-dejavu-core >/dev/null 2>&1

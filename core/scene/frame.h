@@ -163,8 +163,8 @@ inline constexpr FrameField frame_fields[] = {
     {"liquid_between", &Frame::between, "kg", true, nullptr, 0.0F},
 };
 
-/// The value as runs show it: to its field's step, or to one part in 8 000. A recording packs such values to a third of its size, and what
-/// is measured while a run goes on is what is measured from its recording.
+/// The value as runs show it: to its field's step, or to one part in 8 000. A recording packs such values to half its size, and what is
+/// measured while a run goes on is what is measured from its recording.
 inline float rounded(const FrameField& field, float value)
 {
     if (field.step > 0) return static_cast<float>(static_cast<int>(value / field.step + 0.5F)) * field.step; // none is less than 0
