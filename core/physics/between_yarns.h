@@ -32,12 +32,14 @@ constexpr int wet_states = 4, both_wet = 3;
 
 /// What a crossing's room holds and lets through.
 struct RoomBetweenYarns {
-    double volume = 0;      ///< m3
-    double share = 0;       ///< of the layer
-    double pore_radius = 0; ///< m, twice the volume over the yarns' skin about it
-    RoomSuctions suctions[wet_states];
+    double volume = 0;                     ///< m3
+    double share = 0;                      ///< of the layer
+    double pore_radius = 0;                ///< m, twice the volume over the yarns' skin about it
+    double warp_skin = 0, weft_skin = 0;   ///< m2, of the yarns beside it
+    double faces = 0;                      ///< m2, where it is open
     double along_warp = 0, along_weft = 0; ///< m2, permeabilities
 };
+constexpr double least_share_of_room = 0.05; ///< of the layer: corners that yarns cannot fill; an assumption
 
 /// Cosine of the contact angle on a yarn whose own pores are full of the liquid (Bico, Thiele and Quere 2002): of the surface, packing is
 /// fibre.
@@ -61,37 +63,38 @@ inline double permeability_between(const CrossingYarn& along, const CrossingYarn
     return drawn_over_slices * share * pore_radius * pore_radius / 20.0 / slow;
 }
 
-/// Of a room of this volume (m3), from the energy of its surfaces: what the skin of the yarns gains, less the two faces, over the volume is
-/// the mean of the suctions at which it fills. It fills all at once at 1.18 times that: seen in diffuse-interface computations of two
-/// fabrics, and within 15 % of it in five more. state: see wet_states.
-inline RoomSuctions room_suctions(const CrossingYarn& warp, const CrossingYarn& weft, double volume, double surface_tension, int state)
+/// Of a room, from the energy of its surfaces: what the skin of the yarns gains, less the two faces, over the volume is the mean of the
+/// suctions at which it fills. It fills all at once at 1.18 times that: seen in diffuse-interface computations of two fabrics, and within
+/// 15 % of it in five more. state: see wet_states.
+inline RoomSuctions room_suctions(const CrossingYarn& warp, const CrossingYarn& weft, const RoomBetweenYarns& room, double surface_tension,
+                                  int state)
 {
-    constexpr double fills_at = 1.18; // of the mean
-    const double overlap = warp.width * weft.width, faces = 2.0 * warp.pitch * weft.pitch;
-    const auto gains = [&](const CrossingYarn& yarn, double angle, bool wet) { // m2
-        const double cosine = wet ? cosine_on_wet_yarn(yarn.packing, angle) : cosine_on_dry_yarn(yarn.packing, angle);
-        return cosine * std::max(0.5 * overlap, yarn.outline() * yarn.length - overlap);
+    constexpr double fills_at = 1.18;                                                      // of the mean
+    const auto gains = [](const CrossingYarn& yarn, double skin, double angle, bool wet) { // m2
+        return skin * (wet ? cosine_on_wet_yarn(yarn.packing, angle) : cosine_on_dry_yarn(yarn.packing, angle));
     };
     const auto suction = [&](double CrossingYarn::*angle) {
-        const double all = gains(warp, warp.*angle, (state & 1) != 0) + gains(weft, weft.*angle, (state & 2) != 0) - faces;
-        return fills_at * surface_tension * all / volume;
+        const double all = gains(warp, room.warp_skin, warp.*angle, (state & 1) != 0) +
+                           gains(weft, room.weft_skin, weft.*angle, (state & 2) != 0) - room.faces;
+        return fills_at * surface_tension * all / room.volume;
     };
     const double filling = suction(&CrossingYarn::advancing);
     return {filling, std::max(filling, suction(&CrossingYarn::receding))};
 }
 
-/// Thickness of the layer in m. The room is what the yarns leave of it, at least the corners that they cannot fill.
-inline RoomBetweenYarns room_between(const CrossingYarn& warp, const CrossingYarn& weft, double thickness, double surface_tension)
+/// Thickness of the layer in m. The room is what the yarns leave of it, at least the corners that they cannot fill. It knows no weave.
+inline RoomBetweenYarns room_between(const CrossingYarn& warp, const CrossingYarn& weft, double thickness)
 {
-    constexpr double corners = 0.05; // of the layer; an assumption
     const double layer = thickness * warp.pitch * weft.pitch;
     RoomBetweenYarns room;
-    room.volume = std::max(layer - warp.area * warp.length - weft.area * weft.length, corners * layer);
+    room.volume = std::max(layer - warp.area * warp.length - weft.area * weft.length, least_share_of_room * layer);
     room.share = room.volume / layer;
     const double overlap = warp.width * weft.width;
-    const double skin = std::max(overlap, warp.outline() * warp.length + weft.outline() * weft.length - 2.0 * overlap);
-    room.pore_radius = 2.0 * room.volume / skin;
-    for (int state = 0; state < wet_states; ++state) room.suctions[state] = room_suctions(warp, weft, room.volume, surface_tension, state);
+    const auto skin = [overlap](const CrossingYarn& yarn) { return std::max(0.5 * overlap, yarn.outline() * yarn.length - overlap); };
+    room.warp_skin = skin(warp);
+    room.weft_skin = skin(weft);
+    room.faces = 2.0 * warp.pitch * weft.pitch;
+    room.pore_radius = 2.0 * room.volume / (room.warp_skin + room.weft_skin);
     room.along_warp = permeability_between(warp, weft, thickness, room.share, room.pore_radius);
     room.along_weft = permeability_between(weft, warp, thickness, room.share, room.pore_radius);
     return room;

@@ -257,12 +257,16 @@ HL_FN double share_of_permeability(double saturation, double threshold, int twic
     const double connected = (saturation - threshold) / (1.0 - threshold);
     return connected > 0 ? half_power(connected < 1.0 ? connected : 1.0, twice_power) : 0.0;
 }
-/// The same of a room, saturation^2.75: Stokes flow past slipping menisci in drawn weaves goes with powers of 2.2 to 3.5, 2.7 in the
-/// middle.
-HL_FN double share_of_permeability_of_room(double saturation)
+/// The same of a room, saturation^(quarters / 4). Stokes flow past slipping menisci in drawn weaves goes with powers of 2.2 to 3.5, 2.75
+/// in the middle.
+HL_FN double share_of_permeability_of_room(double saturation, int quarters)
 {
     const double root = std::sqrt(saturation);
-    return saturation * saturation * root * std::sqrt(root);
+    double share = (quarters & 1) != 0 ? std::sqrt(root) : 1.0;
+    if ((quarters & 2) != 0) share *= root;
+    for (int k = quarters >> 2; k > 0; --k) share *= saturation;
+    return share;
 }
+constexpr int usual_quarters_of_room = 11;
 
 } // namespace hygroloom

@@ -164,11 +164,11 @@ private:
             return CrossingYarn{type.section.width, type.section.height,       type.area, crossed.pitch * type.length_per_pitch.front(),
                                 crossed.pitch,      type.packing_round_core(), angle,     std::min(type.receding_angle, angle)};
         };
-        const RoomBetweenYarns room =
-            room_between(yarn(textile.warp, textile.weft), yarn(textile.weft, textile.warp), textile.thickness, b_.liquid.surface_tension);
+        const CrossingYarn warp = yarn(textile.warp, textile.weft), weft = yarn(textile.weft, textile.warp);
+        const RoomBetweenYarns room = room_between(warp, weft, textile.thickness);
         b_.pores += room.volume / (textile.warp.pitch * textile.weft.pitch);
-        b_.uptake +=
-            (room.along_warp + room.along_weft) * textile.thickness * std::max(0.0, room.suctions[both_wet].filling) / b_.liquid.viscosity;
+        b_.uptake += (room.along_warp + room.along_weft) * textile.thickness *
+                     std::max(0.0, room_suctions(warp, weft, room, b_.liquid.surface_tension, both_wet).filling) / b_.liquid.viscosity;
     }
 
     Bounds& b_;

@@ -39,6 +39,7 @@ struct Knobs {
     double rest_tolerance = 0;           ///< of the air's humidity at the border of what is visited; 0: all of the sample is visited
     double double_precision = 0;         ///< of the liquid's particles: 0 no, 1 yes; the yarns always are
     double free_liquid = 0;              ///< how drops are modelled: see DropModel
+    double room_voxels = 0;              ///< per yarn, of the room between yarns as it is drawn; 0: a formula in its place
     double neglected_share = 0;          ///< of the delivered water, or of the wicking rate, below which a part is left out
     bool operator==(const Knobs&) const = default;
 };

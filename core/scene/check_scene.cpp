@@ -95,6 +95,7 @@ void check(const Cloth& cloth)
     demand(empty_or(cloth.pores.size(), cloth.segments()), "its cloth does not have pores for each segment");
     demand(empty_or(cloth.shift.size(), cloth.segments()), "its cloth does not have a shift for each segment");
     demand(empty_or(cloth.touching.size(), cloth.segments()), "its cloth does not say of each segment how it touches the next");
+    demand(empty_or(cloth.room_along.size(), cloth.segments()), "its cloth does not say of each segment how its room conducts");
     demand(empty_or(cloth.start.liquid.size(), cloth.segments()), "its cloth does not begin with liquid for each segment");
     demand(cloth.warp_up.size() == static_cast<std::size_t>(cloth.crossings()), "its cloth does not say at each crossing which yarn is up");
     demand(empty_or(cloth.warp_up_share.size(), cloth.crossings()), "its cloth does not have a share for each crossing");

@@ -244,6 +244,7 @@ Scene coarsened(const Scene& fine, int crossings_per_cell)
     coarse.cloth.length = lengths(blocks, fine.cloth.length);
     coarse.cloth.pores = summed(blocks, fine.cloth.pores);
     coarse.cloth.shift.clear();
+    coarse.cloth.room_along.clear(); // cells hold many places
     coarse.cloth.touching = touching_bundles(blocks, fine.cloth.touching);
     coarse.cloth.warp_up_share = warp_up_shares(blocks, fine.cloth.warp_up);
     coarse.cloth.warp_up.clear();

@@ -214,11 +214,13 @@ bool spreads_from_a_spot(const Scene& scene)
     return scene.cloth.by_suction && (!scene.supply.droplets.empty() || !scene.supply.pools.empty());
 }
 
-void flow_by_suction(Scene& scene, const Textile& textile)
+/// room_voxels: see RoomTables; 0: rooms are not drawn.
+void flow_by_suction(Scene& scene, const Textile& textile, int room_voxels)
 {
     scene.cloth.by_suction = true;
     const LiquidInPores liquid{scene.climate.surface_tension, scene.climate.viscosity};
     scene.cloth.touching = contacts_of(textile, liquid);
+    const auto drawn = room_voxels > 0 ? room_tables(textile, room_voxels) : std::make_shared<const RoomTables>();
     const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
     for (std::size_t type = 0; type < warps + wefts; ++type) {
         const bool is_warp = type < warps;
@@ -232,7 +234,8 @@ void flow_by_suction(Scene& scene, const Textile& textile)
     }
     for (std::size_t warp = 0; warp < warps; ++warp)
         for (std::size_t weft = 0; weft < wefts; ++weft)
-            scene.cloth.crossing[warp * wefts + weft].between = room_of_crossing(textile, warp, weft, liquid);
+            scene.cloth.crossing[warp * wefts + weft].between = room_of_crossing(textile, warp, weft, liquid, *drawn);
+    scene.cloth.room_along = room_along_of(textile, *drawn);
 }
 
 std::vector<SceneDroplet> make_droplets(const Textile& textile, const Experiment& experiment)
@@ -397,7 +400,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     add_climate(scene, textile, *find_liquid(design, experiment.liquid), experiment);
     add_yarns(scene, textile, experiment);
     if (experiment.closure == Closure::pores) {
-        flow_by_suction(scene, textile);
+        flow_by_suction(scene, textile, static_cast<int>(plan.knobs.room_voxels));
         scene.cloth.pores = uneven_pores(textile, scene.cloth.length, seed);
     }
     scene.rules.particles_per_droplet = plan.particles_per_droplet;

@@ -154,10 +154,13 @@ struct ClothLayers {
 struct Cloth {
     int ends = 0;
     int picks = 0;
-    std::vector<double> length;            ///< m, one per segment
-    std::vector<double> pores;             ///< m3, one per segment; empty: its yarn's pore area times its length
-    std::vector<float> shift;              ///< m, of each segment's middle beside its yarn's place; empty: none
-    std::vector<double> touching;          ///< m3/(Pa s), from each segment to the one beside it; 0: apart; empty: no yarns touch
+    std::vector<double> length;   ///< m, one per segment
+    std::vector<double> pores;    ///< m3, one per segment; empty: its yarn's pore area times its length
+    std::vector<float> shift;     ///< m, of each segment's middle beside its yarn's place; empty: none
+    std::vector<double> touching; ///< m3/(Pa s), from each segment to the one beside it; 0: apart; empty: no yarns touch
+    /// Of the room at each segment's crossing, its permeability along the segment over that of its types: by its place in the weave. Empty:
+    /// all are alike.
+    std::vector<float> room_along;
     std::vector<std::uint8_t> warp_up;     ///< one per crossing, end x picks + pick
     std::vector<float> warp_up_share;      ///< of the crossings that each stands for; empty: each is one
     int threads_per_cell = 1;              ///< ends, and picks, that each stands for, about

@@ -59,9 +59,9 @@ CrossingYarn crossing_yarn(const YarnType& type, const Textile& textile, double 
 }
 
 /// How much of the room's liquid a yarn on a face attracts, beside others: its skin times the work by which that wets. Derived here.
-double attraction(const YarnType& type, const CrossingYarn& yarn, const std::optional<double>& finish, double overlap)
+double attraction(const YarnType& type, double skin, const std::optional<double>& finish)
 {
-    return std::max(0.0, std::cos(angles_on(type, finish).advancing)) * std::max(0.0, yarn.outline() * yarn.length - overlap);
+    return std::max(0.0, std::cos(angles_on(type, finish).advancing)) * skin;
 }
 
 } // namespace
@@ -96,26 +96,37 @@ std::vector<double> contacts_of(const Textile& textile, const LiquidInPores& liq
     return any ? contacts : std::vector<double>();
 }
 
-BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_number, std::size_t weft_number, const LiquidInPores& liquid)
+BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_number, std::size_t weft_number, const LiquidInPores& liquid,
+                                   const RoomTables& drawn)
 {
     const YarnType &warp_type = textile.warp.types[warp_number], &weft_type = textile.weft.types[weft_number];
     const double thickness = textile.thickness;
     const CrossingYarn warp = crossing_yarn(warp_type, textile, textile.weft.pitch, weft_number),
                        weft = crossing_yarn(weft_type, textile, textile.warp.pitch, warp_number);
-    const RoomBetweenYarns room = room_between(warp, weft, thickness, liquid.surface_tension);
+    RoomBetweenYarns room = room_between(warp, weft, thickness);
+    BetweenParameters between;
+    if (!drawn.types.empty()) {
+        const DrawnRoom& found = drawn.types[warp_number * textile.weft.types.size() + weft_number];
+        room.warp_skin = found.warp_skin;
+        room.weft_skin = found.weft_skin;
+        room.faces = found.faces;
+        room.along_warp = found.along_warp;
+        room.along_weft = found.along_weft;
+        between.quarters_along_warp = static_cast<int>(std::lround(4 * drawn.falls_along_warp));
+        between.quarters_along_weft = static_cast<int>(std::lround(4 * drawn.falls_along_weft));
+    }
     const double overlap = warp.width * weft.width;
     const double across_warp = across_per_viscosity(warp_type, liquid), across_weft = across_per_viscosity(weft_type, liquid);
-    const auto into = [&](const CrossingYarn& yarn, double across) {
-        return std::max(0.1 * overlap, yarn.outline() * yarn.length - overlap) * across / (0.25 * yarn.height);
-    };
-    BetweenParameters between;
+    const auto into = [](const CrossingYarn& yarn, double skin, double across) { return skin * across / (0.25 * yarn.height); };
     between.volume = room.volume;
-    for (int state = 0; state < wet_states; ++state)
-        between.retention[state] = retention_of_room(room.suctions[state].filling, room.suctions[state].emptying);
+    for (int state = 0; state < wet_states; ++state) {
+        const RoomSuctions suctions = room_suctions(warp, weft, room, liquid.surface_tension, state);
+        between.retention[state] = retention_of_room(suctions.filling, suctions.emptying);
+    }
     between.along_warp = room.along_warp * thickness * weft.pitch / (liquid.viscosity * warp.pitch);
     between.along_weft = room.along_weft * thickness * warp.pitch / (liquid.viscosity * weft.pitch);
-    between.to_warp = into(warp, across_warp);
-    between.to_weft = into(weft, across_weft);
+    between.to_warp = into(warp, room.warp_skin, across_warp);
+    between.to_weft = into(weft, room.weft_skin, across_weft);
     if (across_warp > 0 && across_weft > 0) between.yarns = overlap / (0.5 * warp.height / across_warp + 0.5 * weft.height / across_weft);
     const double open = std::max(0.0, weft.pitch - warp.width) * std::max(0.0, warp.pitch - weft.width);
     const double seen = open + 0.1 * warp.pitch * weft.pitch; // of the room from a face; the tenth is an assumption
@@ -129,10 +140,25 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
     for (bool warp_up : {false, true}) {
         const std::optional<double>&of_warp = warp_up ? textile.face_angle : textile.back_angle,
               &of_weft = warp_up ? textile.back_angle : textile.face_angle;
-        const double by_warp = attraction(warp_type, warp, of_warp, overlap), by_weft = attraction(weft_type, weft, of_weft, overlap);
+        const double by_warp = attraction(warp_type, room.warp_skin, of_warp), by_weft = attraction(weft_type, room.weft_skin, of_weft);
         if (by_warp + by_weft > 0) between.on_warp[warp_up] = by_warp / (by_warp + by_weft);
     }
     return between;
+}
+
+std::vector<float> room_along_of(const Textile& textile, const RoomTables& drawn)
+{
+    std::vector<float> along;
+    if (drawn.warp_places.empty()) return along;
+    along.resize(static_cast<std::size_t>(textile.segments()));
+    for (int end = 0; end < textile.ends(); ++end)
+        for (int pick = 0; pick < textile.picks(); ++pick) {
+            const auto place =
+                static_cast<std::size_t>((textile.first_end + end) % drawn.ends * drawn.picks + (textile.first_pick + pick) % drawn.picks);
+            along[static_cast<std::size_t>(textile.segment(YarnKind::warp, end, pick))] = drawn.warp_places[place];
+            along[static_cast<std::size_t>(textile.segment(YarnKind::weft, end, pick))] = drawn.weft_places[place];
+        }
+    return along;
 }
 
 } // namespace hygroloom

@@ -5,6 +5,7 @@
 #include "core/geometry/textile.h"
 #include "core/physics/between_yarns.h"
 #include "core/physics/retention.h"
+#include "core/room/room_tables.h"
 
 namespace hygroloom {
 
@@ -17,15 +18,16 @@ struct WettedPores {
 
 /// The room between the yarns at a crossing, m3/(Pa s) unless said.
 struct BetweenParameters {
-    double volume = 0;                     ///< m3
-    Retention retention[wet_states];       ///< by which of its yarns are wet
-    double along_warp = 0, along_weft = 0; ///< from one crossing's to the next
-    double to_warp = 0, to_weft = 0;       ///< into each yarn beside it
-    double yarns = 0;                      ///< from the one into the other, where they touch
-    double face = 0;                       ///< from liquid on one face
-    double through = 0;                    ///< out of the hole on the other face; 0: there is none
-    double holds_back = 0;                 ///< Pa over the air's that liquid must exceed to pass there, see breakthrough_pressure()
-    double on_warp[2] = {0.5, 0.5};        ///< share of its liquid that clings to the warp yarn: where that lies below, on top
+    double volume = 0;                                                                              ///< m3
+    Retention retention[wet_states];                                                                ///< by which of its yarns are wet
+    double along_warp = 0, along_weft = 0;                                                          ///< from one crossing's to the next
+    int quarters_along_warp = usual_quarters_of_room, quarters_along_weft = usual_quarters_of_room; ///< power of its saturation in them
+    double to_warp = 0, to_weft = 0;                                                                ///< into each yarn beside it
+    double yarns = 0;               ///< from the one into the other, where they touch
+    double face = 0;                ///< from liquid on one face
+    double through = 0;             ///< out of the hole on the other face; 0: there is none
+    double holds_back = 0;          ///< Pa over the air's that liquid must exceed to pass there, see breakthrough_pressure()
+    double on_warp[2] = {0.5, 0.5}; ///< share of its liquid that clings to the warp yarn: where that lies below, on top
 };
 
 /// A yarn's pores and what flows in them.
@@ -46,7 +48,10 @@ YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, doub
 /// Between neighbours that touch, m3/(Pa s): see Cloth::touching.
 std::vector<double> contacts_of(const Textile& textile, const LiquidInPores& liquid);
 
-/// Where two types of its yarns cross, by their numbers.
-BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp, std::size_t weft, const LiquidInPores& liquid);
+/// Where two types of its yarns cross, by their numbers. drawn: of its weave, if not empty.
+BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp, std::size_t weft, const LiquidInPores& liquid,
+                                   const RoomTables& drawn);
+/// See Cloth::room_along.
+std::vector<float> room_along_of(const Textile& textile, const RoomTables& drawn);
 
 } // namespace hygroloom

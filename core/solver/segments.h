@@ -251,6 +251,7 @@ enum class SegmentCount {
     cap_crossings,     ///< all crossings, where drops or pools come, else none
     uneven_segments,   ///< all, where yarns are uneven along their length, else none
     touching_segments, ///< all, where liquid flows by suction and neighbours touch, else none
+    woven_segments,    ///< all, where liquid flows by suction and rooms are as they are drawn, else none
     sucking_segments,  ///< all, where liquid flows by suction, else none
     sucking_crossings, ///< the same of the crossings
     layered_segments,  ///< all, where layers lie on each other, else none
@@ -264,6 +265,7 @@ template <template <typename> typename Array> struct SegmentFields {
     Array<const float> warp_up_share{};  ///< of the crossings that each stands for
     Array<const std::uint8_t> fed{};     ///< whether it hangs in liquid and stays full
     Array<const double> touching{};      ///< see Cloth
+    Array<const float> room_along{};     ///< see Cloth
     Array<double> pores{};               ///< volume; changes as fibres swell
     Array<const double> dry_pores{};     ///< volume before any swelling, of uneven yarns
     Array<double> supplied{};            ///< liquid since the start by hanging in it
@@ -308,6 +310,7 @@ template <template <typename> typename Array> struct SegmentFields {
         visit(Row{"warp_up_share", "1", Count::bundle_crossings}, of.warp_up_share...);
         visit(Row{"fed", "1", Count::fed_segments}, of.fed...);
         visit(Row{"touching", "m3/(Pa s)", Count::touching_segments}, of.touching...);
+        visit(Row{"room_along", "1", Count::woven_segments}, of.room_along...);
         visit(Row{"pores", "m3", Count::segments, saved, shown}, of.pores...);
         visit(Row{"dry_pores", "m3", Count::uneven_segments}, of.dry_pores...);
         visit(Row{"supplied", "kg", Count::fed_segments, saved, shown}, of.supplied...);

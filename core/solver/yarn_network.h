@@ -229,6 +229,7 @@ template <typename Executor> void YarnNetwork<Executor>::load(const Scene& scene
     fields_.fed.upload(scene.supply.fed);
     fields_.dry_pores.upload(scene.cloth.pores);
     fields_.touching.upload(scene.cloth.touching);
+    fields_.room_along.upload(scene.cloth.room_along);
     fields_.contact.fill(no_particle);
     fields_.sweat.upload(scene.supply.skin.rate);
     panels_.upload(scene.cloth.panels);

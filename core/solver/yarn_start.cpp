@@ -120,6 +120,7 @@ std::size_t count_of(SegmentCount count, const Scene& scene)
         return scene.caps.on || !scene.supply.droplets.empty() || !scene.supply.pools.empty() ? segments / 2 : 0;
     case SegmentCount::uneven_segments: return scene.cloth.pores.size();
     case SegmentCount::touching_segments: return sucks ? scene.cloth.touching.size() : 0;
+    case SegmentCount::woven_segments: return sucks ? scene.cloth.room_along.size() : 0;
     case SegmentCount::sucking_segments: return sucks ? segments : 0;
     case SegmentCount::sucking_crossings: return sucks ? segments / 2 : 0;
     case SegmentCount::layered_segments: return scene.cloth.layers.joints.empty() ? 0 : segments;

@@ -2,25 +2,9 @@
 // Full morphology (Hilpert and Miller 2001): what a room of voxels holds at a suction, from balls that fit into it. Lengths in voxels.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include "core/room/voxels.h"
 
 namespace hygroloom {
-
-/// A block of voxels; x runs fastest.
-struct VoxelGrid {
-    int nx = 1, ny = 1, nz = 1;
-    bool repeats = false;  ///< in x and y, as cloth does
-    bool sections = false; ///< each layer of z is a section of its own: balls are discs in it
-
-    std::size_t size() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz); }
-    std::size_t at(int x, int y, int z) const
-    {
-        return (static_cast<std::size_t>(z) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(y)) * static_cast<std::size_t>(nx) +
-               static_cast<std::size_t>(x);
-    }
-};
 
 /// Air comes from outside; only pores are counted.
 enum class Voxel : std::uint8_t { solid, outside, pore };
@@ -29,12 +13,6 @@ struct PoreImage {
     VoxelGrid grid;
     std::vector<Voxel> voxels;
 };
-
-constexpr int far_away = 1 << 28; ///< squared distance where there is nothing to be near to
-
-/// Squared distance of each voxel's middle to the nearest marked one's, exact: a lower envelope of parabolas along each axis in turn
-/// (Felzenszwalb and Huttenlocher 2012).
-std::vector<int> squared_distances(const VoxelGrid& grid, const std::vector<std::uint8_t>& marked);
 
 /// For each voxel the largest squared distance that a ball can keep to all solids on its way there from outside; 0 where none comes.
 std::vector<int> squared_ways_in(const PoreImage& image, const std::vector<int>& to_solid);

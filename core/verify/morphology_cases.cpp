@@ -127,7 +127,7 @@ void add_room(std::vector<VerifyResult>& results, const VerifyValues& v, const T
     };
     const Cosines wet{on_both(&Cosines::filling), on_both(&Cosines::emptying)};
     const Suctions geometry = suctions_of(curves, voxel, 2, liquid.surface_tension, wet);
-    const BetweenParameters closure = room_of_crossing(textile, 0, 0, liquid);
+    const BetweenParameters closure = room_of_crossing(textile, 0, 0, liquid, {});
     const double per_layer = textile.thickness / voxel * grid.nx * grid.ny;
     results.push_back(compared("between_share", closure.volume / layer, curves.pores / per_layer, 0.4, 12, of_room.why));
     // Balls do not feel what two free faces cost, by which the closure's suction may fall below nothing.

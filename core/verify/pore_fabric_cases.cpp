@@ -133,14 +133,13 @@ std::vector<VerifyResult> between_yarns(const VerifyValues& v, Backend&)
     const auto near = [](const char* name, double computed, double expected) {
         return VerifyResult{name, computed, expected, 5e-3 * std::abs(expected)};
     };
-    return {
-        near("void_mm", 1e3 * solver.volume / cell, 1e3 * room.volume / cell),
-        near("pore_radius_um", um_from_metre(room_between(warp, weft, textile.thickness, tension).pore_radius), um_from_metre(room.radius)),
-        near("filling_suction_pa", suction_filling(solver.retention[both_wet], 0.5), room.filling),
-        near("half_suction_pa", suction_emptying(solver.retention[both_wet], 0.5), room.emptying),
-        near("filling_suction_beside_dry_weft_pa", suction_filling(solver.retention[1], 0.5), room.one_wet),
-        near("permeability_warp_m2", solver.along_warp * per_flow * warp.pitch / weft.pitch, room.along_warp),
-        near("permeability_weft_m2", solver.along_weft * per_flow * weft.pitch / warp.pitch, room.along_weft)};
+    return {near("void_mm", 1e3 * solver.volume / cell, 1e3 * room.volume / cell),
+            near("pore_radius_um", um_from_metre(room_between(warp, weft, textile.thickness).pore_radius), um_from_metre(room.radius)),
+            near("filling_suction_pa", suction_filling(solver.retention[both_wet], 0.5), room.filling),
+            near("half_suction_pa", suction_emptying(solver.retention[both_wet], 0.5), room.emptying),
+            near("filling_suction_beside_dry_weft_pa", suction_filling(solver.retention[1], 0.5), room.one_wet),
+            near("permeability_warp_m2", solver.along_warp * per_flow * warp.pitch / weft.pitch, room.along_warp),
+            near("permeability_weft_m2", solver.along_weft * per_flow * weft.pitch / warp.pitch, room.along_weft)};
 }
 
 /// Pores as they fill and empty, followed by what they hold.

@@ -19,6 +19,7 @@ target_sources(hygroloom_core PRIVATE
   verify/pore_flow_cases.cpp
   verify/pore_set_ups.cpp
   verify/retention_column.cpp
+  verify/room_case.cpp
   verify/set_ups.cpp
   verify/evenness_case.cpp
   verify/sett_case.cpp

@@ -57,6 +57,8 @@ CrossingParameters turned(CrossingParameters crossing)
     std::swap(crossing.warp_rise, crossing.weft_rise);
     BetweenParameters& between = crossing.between;
     std::swap(between.along_warp, between.along_weft);
+    std::swap(between.quarters_along_warp, between.quarters_along_weft);
+    std::swap(between.retention[1], between.retention[2]);
     std::swap(between.to_warp, between.to_weft);
     const double below = between.on_warp[0];
     between.on_warp[0] = 1 - between.on_warp[1];
@@ -113,6 +115,7 @@ FabricCells fabric_cells(const Design& design, const Fabric& fabric, const WearE
     const Textile textile = textile_of_run(design, fabric, experiment, {0, 0, with_margin(ends), with_margin(picks)});
     Scene scene = build_scene(design, textile, experiment, plan, 1);
     scene.cloth.pores.clear(); // even yarns
+    scene.cloth.room_along.clear();
     cells.tile = k > 1 ? coarsened(scene, k) : std::move(scene);
     cells.ends = ends / k;
     cells.picks = picks / k;

@@ -101,7 +101,8 @@ private Q_SLOTS:
                                           {"density_tolerance", 0.03},
                                           {"settle_share", 0.04},
                                           {"rest_tolerance", 2e-4},
-                                          {"double_precision", 1}});
+                                          {"double_precision", 1},
+                                          {"room_voxels", 0}});
         const Scene scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), design.experiments[0], plan, 1);
         QCOMPARE(scene.rules.particles_per_droplet, 300);
         QCOMPARE(scene.rules.fibre_shells, 3);
@@ -114,6 +115,14 @@ private Q_SLOTS:
         QCOMPARE(scene.rules.settle_share, 0.04);
         QCOMPARE(scene.rules.rest_tolerance, 2e-4);
         QVERIFY(scene.rules.double_precision);
+        Design with_rooms = design;
+        with_rooms.experiments[0].closure = Closure::pores;
+        for (double voxels : {0.0, 8.0}) {
+            const ModelPlan drawn = plan_with({{"room_voxels", voxels}});
+            const Textile textile = build_textile(with_rooms, with_rooms.fabrics[0], drawn.region);
+            const Scene woven = build_scene(with_rooms, textile, with_rooms.experiments[0], drawn, 1);
+            QCOMPARE(woven.cloth.room_along.size(), voxels > 0 ? woven.cloth.length.size() : 0);
+        }
     }
     void aPlanOfBeforeBundlesHadACellForEachCrossing()
     {

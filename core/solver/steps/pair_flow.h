@@ -44,7 +44,7 @@ struct PairFlow {
     /// What a pair passes.
     struct Way {
         double conductance; ///< m3/(Pa s), of full pores
-        int twice_power;    ///< of the permeability, see share_of_permeability()
+        int power;          ///< of the permeability, see PoreLines::End
         double lift;        ///< Pa, by which suction rises from the first to the second in liquid at rest
     };
 
@@ -77,7 +77,7 @@ private:
     HL_FN void flow(const Side& from, const Side& to, const Way& way, double difference, double lift) const
     {
         if (from.fed && to.fed) return;
-        const double conductance = climate.density * way.conductance * to.end().lets_in() * from.end().permeability(way.twice_power);
+        const double conductance = climate.density * way.conductance * to.end().lets_in() * from.end().permeability(way.power);
         bool moves = false;
         const double coupling = PoreLines::coupling(conductance, difference, from.end(), to.end(), dt, moves);
         if (moves) pass(from, to, passing(from, to, coupling, lift));

@@ -225,10 +225,10 @@ struct PoreLines {
         HL_FN bool is_connected() const { return saturation > threshold; }
         /// What dry pores let in, of what connected ones do.
         HL_FN double lets_in() const { return is_connected() ? 1.0 : gate; }
-        /// Share of the permeability of full pores.
-        HL_FN double permeability(int twice_power) const
+        /// Share of the permeability of full pores, by the power of what is connected: in halves, or of a room in quarters.
+        HL_FN double permeability(int power) const
         {
-            return straight ? share_of_permeability_of_room(saturation) : share_of_permeability(saturation, threshold, twice_power);
+            return straight ? share_of_permeability_of_room(saturation, power) : share_of_permeability(saturation, threshold, power);
         }
     };
     template <typename Places> HL_FN End end_of(const Places& line, const Place& p, int which, int i) const
@@ -263,11 +263,11 @@ struct PoreLines {
         const int here = s.panels.order[i], next = s.panels.order[i + 1];
         return lift * static_cast<double>(next > here ? s.panels.rise[here] : -s.panels.rise[next]);
     }
-    HL_FN double coupling_along(const End& here, const End& next, double rises, double conductance, int twice_power, bool& moves) const
+    HL_FN double coupling_along(const End& here, const End& next, double rises, double conductance, int power, bool& moves) const
     {
         const double difference = next.suction - here.suction - rises; // more than 0: on along the line
         const End &from = difference > 0 ? here : next, &to = difference > 0 ? next : here;
-        return coupling(conductance * to.lets_in() * from.permeability(twice_power), difference, from, to, dt, moves);
+        return coupling(conductance * to.lets_in() * from.permeability(power), difference, from, to, dt, moves);
     }
     /// Within a crossing. Liquid in the room stands on as much of the yarns' skin as it fills of the room.
     HL_FN double coupling_across(const End& a, bool a_is_room, const End& b, double conductance, bool& moves) const
@@ -300,14 +300,21 @@ struct PoreLines {
             const double yarns = seam ? s.panels.joint_yarns[i] : along_yarn(yarn_of(p, own_pores), segment_at(i), segment_at(next));
             const double rooms = seam ? s.panels.joint_rooms[i] : in_series;
             line(along, i) = coupling_along(own, end_of(line, q, own_pores, next), lift_after(i), density * yarns, 7, moves);
-            line(along + 1, i) = coupling_along(beside, end_of(line, q, room_pores, next), lift_after(i), density * rooms, 8, moves);
+            const int power = of_warp ? here.quarters_along_warp : here.quarters_along_weft;
+            line(along + 1, i) = coupling_along(beside, end_of(line, q, room_pores, next), lift_after(i), density * rooms, power, moves);
         }
         const bool by_pool = pool.stands && couple_with_pool(line, p, i);
         return by_pool || moves;
     }
     HL_FN double along_room(const Place& p) const // m3/(s Pa), half of the way to the next
     {
-        return find().permeability_of_room(p.crossing, room(p)) * (of_warp ? room(p).along_warp : room(p).along_weft);
+        return (of_warp ? room(p).along_warp : room(p).along_weft) * open_along(p, p.own);
+    }
+    /// Of a room, what its place in the weave and swollen yarns make of the permeability along a segment of its crossing.
+    HL_FN double open_along(const Place& p, int segment) const
+    {
+        const double swollen = find().permeability_of_room(p.crossing, room(p));
+        return s.room_along != nullptr ? swollen * static_cast<double>(s.room_along[segment]) : swollen;
     }
     HL_FN double along_yarn(const YarnParameters& yarn, int i, int next) const // m3/(s Pa), between neighbours
     {

@@ -90,9 +90,7 @@ struct WholePores : FlowAlongLines {
         box(own_crossed, k) = coupling_across(own, false, crossed, density * between.yarns, moves);
         box(room_crossed, k) = coupling_across(middle, true, crossed, density * between.to_weft, moves);
         box(along, k) = box(along + 1, k) = box(along_picks, k) = box(along_picks + 1, k) = 0;
-        const double permeable = find().permeability_of_room(p.crossing, between);
-        const auto rooms = [&](const Place& q, double along_here, double along_there) {
-            const double from = permeable * along_here, to = find().permeability_of_room(q.crossing, room(q)) * along_there;
+        const auto in_series = [density](double from, double to) {
             return from > 0 && to > 0 ? density * 2.0 * from * to / (from + to) : 0.0;
         };
         if (pick + 1 < box.picks) {
@@ -100,16 +98,17 @@ struct WholePores : FlowAlongLines {
             const Place q = place(box, next);
             const double yarns = density * along_yarn(yarn_of(p, own_pores), p.own, q.own);
             box(along, k) = coupling_along(own, end_of(box, q, own_pores, next), lift, yarns, 7, moves);
-            box(along + 1, k) =
-                coupling_along(middle, end_of(box, q, room_pores, next), lift, rooms(q, between.along_warp, room(q).along_warp), 8, moves);
+            const double rooms = in_series(between.along_warp * open_along(p, p.own), room(q).along_warp * open_along(q, q.own));
+            box(along + 1, k) = coupling_along(middle, end_of(box, q, room_pores, next), lift, rooms, between.quarters_along_warp, moves);
         }
         if (end + 1 < box.ends) {
             const int next = k + box.picks;
             const Place q = place(box, next);
             const double yarns = density * along_yarn(yarn_of(p, crossed_pores), p.crossed, q.crossed);
             box(along_picks, k) = coupling_along(crossed, end_of(box, q, crossed_pores, next), lift_across, yarns, 7, moves);
-            box(along_picks + 1, k) = coupling_along(middle, end_of(box, q, room_pores, next), lift_across,
-                                                     rooms(q, between.along_weft, room(q).along_weft), 8, moves);
+            const double rooms = in_series(between.along_weft * open_along(p, p.crossed), room(q).along_weft * open_along(q, q.crossed));
+            box(along_picks + 1, k) =
+                coupling_along(middle, end_of(box, q, room_pores, next), lift_across, rooms, between.quarters_along_weft, moves);
         }
         const bool by_pool = pool.stands && couple_with_pool(box, p, k);
         return by_pool || moves;

@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/room/drawn_layer.h"
+
+#include "core/base/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hygroloom {
+namespace {
+
+constexpr double layer_share = 2; // a layer has at least half as many voxels from face to face as the mean pitch
+constexpr double reaches = 0.55;  // of the mean pitch
+
+/// A place of a yarn's centreline, along the fabric, across the yarn and up, and its section.
+struct Station {
+    double along, across, up, half_height, flat; // m
+    double rise;                                 // of the centreline, over its way along the fabric
+};
+
+/// beyond: crossings on both sides of the period.
+std::vector<Station> stations_of(const Textile& textile, YarnKind kind, int yarn, double spacing, int beyond)
+{
+    const bool is_warp = kind == YarnKind::warp;
+    const int crossings = is_warp ? textile.picks() : textile.ends();
+    const int each = std::max(8, static_cast<int>(std::ceil(textile.system(other_kind(kind)).pitch / spacing)));
+    std::vector<Station> stations;
+    for (int at = -beyond; at < crossings + beyond; ++at)
+        for (int i = 0; i < each; ++i) {
+            const YarnPoint p = yarn_point(textile, kind, yarn, at, (i + 0.5) / each - 0.5);
+            stations.push_back({is_warp ? p.centre.y : p.centre.x, is_warp ? p.centre.x : p.centre.y, p.centre.z, p.half_height,
+                                p.half_width - p.half_height, p.tangent.z / std::max(1e-3, std::hypot(p.tangent.x, p.tangent.y))});
+        }
+    return stations;
+}
+
+/// One yarn among the voxels; what leaves the period comes in on the other side.
+class DrawnYarn {
+public:
+    DrawnYarn(const Textile& textile, YarnKind kind, int yarn, DrawnLayer& layer)
+        : layer_(layer), is_warp_(kind == YarnKind::warp),
+          stations_(stations_of(textile, kind, yarn, 0.5 * (is_warp_ ? layer.dy : layer.dx), 2)),
+          half_height_(0.5 * textile.type(kind, yarn).section.height)
+    {
+    }
+    void draw()
+    {
+        const VoxelGrid& g = layer_.grid;
+        const int n = is_warp_ ? g.ny : g.nx;
+        const double voxel = is_warp_ ? layer_.dy : layer_.dx;
+        for (int along = 0; along < n; ++along)
+            for (int z = 0; z < g.nz; ++z)
+                if (const auto [station, off] = nearest((along + 0.5 - 0.5 * n) * voxel, (z + 0.5 - 0.5 * g.nz) * layer_.dz); station)
+                    draw_across(along, z, *station, off);
+    }
+
+private:
+    struct Near {
+        const Station* station;
+        double off;
+    };
+    /// To a place of the plane along the yarn and up; none farther than what is drawn.
+    Near nearest(double along, double up) const
+    {
+        const double reach = half_height_ + layer_.reach;
+        Near best{nullptr, reach * reach};
+        auto s =
+            std::lower_bound(stations_.begin(), stations_.end(), along - reach, [](const Station& a, double b) { return a.along < b; });
+        for (; s != stations_.end() && s->along < along + reach; ++s) {
+            const double off = (s->along - along) * (s->along - along) + (s->up - up) * (s->up - up);
+            if (off < best.off) best = {&*s, off};
+        }
+        best.off = std::sqrt(best.off);
+        return best;
+    }
+    void draw_across(int along, int z, const Station& station, double off)
+    {
+        const VoxelGrid& g = layer_.grid;
+        const int n = is_warp_ ? g.nx : g.ny;
+        const double voxel = is_warp_ ? layer_.dx : layer_.dy, middle = station.across / voxel + 0.5 * n - 0.5;
+        const double wide = (station.flat + station.half_height + layer_.reach) / voxel;
+        for (int c = static_cast<int>(std::ceil(middle - wide)); c <= static_cast<int>(std::floor(middle + wide)); ++c) {
+            const double beside = std::max(0.0, std::abs(c - middle) * voxel - station.flat);
+            const auto outside = static_cast<float>(std::hypot(beside, off) - station.half_height);
+            const int inside = ((c % n) + n) % n;
+            const std::size_t at = is_warp_ ? g.at(inside, along, z) : g.at(along, inside, z);
+            if (outside >= layer_.outside[at]) continue;
+            layer_.outside[at] = outside;
+            layer_.nearest[at] = is_warp_ ? 0 : 1;
+        }
+    }
+
+    DrawnLayer& layer_;
+    bool is_warp_;
+    std::vector<Station> stations_;
+    double half_height_;
+};
+
+/// Calls visit(x, y, voxel) for those of the cloth.
+template <typename Visit> void each_of_cloth(const DrawnLayer& layer, const Visit& visit)
+{
+    for (int z = layer.first(); z <= layer.last(); ++z)
+        for (int y = 0; y < layer.grid.ny; ++y)
+            for (int x = 0; x < layer.grid.nx; ++x) visit(x, y, layer.grid.at(x, y, z));
+}
+
+} // namespace
+
+double DrawnLayer::side() const { return std::cbrt(dx * dy * dz); }
+
+DrawnLayer drawn_layer(const Textile& period, int voxels)
+{
+    const double pitch = std::sqrt(period.warp.pitch * period.weft.pitch);
+    const double voxel = std::min(pitch, layer_share * period.thickness) / voxels;
+    const auto whole = [&](double length) { return std::max(2, static_cast<int>(std::lround(length / voxel))); };
+    DrawnLayer layer;
+    layer.per_end = whole(period.warp.pitch);
+    layer.per_pick = whole(period.weft.pitch);
+    const int layers = whole(period.thickness);
+    layer.dx = period.warp.pitch / layer.per_end;
+    layer.dy = period.weft.pitch / layer.per_pick;
+    layer.dz = period.thickness / layers;
+    layer.reach = reaches * pitch;
+    layer.margin = static_cast<int>(std::ceil(layer.reach / layer.dz)) + 1;
+    layer.grid = {period.ends() * layer.per_end, period.picks() * layer.per_pick, layers + 2 * layer.margin, true, false};
+    layer.outside.assign(layer.grid.size(), static_cast<float>(layer.reach));
+    layer.nearest.assign(layer.grid.size(), 0);
+    for (int end = 0; end < period.ends(); ++end) DrawnYarn(period, YarnKind::warp, end, layer).draw();
+    for (int pick = 0; pick < period.picks(); ++pick) DrawnYarn(period, YarnKind::weft, pick, layer).draw();
+    return layer;
+}
+
+double growth_to_share(const DrawnLayer& layer, double share)
+{
+    const double per_side = 1 / layer.side();
+    const auto open = [&](double growth) { // share outside; a voxel that a skin cuts counts in part
+        double sum = 0;
+        std::size_t voxels = 0;
+        each_of_cloth(layer, [&](int, int, std::size_t i) {
+            sum += std::clamp(0.5 + (static_cast<double>(layer.outside[i]) - growth) * per_side, 0.0, 1.0);
+            ++voxels;
+        });
+        return sum / static_cast<double>(voxels);
+    };
+    double low = -layer.reach, high = layer.reach;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (low + high);
+        (open(middle) > share ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+namespace {
+
+/// All yarns of a period, which goes on to all sides.
+class DrawnYarns {
+public:
+    DrawnYarns(const Textile& period, double spacing) : period_(period)
+    {
+        for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+            for (int yarn = 0; yarn < period.system(kind).count; ++yarn)
+                (kind == YarnKind::warp ? warp_ : weft_).push_back(stations_of(period, kind, yarn, spacing, 2));
+    }
+    /// Of any number, from a place along it, across the cloth and up, m; no more than reach.
+    double outside(YarnKind kind, int yarn, double along, double across, double up, double reach) const
+    {
+        const YarnSystem& system = period_.system(kind);
+        const std::vector<std::vector<Station>>& all = kind == YarnKind::warp ? warp_ : weft_;
+        const int inside = ((yarn % system.count) + system.count) % system.count;
+        const double shift = (yarn - inside) * system.pitch;
+        const std::vector<Station>& stations = all[static_cast<std::size_t>(inside)];
+        const double far = reach + stations.front().half_height * 2;
+        auto s = std::lower_bound(stations.begin(), stations.end(), along - far, [](const Station& a, double b) { return a.along < b; });
+        const Station* nearest = nullptr;
+        double least = far * far;
+        for (; s != stations.end() && s->along < along + far; ++s) {
+            const double off = (s->along - along) * (s->along - along) + (s->up - up) * (s->up - up);
+            if (off < least) {
+                least = off;
+                nearest = &*s;
+            }
+        }
+        if (!nearest) return reach;
+        const double beside = std::max(0.0, std::abs(across - nearest->across - shift) - nearest->flat);
+        return std::min(reach, std::hypot(beside, std::sqrt(least)) - nearest->half_height);
+    }
+
+private:
+    const Textile& period_;
+    std::vector<std::vector<Station>> warp_, weft_;
+};
+
+/// What one yarn adds to the skin and takes from the openings.
+class YarnSkinInRoom {
+public:
+    YarnSkinInRoom(const Textile& period, const DrawnYarns& yarns, YarnKind kind, int yarn, double growth)
+        : period_(period), yarns_(yarns), kind_(kind), yarn_(yarn), growth_(growth), half_thickness_(0.5 * period.thickness)
+    {
+        const double along = (kind == YarnKind::warp ? period.weft : period.warp).pitch;
+        const int crossings = period.crossings_along(kind);
+        stations_ = stations_of(period, kind, yarn, along / 24, 0);
+        spacing_ = along * crossings / static_cast<double>(stations_.size());
+    }
+    void add_to(RoomSkin& skin) const
+    {
+        for (const Station& s : stations_) {
+            add_outline(s, kind_ == YarnKind::warp ? skin.warp : skin.weft);
+            for (double side : {-1.0, 1.0}) { // where it reaches a face
+                constexpr double rounding = 1e-3;
+                const double reach = s.half_height + growth_, below = half_thickness_ - side * s.up;
+                if (below >= reach * (1 + rounding)) continue;
+                const double half_chord = std::max(0.0, s.flat) + std::sqrt(std::max(0.0, reach * reach - below * below));
+                skin.faces[crossing(s.along, s.across)] -= 2 * half_chord * spacing_;
+            }
+        }
+    }
+
+private:
+    bool is_warp() const { return kind_ == YarnKind::warp; }
+    /// Numbers of the end and the pick nearest to a place of the cloth.
+    std::pair<int, int> threads(double along, double across) const
+    {
+        const double x = is_warp() ? across : along, y = is_warp() ? along : across;
+        return {static_cast<int>(std::floor(x / period_.warp.pitch + 0.5 * period_.ends())),
+                static_cast<int>(std::floor(y / period_.weft.pitch + 0.5 * period_.picks()))};
+    }
+    std::size_t crossing(double along, double across) const
+    {
+        const auto [end, pick] = threads(along, across);
+        const auto wrapped = [](int i, int n) { return ((i % n) + n) % n; };
+        return static_cast<std::size_t>(wrapped(end, period_.ends()) * period_.picks() + wrapped(pick, period_.picks()));
+    }
+    void add_outline(const Station& s, std::vector<double>& skin) const
+    {
+        constexpr int pieces = 48;
+        const double radius = s.half_height + growth_, flat = std::max(0.0, s.flat), slant = std::hypot(1.0, s.rise);
+        if (radius <= 0) return;
+        const double outline = 2 * pi * radius + 4 * flat, step = outline / pieces, area = step * spacing_ * slant;
+        for (int k = 0; k < pieces; ++k) {
+            const bool lower = 2 * k >= pieces;
+            const double at = (k % (pieces / 2) + 0.5) * step, side = lower ? -1.0 : 1.0; // from the middle of a flat on
+            const double angle = std::clamp((at - flat) / radius, 0.0, pi);
+            const double across = side * (std::clamp(at, 0.0, flat) - std::max(0.0, at - flat - pi * radius) + radius * std::sin(angle)),
+                         up = side * radius * std::cos(angle);
+            if (is_room(s, across, up)) skin[crossing(s.along, s.across + across)] += area;
+        }
+    }
+    /// Whether a place of the yarn's skin lies between the faces and under no other yarn.
+    bool is_room(const Station& s, double across, double up) const
+    {
+        constexpr double touching = 0.02; // of a half height: where yarns are nearer, their fibres close the gap
+        const double slant = std::hypot(1.0, s.rise), z = s.up + up / slant, along = s.along - up * s.rise / slant,
+                     beside = s.across + across;
+        if (std::abs(z) >= half_thickness_ * (1 - 1e-3)) return false;
+        const double least = growth_ + touching * s.half_height;
+        const auto [end, pick] = threads(along, beside);
+        for (int step = -1; step <= 1; ++step) {
+            if (!(is_warp() && end + step == yarn_) &&
+                yarns_.outside(YarnKind::warp, end + step, is_warp() ? along : beside, is_warp() ? beside : along, z, least) < least)
+                return false;
+            if (!(!is_warp() && pick + step == yarn_) &&
+                yarns_.outside(YarnKind::weft, pick + step, is_warp() ? beside : along, is_warp() ? along : beside, z, least) < least)
+                return false;
+        }
+        return true;
+    }
+
+    const Textile& period_;
+    const DrawnYarns& yarns_;
+    YarnKind kind_;
+    int yarn_;
+    double growth_, half_thickness_, spacing_;
+    std::vector<Station> stations_;
+};
+
+} // namespace
+
+RoomSkin skin_of_room(const Textile& period, double growth)
+{
+    const DrawnYarns yarns(period, std::min(period.warp.pitch, period.weft.pitch) / 40);
+    RoomSkin skin;
+    skin.warp.assign(static_cast<std::size_t>(period.crossings()), 0);
+    skin.weft = skin.warp;
+    skin.faces.assign(skin.warp.size(), 2 * period.warp.pitch * period.weft.pitch);
+    for (int end = 0; end < period.ends(); ++end) YarnSkinInRoom(period, yarns, YarnKind::warp, end, growth).add_to(skin);
+    for (int pick = 0; pick < period.picks(); ++pick) YarnSkinInRoom(period, yarns, YarnKind::weft, pick, growth).add_to(skin);
+    for (double& face : skin.faces) face = std::max(0.0, face);
+    return skin;
+}
+
+HalfFull half_full(const DrawnLayer& layer, double growth)
+{
+    constexpr int rounds = 7;
+    constexpr double near_enough = 0.02;
+    const double side = layer.side();
+    const auto with_balls = [&](double radius) {
+        HalfFull state;
+        std::vector<std::uint8_t> middles(layer.grid.size());
+        for (std::size_t i = 0; i < middles.size(); ++i) middles[i] = static_cast<double>(layer.outside[i]) - growth >= radius;
+        const std::vector<int> to_middle = squared_distances(layer.grid, middles);
+        const double in_voxels = (radius / side) * (radius / side);
+        state.air.assign(middles.size(), 0);
+        for (std::size_t i = 0; i < middles.size(); ++i) state.air[i] = static_cast<double>(to_middle[i]) <= in_voxels;
+        double room = 0, liquid = 0;
+        each_of_cloth(layer, [&](int, int, std::size_t i) {
+            if (static_cast<double>(layer.outside[i]) <= growth) return;
+            room += 1;
+            liquid += state.air[i] ? 0 : 1;
+        });
+        state.saturation = room > 0 ? liquid / room : 1;
+        return state;
+    };
+    double low = side, high = layer.reach - growth;
+    HalfFull state = with_balls(high);
+    for (int i = 0; i < rounds && std::abs(state.saturation - 0.5) > near_enough; ++i) {
+        const double middle = std::sqrt(low * high);
+        state = with_balls(middle);
+        (state.saturation > 0.5 ? high : low) = middle;
+    }
+    return state;
+}
+
+} // namespace hygroloom

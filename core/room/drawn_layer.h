@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// One period of a woven layer as it is drawn, in voxels: how far each lies outside the yarns. Lengths in m.
+#pragma once
+
+#include "core/geometry/textile.h"
+#include "core/room/voxels.h"
+
+namespace hygroloom {
+
+/// x runs along the picks, y along the ends, z up; air lies above and below the cloth.
+struct DrawnLayer {
+    VoxelGrid grid;
+    int margin = 0;                    ///< layers of voxels above the cloth, and below it
+    int per_end = 0, per_pick = 0;     ///< voxels from end to end, and from pick to pick
+    double dx = 0, dy = 0, dz = 0;     ///< sides of a voxel: alike but for what makes them fit the pitches
+    std::vector<float> outside;        ///< from each voxel's middle to the nearest skin of a yarn, less than 0 within one; at most reach
+    std::vector<std::uint8_t> nearest; ///< whether that is of the weft
+    double reach = 0;
+
+    int ends() const { return grid.nx / per_end; }
+    int picks() const { return grid.ny / per_pick; }
+    int first() const { return margin; } ///< layer of voxels of the cloth
+    int last() const { return grid.nz - margin - 1; }
+    double side() const; ///< of a voxel, the mean of its three
+    /// Of a voxel's column, end x picks + pick.
+    int crossing(int x, int y) const { return x / per_end * picks() + y / per_pick; }
+};
+
+/// The textile is one period large. voxels: in the mean pitch at least; a thin layer has more, for half as many from face to face.
+DrawnLayer drawn_layer(const Textile& period, int voxels);
+
+/// By how much the yarns must grow evenly, more than 0, or shrink, for this share of the layer to lie outside them: drawn yarns are
+/// squeezed between crossings, where real ones keep their area.
+double growth_to_share(const DrawnLayer& layer, double share);
+
+/// What bounds the room at each crossing once the yarns have grown so much, m2: their skin where neither another yarn covers it nor it lies
+/// on a face, and the openings of both faces.
+struct RoomSkin {
+    std::vector<double> warp, weft, faces;
+};
+RoomSkin skin_of_room(const Textile& period, double growth);
+
+/// A room that air has come into from both faces, as far as balls of one size do, until it is about half full.
+struct HalfFull {
+    std::vector<std::uint8_t> air; ///< of each voxel
+    double saturation = 1;         ///< of the room
+};
+HalfFull half_full(const DrawnLayer& layer, double growth);
+
+} // namespace hygroloom

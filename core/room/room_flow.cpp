@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/room/room_flow.h"
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace hygroloom {
+namespace {
+
+using Numbers = Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+constexpr double precise = 1e-5;      // of the residual
+constexpr double anchor = 1e-10;      // of a diagonal: fixes the pressure of liquid that touches nothing else
+constexpr double nearest_wall = 0.15; // of a voxel's side: a skin is not taken for nearer to its middle
+
+Numbers solved(const Matrix& matrix, const Numbers& right)
+{
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper,
+                             Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>>>
+        solver;
+    solver.setTolerance(precise);
+    solver.setMaxIterations(2000);
+    solver.compute(matrix);
+    return solver.solve(right);
+}
+
+/// The liquid's voxels, and which lie beside which.
+class FilledRoom {
+public:
+    FilledRoom(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air) : layer_(layer), number_(layer.grid.size(), -1)
+    {
+        for (int z = layer.first(); z <= layer.last(); ++z)
+            for (int y = 0; y < layer.grid.ny; ++y)
+                for (int x = 0; x < layer.grid.nx; ++x) {
+                    const std::size_t i = layer.grid.at(x, y, z);
+                    if (static_cast<double>(layer.outside[i]) <= growth || (!air.empty() && air[i])) continue;
+                    number_[i] = static_cast<int>(places_.size());
+                    places_.push_back({x, y, z});
+                }
+        find_mobility(growth, air);
+    }
+    bool none() const { return places_.empty(); }
+
+    AlongRoom along(bool warp) const;
+
+private:
+    struct Place {
+        int x, y, z;
+    };
+    double side(int axis) const { return axis == 0 ? layer_.dx : axis == 1 ? layer_.dy : layer_.dz; }
+    /// Voxel beside one, on its lower or upper side; nothing beyond the faces.
+    std::optional<std::size_t> beside(const Place& p, int axis, int step) const
+    {
+        const VoxelGrid& g = layer_.grid;
+        const auto round = [](int i, int n) { return i < 0 ? i + n : i >= n ? i - n : i; };
+        if (axis == 0) return g.at(round(p.x + step, g.nx), p.y, p.z);
+        if (axis == 1) return g.at(p.x, round(p.y + step, g.ny), p.z);
+        const int z = p.z + step;
+        if (z < layer_.first() || z > layer_.last()) return {};
+        return g.at(p.x, p.y, z);
+    }
+    void find_mobility(double growth, const std::vector<std::uint8_t>& air);
+
+    const DrawnLayer& layer_;
+    std::vector<int> number_; // of each voxel; less than 0: no liquid
+    std::vector<Place> places_;
+    Numbers mobility_; // m2
+};
+
+/// Rows that come one after the other, each with a diagonal and what lies beside it.
+class Rows {
+public:
+    explicit Rows(std::size_t count) { entries_.reserve(7 * count); }
+    void beside(int row, int column, double coupling)
+    {
+        diagonal_ += coupling;
+        if (column != row)
+            entries_.emplace_back(row, column, -coupling);
+        else
+            diagonal_ -= coupling; // a period of one voxel meets itself
+    }
+    void wall(double coupling) { diagonal_ += coupling; }
+    void close(int row, double least)
+    {
+        entries_.emplace_back(row, row, diagonal_ + anchor * std::max(diagonal_, least));
+        diagonal_ = 0;
+    }
+    Matrix matrix(std::size_t count) const
+    {
+        const auto n = static_cast<Eigen::Index>(count);
+        Matrix made(n, n);
+        made.setFromTriplets(entries_.begin(), entries_.end());
+        return made;
+    }
+
+private:
+    std::vector<Eigen::Triplet<double>> entries_;
+    double diagonal_ = 0;
+};
+
+void FilledRoom::find_mobility(double growth, const std::vector<std::uint8_t>& air)
+{
+    Rows rows(places_.size());
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+        const Place& p = places_[k];
+        const double own = static_cast<double>(layer_.outside[layer_.grid.at(p.x, p.y, p.z)]) - growth;
+        for (int axis = 0; axis < 3; ++axis)
+            for (int step : {-1, 1}) {
+                const auto next = beside(p, axis, step);
+                if (!next || (!air.empty() && air[*next])) continue; // air lets it slip
+                const double per_area = 1 / (side(axis) * side(axis));
+                if (number_[*next] >= 0) {
+                    rows.beside(static_cast<int>(k), number_[*next], per_area);
+                } else {
+                    const double there = static_cast<double>(layer_.outside[*next]) - growth;
+                    rows.wall(per_area / std::clamp(own / (own - there), nearest_wall, 1.0));
+                }
+            }
+        rows.close(static_cast<int>(k), 1 / (side(0) * side(0)));
+    }
+    mobility_ = solved(rows.matrix(places_.size()), Numbers::Ones(static_cast<Eigen::Index>(places_.size())));
+}
+
+/// A period of crossings in a mean gradient of 1 along one system: the permeability that those of its crossings come to.
+double joined(const DrawnLayer& layer, const std::vector<double>& along_warp, const std::vector<double>& along_weft, bool warp)
+{
+    const int ends = layer.ends(), picks = layer.picks(), n = ends * picks;
+    const double shape = layer.per_end * layer.dx / (layer.per_pick * layer.dy); // joint along an end: permeability x width / length
+    const auto in_series = [](double a, double b) { return a > 0 && b > 0 ? 2 * a * b / (a + b) : 0.0; };
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+    Numbers right = Numbers::Zero(n);
+    double direct = 0;
+    const auto join = [&](int from, int to, double conducts, bool driven) {
+        matrix(from, from) += conducts;
+        matrix(to, to) += conducts;
+        matrix(from, to) -= conducts;
+        matrix(to, from) -= conducts;
+        if (!driven) return;
+        right(from) += conducts;
+        right(to) -= conducts;
+        direct += conducts;
+    };
+    for (int end = 0; end < ends; ++end)
+        for (int pick = 0; pick < picks; ++pick) {
+            const auto here = static_cast<std::size_t>(end * picks + pick), up = static_cast<std::size_t>(end * picks + (pick + 1) % picks),
+                       beside = static_cast<std::size_t>((end + 1) % ends * picks + pick);
+            join(static_cast<int>(here), static_cast<int>(up), shape * in_series(along_warp[here], along_warp[up]), warp);
+            join(static_cast<int>(here), static_cast<int>(beside), in_series(along_weft[here], along_weft[beside]) / shape, !warp);
+        }
+    if (direct <= 0) return 0;
+    matrix.diagonal().array() += anchor * matrix.diagonal().maxCoeff();
+    const Numbers pressure = matrix.ldlt().solve(right);
+    const double flow = direct - right.dot(pressure); // of all joints, each in a pressure difference of 1
+    return warp ? flow / (shape * n) : flow * shape / n;
+}
+
+AlongRoom FilledRoom::along(bool warp) const
+{
+    const int axis = warp ? 1 : 0;
+    const double h = side(axis);
+    const auto face = [&](int a, int b) { return 2 * mobility_[a] * mobility_[b] / (mobility_[a] + mobility_[b]); };
+    Rows rows(places_.size());
+    Numbers right = Numbers::Zero(static_cast<Eigen::Index>(places_.size()));
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+        const auto own = static_cast<int>(k);
+        for (int a = 0; a < 3; ++a)
+            for (int step : {-1, 1}) {
+                const auto next = beside(places_[k], a, step);
+                if (!next || number_[*next] < 0) continue;
+                const double conducts = face(own, number_[*next]);
+                rows.beside(own, number_[*next], conducts / (side(a) * side(a)));
+                if (a == axis) right[own] += step * conducts / h;
+            }
+        rows.close(own, mobility_[own] / (h * h));
+    }
+    const Numbers pressure = solved(rows.matrix(places_.size()), right);
+
+    // Of each slice of each crossing across the flow: what flows, and the mean gradient.
+    struct Slice {
+        double flows = 0, gradient = 0, faces = 0;
+    };
+    const int slices = warp ? layer_.per_pick : layer_.per_end, across = warp ? layer_.per_end : layer_.per_pick;
+    const std::size_t crossings = static_cast<std::size_t>(layer_.ends() * layer_.picks());
+    std::vector<Slice> of_slice(crossings * static_cast<std::size_t>(slices));
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+        const auto next = beside(places_[k], axis, 1);
+        if (!next || number_[*next] < 0) continue;
+        const auto own = static_cast<int>(k);
+        const double gradient = 1 + (pressure[number_[*next]] - pressure[own]) / h;
+        const int at = (warp ? places_[k].y : places_[k].x) % slices;
+        Slice& slice = of_slice[static_cast<std::size_t>(layer_.crossing(places_[k].x, places_[k].y) * slices + at)];
+        slice.flows += face(own, number_[*next]) * gradient;
+        slice.gradient += gradient;
+        slice.faces += 1;
+    }
+    const double section = across * (layer_.last() - layer_.first() + 1.0); // in faces
+    AlongRoom found;
+    for (std::size_t c = 0; c < crossings; ++c) {
+        double flows = 0, gradient = 0, open = 0;
+        for (int s = 0; s < slices; ++s) {
+            const Slice& slice = of_slice[c * static_cast<std::size_t>(slices) + static_cast<std::size_t>(s)];
+            flows += slice.flows / section / slices;
+            if (slice.faces <= 0) continue;
+            gradient += slice.gradient / slice.faces;
+            open += 1;
+        }
+        found.mean += flows / static_cast<double>(crossings);
+        found.places.push_back(gradient > 0 ? flows * open / gradient : 0.0);
+    }
+    constexpr double least = 1e-3; // of the mean: where flow turns back it is no measure of what conducts it
+    for (double& place : found.places) place = std::max(place, least * found.mean);
+    return found;
+}
+
+} // namespace
+
+RoomPermeability room_permeability(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air)
+{
+    const auto crossings = static_cast<std::size_t>(layer.ends() * layer.picks());
+    const FilledRoom liquid(layer, growth, air);
+    if (liquid.none()) return {{0, std::vector<double>(crossings, 0.0)}, {0, std::vector<double>(crossings, 0.0)}};
+    RoomPermeability found{liquid.along(true), liquid.along(false)};
+    for (int round = 0; round < 3; ++round) // each system's joints carry some of the other's flow
+        for (bool warp : {true, false}) {
+            AlongRoom& own = warp ? found.warp : found.weft;
+            const double all = joined(layer, found.warp.places, found.weft.places, warp);
+            for (double& place : own.places) place *= all > 0 ? own.mean / all : 0.0;
+        }
+    return found;
+}
+
+} // namespace hygroloom

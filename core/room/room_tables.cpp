@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/room/room_tables.h"
+
+#include "core/physics/between_yarns.h"
+#include "core/room/room_flow.h"
+#include "core/room/stokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <string>
+
+namespace hygroloom {
+namespace {
+
+constexpr int most_pairs = 16;    // of types that are drawn alone; of more, none is
+constexpr int stokes_voxels = 24; // from which on Stokes flow sets the level
+
+/// The same cloth, one period large, from its first end and pick on.
+Textile period_of(Textile textile, Weave weave, int ends, int picks)
+{
+    textile.weave = std::move(weave);
+    textile.first_end = textile.first_pick = 0;
+    textile.warp.count = ends;
+    textile.weft.count = picks;
+    return textile;
+}
+
+int threads_of_period(int weave, const YarnSystem& system)
+{
+    return system.types.size() == 1 ? weave : std::lcm(weave, static_cast<int>(system.order.size()));
+}
+
+/// Of a weave that is too large, a part of its beginning.
+Weave part_of(const Weave& weave)
+{
+    constexpr int side = 8;
+    const int ends = std::min(weave.ends(), std::max(side, most_drawn_crossings / weave.picks())),
+              picks = std::min(weave.picks(), most_drawn_crossings / ends);
+    std::vector<std::uint8_t> up;
+    for (int pick = 0; pick < picks; ++pick)
+        for (int end = 0; end < ends; ++end) up.push_back(weave.warp_up(end, pick) ? 1 : 0);
+    return {ends, picks, std::move(up)};
+}
+
+void of_one_type(YarnSystem& system, std::size_t type) { system.order.assign(1, static_cast<std::uint8_t>(type)); }
+
+/// Of the layer, what the volume of yarns leaves.
+double share_of_room(const Textile& period)
+{
+    double sum = 0;
+    for (int end = 0; end < period.ends(); ++end)
+        for (int pick = 0; pick < period.picks(); ++pick) {
+            const auto a = static_cast<std::size_t>(period.type_of(YarnKind::warp, end)),
+                       b = static_cast<std::size_t>(period.type_of(YarnKind::weft, pick));
+            const YarnType &warp = period.warp.types[a], &weft = period.weft.types[b];
+            const double yarns =
+                warp.area * warp.length_per_pitch[b] / period.warp.pitch + weft.area * weft.length_per_pitch[a] / period.weft.pitch;
+            sum += std::max(least_share_of_room, 1 - yarns / period.thickness);
+        }
+    return sum / period.crossings();
+}
+
+/// Of all places, those of one pair of types.
+struct Mean {
+    double sum = 0;
+    int places = 0;
+    void add(double value)
+    {
+        sum += value;
+        ++places;
+    }
+    double value() const { return places > 0 ? sum / places : 0; }
+};
+
+/// Of a full room, Stokes flow over what mobility gives. Where it is not computed: the mean of eleven cloths, 0.71 to 0.94.
+struct Level {
+    double warp = 0.82, weft = 0.82;
+};
+/// On a coarser grid: it depends little on that.
+Level level_of_stokes(const Textile& period, int voxels)
+{
+    const DrawnLayer layer = drawn_layer(period, voxels);
+    const double growth = growth_to_share(layer, share_of_room(period));
+    const RoomPermeability full = room_permeability(layer, growth);
+    const auto level = [&](bool warp, double mobile) { return mobile > 0 ? stokes_permeability(layer, growth, warp) / mobile : 1.0; };
+    return {level(true, full.warp.mean), level(false, full.weft.mean)};
+}
+void scale(AlongRoom& along, double by)
+{
+    along.mean *= by;
+    for (double& place : along.places) place *= by;
+}
+
+RoomTables tables_of_period(const Textile& period, int voxels)
+{
+    const DrawnLayer layer = drawn_layer(period, voxels);
+    RoomTables tables;
+    tables.ends = period.ends();
+    tables.picks = period.picks();
+    tables.growth = growth_to_share(layer, share_of_room(period));
+    const RoomSkin skin = skin_of_room(period, tables.growth);
+    RoomPermeability full = room_permeability(layer, tables.growth);
+    const Level level = voxels >= stokes_voxels ? level_of_stokes(period, voxels / 2) : Level{};
+    scale(full.warp, level.warp);
+    scale(full.weft, level.weft);
+    const HalfFull state = half_full(layer, tables.growth);
+    const RoomPermeability half = room_permeability(layer, tables.growth, state.air);
+    const auto falls = [&](double of_half, double of_full) {
+        constexpr double least = 1, most = 4;
+        if (!(of_half > 0 && of_full > 0 && state.saturation < 0.95)) return most;
+        return std::clamp(std::log(of_half / of_full) / std::log(state.saturation), least, most);
+    };
+    tables.falls_along_warp = falls(half.warp.mean, full.warp.mean);
+    tables.falls_along_weft = falls(half.weft.mean, full.weft.mean);
+
+    const std::size_t wefts = period.weft.types.size(), pairs = period.warp.types.size() * wefts;
+    const auto types_at = [&](int end, int pick) {
+        return static_cast<std::size_t>(period.type_of(YarnKind::warp, end)) * wefts +
+               static_cast<std::size_t>(period.type_of(YarnKind::weft, pick));
+    };
+    const auto by_types = [&](const std::vector<double>& places) {
+        std::vector<Mean> means(pairs);
+        for (int end = 0; end < tables.ends; ++end)
+            for (int pick = 0; pick < tables.picks; ++pick)
+                means[types_at(end, pick)].add(places[static_cast<std::size_t>(end * tables.picks + pick)]);
+        return means;
+    };
+    const std::vector<Mean> warp_skin = by_types(skin.warp), weft_skin = by_types(skin.weft), faces = by_types(skin.faces),
+                            along_warp = by_types(full.warp.places), along_weft = by_types(full.weft.places);
+    tables.types.resize(pairs);
+    for (std::size_t k = 0; k < pairs; ++k)
+        tables.types[k] = {warp_skin[k].value(), weft_skin[k].value(), faces[k].value(), along_warp[k].value(), along_weft[k].value()};
+    if (pairs == 1) { // then what it comes to is known
+        tables.types[0].along_warp = full.warp.mean;
+        tables.types[0].along_weft = full.weft.mean;
+    }
+    for (int end = 0; end < tables.ends; ++end)
+        for (int pick = 0; pick < tables.picks; ++pick) {
+            const auto at = static_cast<std::size_t>(end * tables.picks + pick);
+            const DrawnRoom& mean = tables.types[types_at(end, pick)];
+            const auto over = [](double place, double of_types) { return static_cast<float>(of_types > 0 ? place / of_types : 1); };
+            tables.warp_places.push_back(over(full.warp.places[at], mean.along_warp));
+            tables.weft_places.push_back(over(full.weft.places[at], mean.along_weft));
+        }
+    return tables;
+}
+
+RoomTables found_tables(const Textile& textile, int voxels)
+{
+    const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
+    const int ends = threads_of_period(textile.weave.ends(), textile.warp), picks = threads_of_period(textile.weave.picks(), textile.weft);
+    if (static_cast<long>(ends) * picks <= most_drawn_crossings)
+        return tables_of_period(period_of(textile, textile.weave, ends, picks), voxels);
+    RoomTables tables;
+    if (warps * wefts > most_pairs) return tables;
+    const Weave part = textile.weave.ends() * textile.weave.picks() <= most_drawn_crossings ? textile.weave : part_of(textile.weave);
+    for (std::size_t warp = 0; warp < warps; ++warp)
+        for (std::size_t weft = 0; weft < wefts; ++weft) {
+            Textile alone = period_of(textile, part, part.ends(), part.picks());
+            of_one_type(alone.warp, warp);
+            of_one_type(alone.weft, weft);
+            const RoomTables found = tables_of_period(alone, voxels);
+            tables.types.push_back(found.types[warp * wefts + weft]);
+            tables.growth += found.growth / static_cast<double>(warps * wefts);
+            tables.falls_along_warp += found.falls_along_warp / static_cast<double>(warps * wefts);
+            tables.falls_along_weft += found.falls_along_weft / static_cast<double>(warps * wefts);
+        }
+    return tables;
+}
+
+/// All that the tables follow from.
+std::string content_of(const Textile& textile, int voxels)
+{
+    std::string content;
+    const auto add = [&content](const auto* values, std::size_t count) {
+        content.append(reinterpret_cast<const char*>(values), count * sizeof(*values));
+    };
+    const auto add_all = [&](const auto& values) {
+        const std::size_t count = values.size();
+        add(&count, 1);
+        add(values.data(), count);
+    };
+    const int whole[] = {voxels, textile.weave.ends(), textile.weave.picks()};
+    add(whole, 3);
+    add(&textile.thickness, 1);
+    add_all(textile.weave.crossings());
+    for (const YarnSystem* system : {&textile.warp, &textile.weft}) {
+        add(&system->pitch, 1);
+        add_all(system->order);
+        for (const YarnType& type : system->types) {
+            const double section[] = {type.section.width, type.section.height, type.area};
+            add(section, 3);
+            add_all(type.rise);
+            add_all(type.length_per_pitch);
+        }
+        for (const YarnPath& path : system->paths)
+            for (const std::vector<double>* along : {&path.height, &path.slope, &path.half_height, &path.half_width}) add_all(*along);
+    }
+    return content;
+}
+
+/// The last that were found.
+class Kept {
+public:
+    std::shared_ptr<const RoomTables> find(const std::string& content)
+    {
+        const std::lock_guard lock(mutex_);
+        const auto found = tables_.find(content);
+        return found == tables_.end() ? nullptr : found->second;
+    }
+    void keep(const std::string& content, std::shared_ptr<const RoomTables> tables)
+    {
+        constexpr std::size_t most = 64; // of some ten thousand bytes each
+        const std::lock_guard lock(mutex_);
+        if (tables_.size() >= most) tables_.clear();
+        tables_.emplace(content, std::move(tables));
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<std::string, std::shared_ptr<const RoomTables>> tables_;
+};
+
+} // namespace
+
+std::shared_ptr<const RoomTables> room_tables(const Textile& textile, int voxels)
+{
+    static Kept kept;
+    const std::string content = content_of(textile, voxels);
+    if (auto found = kept.find(content)) return found;
+    auto tables = std::make_shared<const RoomTables>(found_tables(textile, voxels));
+    kept.keep(content, tables);
+    return tables;
+}
+
+} // namespace hygroloom

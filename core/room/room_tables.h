@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What the room between the yarns of a woven layer is like as it is drawn, by place in the weave. Follows from lengths alone: liquids and
+// angles have no part in it.
+#pragma once
+
+#include "core/geometry/textile.h"
+
+#include <memory>
+#include <vector>
+
+namespace hygroloom {
+
+/// The room at crossings of one type of warp with one of weft, on the mean.
+struct DrawnRoom {
+    double warp_skin = 0, weft_skin = 0;   ///< m2 of the yarns at a crossing, beside the room
+    double faces = 0;                      ///< m2 of its openings
+    double along_warp = 0, along_weft = 0; ///< m2, permeabilities when full
+};
+
+struct RoomTables {
+    std::vector<DrawnRoom> types;                ///< warp type x weft types + weft type; empty: the cloth is not drawn
+    std::vector<float> warp_places, weft_places; ///< permeability of each crossing of a period, end x picks + pick, over that of its types
+    int ends = 0, picks = 0;                     ///< of the period that the places are of
+    double falls_along_warp = 0, falls_along_weft = 0; ///< power of its saturation that a room's permeability goes with
+    double growth = 0;                                 ///< m, see growth_to_share()
+};
+
+constexpr int most_drawn_crossings = 64; ///< of a period that is drawn as it is; else a part of it, or each pair of types alone
+
+/// Of the textile's weave and yarns, wherever its region lies. voxels: in the mean pitch, see drawn_layer(). Found tables are kept for
+/// the next time.
+std::shared_ptr<const RoomTables> room_tables(const Textile& textile, int voxels);
+
+} // namespace hygroloom

@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+target_sources(hygroloom_core PRIVATE
+  room/drawn_layer.cpp
+  room/room_flow.cpp
+  room/room_tables.cpp
+  room/stokes.cpp
+  room/voxels.cpp
+)
+
+# Sparse equations, compiled alone at full optimization.
+set_source_files_properties(room/drawn_layer.cpp room/room_flow.cpp room/stokes.cpp PROPERTIES
+  SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")

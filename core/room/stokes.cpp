@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/room/stokes.h"
+
+#include <Eigen/Sparse>
+#include <unsupported/Eigen/IterativeSolvers>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace hygroloom {
+namespace {
+
+using Numbers = Eigen::VectorXd;
+using Matrix = Eigen::SparseMatrix<double>;
+
+/// Of velocities as a Laplacian has it, of pressures nothing.
+class StokesPreconditioner {
+public:
+    StokesPreconditioner() = default;
+    template <typename Any> explicit StokesPreconditioner(const Any& matrix) { compute(matrix); }
+    void of_velocities(const Matrix& laplacian)
+    {
+        velocities_ = laplacian.rows();
+        cholesky_.compute(laplacian);
+    }
+    template <typename Any> StokesPreconditioner& analyzePattern(const Any&) { return *this; }
+    template <typename Any> StokesPreconditioner& factorize(const Any&) { return *this; }
+    template <typename Any> StokesPreconditioner& compute(const Any&) { return *this; }
+    Eigen::ComputationInfo info() const { return Eigen::Success; }
+    Numbers solve(const Numbers& right) const
+    {
+        Numbers found = right;
+        found.head(velocities_) = cholesky_.solve(right.head(velocities_));
+        return found;
+    }
+
+private:
+    Eigen::Index velocities_ = 0;
+    Eigen::IncompleteCholesky<double, Eigen::Lower, Eigen::NaturalOrdering<int>> cholesky_;
+};
+
+/// Velocities stand on the sides between voxels of liquid, pressures in their middles. Lengths in sides of a voxel.
+class StokesFlow {
+public:
+    StokesFlow(const DrawnLayer& layer, double growth) : layer_(layer), growth_(growth), pressure_(layer.grid.size(), -1)
+    {
+        const double side = layer.side();
+        length_ = {layer.dx / side, layer.dy / side, layer.dz / side};
+        for (int z = layer.first(); z <= layer.last(); ++z)
+            for (int y = 0; y < layer.grid.ny; ++y)
+                for (int x = 0; x < layer.grid.nx; ++x)
+                    if (is_liquid(layer.grid.at(x, y, z))) {
+                        pressure_[layer.grid.at(x, y, z)] = static_cast<int>(places_.size());
+                        places_.push_back({x, y, z});
+                    }
+        for (int axis = 0; axis < 3; ++axis) {
+            first_[static_cast<std::size_t>(axis)] = static_cast<int>(sides_.size());
+            velocity_[static_cast<std::size_t>(axis)].assign(layer.grid.size(), -1);
+            for (const Place& p : places_) {
+                const auto before = beside(p, axis, -1);
+                if (!before || pressure_[at(*before)] < 0) continue;
+                velocity_[static_cast<std::size_t>(axis)][at(p)] = static_cast<int>(sides_.size());
+                sides_.push_back({p, *before});
+            }
+        }
+        first_[3] = static_cast<int>(sides_.size());
+    }
+    double permeability(bool along_warp) const;
+
+private:
+    struct Place {
+        int x, y, z;
+    };
+    struct Side {
+        Place here, before;
+    };
+    std::size_t at(const Place& p) const { return layer_.grid.at(p.x, p.y, p.z); }
+    double outside(const Place& p) const { return static_cast<double>(layer_.outside[at(p)]) - growth_; }
+    bool is_liquid(std::size_t voxel) const { return static_cast<double>(layer_.outside[voxel]) > growth_; }
+    std::optional<Place> beside(Place p, int axis, int step) const
+    {
+        const auto round = [](int i, int n) { return i < 0 ? i + n : i >= n ? i - n : i; };
+        if (axis == 0) p.x = round(p.x + step, layer_.grid.nx);
+        if (axis == 1) p.y = round(p.y + step, layer_.grid.ny);
+        if (axis == 2) p.z += step;
+        if (p.z < layer_.first() || p.z > layer_.last()) return {};
+        return p;
+    }
+    /// What the velocity on a side loses to what lies beside it; the neighbour's number, or none where that stands still or slips.
+    struct Beside {
+        double couples = 0;
+        int next = -1;
+    };
+    Beside beside(const Side& side, int own, int axis, int step) const
+    {
+        const double per_area = 1 / (length_[static_cast<std::size_t>(axis)] * length_[static_cast<std::size_t>(axis)]);
+        const auto here = beside(side.here, axis, step), before = beside(side.before, axis, step);
+        if (!here || !before) return {axis == own ? per_area : 0.0, -1};
+        const int next = velocity_[static_cast<std::size_t>(own)][at(*here)];
+        if (next >= 0) return {per_area, next};
+        constexpr double nearest_wall = 0.15;
+        const double there = 0.5 * (outside(*here) + outside(*before)), inside = 0.5 * (outside(side.here) + outside(side.before));
+        const double part = there < 0 && inside > 0 ? std::clamp(inside / (inside - there), nearest_wall, 1.0) : 1.0;
+        return {per_area / part, -1};
+    }
+
+    const DrawnLayer& layer_;
+    double growth_;
+    std::array<double, 3> length_{};
+    std::vector<int> pressure_;
+    std::vector<Place> places_;
+    std::array<std::vector<int>, 3> velocity_; // number of the one on each voxel's lower side
+    std::array<int, 4> first_{};
+    std::vector<Side> sides_; // with a velocity: all along x, then y, then z
+};
+
+double StokesFlow::permeability(bool along_warp) const
+{
+    const int velocities = first_[3], all = velocities + static_cast<int>(places_.size()), driven = along_warp ? 1 : 0;
+    if (velocities == 0) return 0;
+    std::vector<Eigen::Triplet<double>> laplacian, whole;
+    Numbers right = Numbers::Zero(all);
+    for (int axis = 0; axis < 3; ++axis)
+        for (int u = first_[static_cast<std::size_t>(axis)]; u < first_[static_cast<std::size_t>(axis) + 1]; ++u) {
+            const Side& side = sides_[static_cast<std::size_t>(u)];
+            double diagonal = 0;
+            for (int across = 0; across < 3; ++across)
+                for (int step : {-1, 1}) {
+                    const Beside next = beside(side, axis, across, step);
+                    diagonal += next.couples;
+                    if (next.next >= 0) laplacian.emplace_back(u, next.next, -next.couples);
+                }
+            laplacian.emplace_back(u, u, diagonal);
+            const double gradient = 1 / length_[static_cast<std::size_t>(axis)];
+            for (const auto& [place, sign] : {std::pair{side.here, 1.0}, std::pair{side.before, -1.0}}) {
+                const int p = velocities + pressure_[at(place)];
+                whole.emplace_back(u, p, sign * gradient);
+                whole.emplace_back(p, u, sign * gradient);
+            }
+            if (axis == driven) right[u] = 1;
+        }
+    Matrix of_velocities(velocities, velocities), matrix(all, all);
+    of_velocities.setFromTriplets(laplacian.begin(), laplacian.end());
+    whole.insert(whole.end(), laplacian.begin(), laplacian.end());
+    matrix.setFromTriplets(whole.begin(), whole.end());
+    Eigen::MINRES<Matrix, Eigen::Lower | Eigen::Upper, StokesPreconditioner> solver;
+    solver.preconditioner().of_velocities(of_velocities);
+    solver.setTolerance(1e-5);
+    solver.setMaxIterations(3000);
+    solver.compute(matrix);
+    const Numbers found = solver.solve(right);
+    const double flow = right.head(velocities).dot(found.head(velocities)), side = layer_.side();
+    return flow * side * side / (layer_.grid.nx * layer_.grid.ny * (layer_.last() - layer_.first() + 1.0));
+}
+
+} // namespace
+
+double stokes_permeability(const DrawnLayer& layer, double growth, bool along_warp)
+{
+    return StokesFlow(layer, growth).permeability(along_warp);
+}
+
+} // namespace hygroloom
