@@ -50,11 +50,11 @@ constexpr std::pair<std::string_view, Stored> endings[] = {
     {"_g_m2", Stored::g_per_m2},   {"_mn_m", Stored::mn_per_m}, {"_mpa_s", Stored::mpa_second},
     {"_kg_m3", Stored::kg_per_m3}, {"_m2_s", Stored::number},   {"_m_s", Stored::metre_per_second},
     {"_c", Stored::celsius},       {"_s", Stored::second}};
-constexpr std::pair<std::string_view, Stored> keys[] = {{"finish_face", Stored::degree},         {"finish_back", Stored::degree},
-                                                        {"relative_humidity", Stored::fraction}, {"packing_factor", Stored::fraction},
-                                                        {"porosity", Stored::fraction},          {"share", Stored::fraction},
-                                                        {"irregularity_cv", Stored::fraction},   {"standard_regain", Stored::fraction},
-                                                        {"saturation_regain", Stored::fraction}, {"monolayer_regain", Stored::fraction}};
+constexpr std::pair<std::string_view, Stored> keys[] = {
+    {"finish_face", Stored::degree},        {"finish_back", Stored::degree},       {"relative_humidity", Stored::fraction},
+    {"packing_factor", Stored::fraction},   {"porosity", Stored::fraction},        {"share", Stored::fraction},
+    {"irregularity_cv", Stored::fraction},  {"standard_regain", Stored::fraction}, {"saturation_regain", Stored::fraction},
+    {"monolayer_regain", Stored::fraction}, {"finish_depth", Stored::fraction},    {"finish_holes", Stored::fraction}};
 
 /// The micro sign for the Greek letter, which looks the same; small letters where capitals do not count.
 std::string folded(std::string_view text, bool fold_case)

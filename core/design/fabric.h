@@ -60,6 +60,8 @@ struct Calibrated {
     bool operator==(const Calibrated&) const = default;
 };
 
+constexpr double default_finish_depth = 0.10; ///< of the thickness, as foam and print reach; an assumption
+
 struct Fabric {
     std::string name;
     Yarn warp;
@@ -77,6 +79,8 @@ struct Fabric {
     std::optional<double> contact_angle_deg; ///< of the finish; without it, each yarn's fibres
     std::optional<double> finish_face;       ///< contact angle, degrees, of what lies on the upper face; without it, the yarns' own
     std::optional<double> finish_back;       ///< the same of the lower face
+    std::optional<double> finish_depth;      ///< of both, share of the thickness; without it default_finish_depth
+    std::optional<double> finish_holes;      ///< share of the crowns and hairs under them that is untreated; without it none
     Measured measured;
     Uncertainty uncertainty;
     std::optional<Calibrated> calibrated;

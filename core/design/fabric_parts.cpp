@@ -146,6 +146,9 @@ void add_faces(std::vector<FabricPart>& parts)
     parts.push_back({contact_angle_title, PartActs::always, {field("contact_angle_deg", "finish", "°", OF(contact_angle_deg))}});
     parts.push_back({"finish of the upper face", PartActs::always, {field("finish_face", "", "°", OF(finish_face))}});
     parts.push_back({"finish of the lower face", PartActs::always, {field("finish_back", "", "°", OF(finish_back))}});
+    parts.push_back({"depth of the finish",
+                     PartActs::always,
+                     {field("finish_depth", "depth", "", OF(finish_depth)), field("finish_holes", "untreated", "", OF(finish_holes))}});
 }
 
 void add_knowledge(std::vector<FabricPart>& parts)

@@ -146,6 +146,8 @@ FabricQuantities quantities_of(const Fabric& fabric, const FittedYarns& fitted)
     const Flyaways on_warp = flyaways_of(fabric, fitted.warp_order, fitted.warp, true, (1 + 0.01 * q.warp.crimp_percent) / q.warp.pitch_mm),
                    on_weft =
                        flyaways_of(fabric, fitted.weft_order, fitted.weft, false, (1 + 0.01 * q.weft.crimp_percent) / q.weft.pitch_mm);
+    q.finish_depth = fabric.finish_depth.value_or(default_finish_depth);
+    q.finish_holes = fabric.finish_holes.value_or(0);
     q.hair_surface = 0.5 * (on_warp.surface + on_weft.surface);
     q.smoothness = std::max(0.0, 1 - (on_warp.volume + on_weft.volume) / q.thickness_mm);
     q.rough_porosity = std::max(0.01, q.porosity - (1 - q.smoothness));

@@ -18,11 +18,13 @@ struct FabricQuantities {
     double fibre_volume_fraction = 0;   ///< of the yarn layer
     double gap_warp_mm = 0;             ///< between neighbouring ends
     double gap_weft_mm = 0;
-    double inter_yarn_pore_radius_um = 0; ///< hydraulic radius of the hole between four yarns
-    double smoothness = 1;                ///< 1 - volume of flyaway fibres / volume of the fabric
-    double hair_surface = 0;              ///< of the flyaway fibres on one face, over its area
-    bool jammed = false;                  ///< yarns cannot bend round each other without being squeezed
-    std::vector<std::string> notes;       ///< what was done to the sections, in sentences
+    double inter_yarn_pore_radius_um = 0;       ///< hydraulic radius of the hole between four yarns
+    double smoothness = 1;                      ///< 1 - volume of flyaway fibres / volume of the fabric
+    double hair_surface = 0;                    ///< of the flyaway fibres on one face, over its area
+    double finish_depth = default_finish_depth; ///< see Fabric::finish_depth
+    double finish_holes = 0;                    ///< see Fabric::finish_holes
+    bool jammed = false;                        ///< yarns cannot bend round each other without being squeezed
+    std::vector<std::string> notes;             ///< what was done to the sections, in sentences
 };
 
 /// By formula alone, of a fabric with its yarns fitted. Sections keep the free linear density of their yarn; the thickness limits their

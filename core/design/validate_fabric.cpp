@@ -315,6 +315,8 @@ std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const 
     list.range_if_given(where + ".contact_angle_deg", "contact angle", fabric.contact_angle_deg, 0, 180, "degrees");
     list.range_if_given(where + ".finish_face", "contact angle of the upper face's finish", fabric.finish_face, 0, 180, "degrees");
     list.range_if_given(where + ".finish_back", "contact angle of the lower face's finish", fabric.finish_back, 0, 180, "degrees");
+    list.range_if_given(where + ".finish_depth", "depth of a face's finish, a share of the thickness,", fabric.finish_depth, 0, 1);
+    list.range_if_given(where + ".finish_holes", "share of crowns and hairs that a finish leaves untreated", fabric.finish_holes, 0, 1);
     validate_measured(fabric.measured, where, list);
     const Uncertainty& off = fabric.uncertainty;
     list.range_if_given(where + ".uncertainty.contact_angle_deg", "uncertainty of the contact angle", off.contact_angle_deg, 0, 90,

@@ -178,6 +178,8 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
     object.read("contact_angle_deg", fabric.contact_angle_deg);
     object.read("finish_face", fabric.finish_face);
     object.read("finish_back", fabric.finish_back);
+    object.read("finish_depth", fabric.finish_depth);
+    object.read("finish_holes", fabric.finish_holes);
     object.read("porosity", fabric.measured.porosity);
     object.read("areal_density_g_m2", fabric.measured.areal_density_g_m2);
     object.read("capillary_radius_um", fabric.measured.capillary_radius_um);

@@ -133,6 +133,8 @@ ProjectJson write_fabric(const Fabric& fabric)
     write_if_given(json, "contact_angle_deg", fabric.contact_angle_deg);
     write_if_given(json, "finish_face", fabric.finish_face);
     write_if_given(json, "finish_back", fabric.finish_back);
+    write_if_given(json, "finish_depth", fabric.finish_depth);
+    write_if_given(json, "finish_holes", fabric.finish_holes);
     write_if_given(json, "porosity", fabric.measured.porosity);
     write_if_given(json, "areal_density_g_m2", fabric.measured.areal_density_g_m2);
     write_if_given(json, "capillary_radius_um", fabric.measured.capillary_radius_um);

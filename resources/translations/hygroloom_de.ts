@@ -3814,6 +3814,30 @@ Klicken zeigt diese Zeit.</translation>
         <source>measured crimp</source>
         <translation>gemessene Einwebung</translation>
     </message>
+    <message>
+        <source>Finish, depth</source>
+        <translation>Ausrüstung, Tiefe</translation>
+    </message>
+    <message>
+        <source>depth of the finish</source>
+        <translation>Tiefe der Ausrüstung</translation>
+    </message>
+    <message>
+        <source>How deep the finish of a face reaches, of the fabric&apos;s thickness. The yarns wick below it. Leave empty for 10 %, which is assumed. 100 %: the yarns that lie on the face are finished through. Acts in the closure “pores” only.</source>
+        <translation>Wie tief die Ausrüstung einer Seite reicht, als Anteil der Gewebedicke. Darunter saugen die Garne. Leer lassen für 10 %, eine Annahme. 100 %: Die Garne auf der Seite sind ganz ausgerüstet. Wirkt nur im Saugmodell mit Poren.</translation>
+    </message>
+    <message>
+        <source>Finish, untreated</source>
+        <translation>Ausrüstung, Lücken</translation>
+    </message>
+    <message>
+        <source>holes of the finish</source>
+        <translation>Lücken der Ausrüstung</translation>
+    </message>
+    <message>
+        <source>Share of the crowns and hairs on the finished face that the finish leaves untreated: liquid passes there at once. Leave empty for none. Acts in the closure “pores” only.</source>
+        <translation>Anteil der Bindungspunkte und Haare auf der ausgerüsteten Seite, den die Ausrüstung auslässt: Dort dringt Flüssigkeit sofort ein. Leer lassen für keine. Wirkt nur im Saugmodell mit Poren.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::FactorForm</name>

@@ -78,6 +78,8 @@ inline Design rich()
     fabric.calibrated = Calibrated{"strip \"β\".csv", "strip", "draft", "wick_height_mm", 0.1 + 0.2, {35.5, {}, 1.0 / 3.0}};
     fabric.finish_face = 110.5;
     fabric.finish_back = 0;
+    fabric.finish_depth = 0.125;
+    fabric.finish_holes = 0.1 + 0.2;
     fabric.weft.irregularity_cv = 0.125;
     fabric.weft.filament_count = 96;
     fabric.measured = {0.8, 160.0, 12.5, 1.3, 6.0};

@@ -75,6 +75,8 @@ const std::map<std::string, Change> changes{
     {"contact_angle_deg", {"50"}},
     {"finish_face", {"50"}},
     {"finish_back", {"50"}},
+    {"finish_depth", {"0.2"}},
+    {"finish_holes", {"0.05"}},
     {"porosity", {"0.7"}},
     {"areal_density_g_m2", {"200"}},
     {"capillary_radius_um", {"9"}},

@@ -155,6 +155,8 @@ private Q_SLOTS:
         row("fabrics[0].contact_angle_deg", "range", [](Design& d) { d.fabrics[0].contact_angle_deg = 181; });
         row("fabrics[0].finish_face", "range", [](Design& d) { d.fabrics[0].finish_face = -1; });
         row("fabrics[0].finish_back", "range", [nan](Design& d) { d.fabrics[0].finish_back = nan; });
+        row("fabrics[0].finish_depth", "range", [](Design& d) { d.fabrics[0].finish_depth = 1.01; });
+        row("fabrics[0].finish_holes", "range", [nan](Design& d) { d.fabrics[0].finish_holes = nan; });
         row("fabrics[0].weft.irregularity_cv", "range", [](Design& d) { d.fabrics[0].weft.irregularity_cv = 0.41; });
         row("fabrics[0].porosity", "range", [](Design& d) { d.fabrics[0].measured.porosity = 1; });
         row("fabrics[0].areal_density_g_m2", "range", [nan](Design& d) { d.fabrics[0].measured.areal_density_g_m2 = nan; });

@@ -251,6 +251,8 @@ private Q_SLOTS:
                                << "12 %" << 12.0;
         QTest::newRow("finish") << "fabrics[0].finish_face"
                                 << "105°" << 105.0;
+        QTest::newRow("depth of a finish") << "fabrics[0].finish_depth"
+                                           << "15 %" << 0.15;
         QTest::newRow("gsm") << "fabrics[0].areal_density_g_m2"
                              << "120 gsm" << 120.0;
     }

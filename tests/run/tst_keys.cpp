@@ -128,6 +128,8 @@ const Change changes[] = {
     {"fabric.contact_angle_deg", FABRIC "contact_angle_deg", "55"},
     {"fabric.finish_face", FABRIC "finish_face", "60"},
     {"fabric.finish_back", FABRIC "finish_back", "60"},
+    {"fabric.finish_depth", FABRIC "finish_depth", "0.3", FABRIC "finish_face", "110"},
+    {"fabric.finish_holes", FABRIC "finish_holes", "0.2", "/fabrics/0", R"({ "finish_face": 120, "finish_depth": 0.5 })"},
     {"fabric.porosity", FABRIC "porosity", "0.8"},
     {"fabric.areal_density_g_m2", FABRIC "areal_density_g_m2", "240"},
     {"fabric.capillary_radius_um", FABRIC "capillary_radius_um", "9"},

@@ -92,6 +92,8 @@ void change_cloth(int index, Design& design)
         own.receding_angle_deg = dice.one_of<double>({0, own.contact_angle_deg});
         own.cross_section = dice.one_of(cross_sections());
     }
+    if (dice.chance(0.5)) fabric.finish_depth = dice.one_of<double>({0, 0.05, 0.33, 0.5, 1});
+    if (dice.chance(0.3)) fabric.finish_holes = dice.one_of<double>({0, 0.02, 1});
 }
 
 } // namespace

@@ -201,12 +201,31 @@ void FabricPanel::addFaces()
     };
     QuantityEdit* face = add(tr("Finish, top face"), tr("finish of the top face"), "finish_face", &Fabric::finish_face);
     QuantityEdit* back = add(tr("Finish, back"), tr("finish of the back"), "finish_back", &Fabric::finish_back);
+    const auto addShare = [&](const QString& label, const QString& undo, const char* where, std::optional<double> Fabric::*member,
+                              const QString& help) {
+        return form_->addQuantity(Quantity::percent(0, 1),
+                                  field(
+                                      label, undo, where, [member](const Fabric& f) { return f.*member; },
+                                      [member](Fabric& f, std::optional<double> v) { f.*member = v; }, help),
+                                  true);
+    };
+    QuantityEdit* depth =
+        addShare(tr("Finish, depth"), tr("depth of the finish"), "finish_depth", &Fabric::finish_depth,
+                 tr("How deep the finish of a face reaches, of the fabric's thickness. The yarns wick below it. Leave empty for 10 %, "
+                    "which is assumed. 100 %: the yarns that lie on the face are finished through. Acts in the closure “pores” only."));
+    QuantityEdit* holes = addShare(tr("Finish, untreated"), tr("holes of the finish"), "finish_holes", &Fabric::finish_holes,
+                                   tr("Share of the crowns and hairs on the finished face that the finish leaves untreated: liquid passes "
+                                      "there at once. Leave empty for none. Acts in the closure “pores” only."));
     form_->onRefresh([=, this] {
         const FabricQuantities* q = document_.quantities();
         for (QuantityEdit* edit : {face, back}) {
             edit->setEnabled(document_.fabric() != nullptr);
             edit->setDerived(q ? std::optional(q->warp.contact_angle_deg) : std::nullopt);
         }
+        const Fabric* f = document_.fabric();
+        for (QuantityEdit* edit : {depth, holes}) { edit->setEnabled(f != nullptr && (f->finish_face || f->finish_back)); }
+        depth->setDerived(q ? std::optional(default_finish_depth) : std::nullopt);
+        holes->setDerived(q ? std::optional(0.0) : std::nullopt);
         receding->setText(q ? tr("%1° × %2°").arg(shownNumber(q->warp.receding_angle_deg, 0), shownNumber(q->weft.receding_angle_deg, 0))
                             : QStringLiteral("–"));
     });
