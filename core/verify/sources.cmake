@@ -5,6 +5,7 @@ target_sources(hygroloom_core PRIVATE
   verify/convergence_cases.cpp
   verify/drawn_pores.cpp
   verify/drop_set_ups.cpp
+  verify/finish_cases.cpp
   verify/heat_cases.cpp
   verify/laboratory_cases.cpp
   verify/liquid_cases.cpp

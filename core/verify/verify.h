@@ -110,6 +110,7 @@ std::vector<VerifyCase> cloth_cases();
 std::vector<VerifyCase> sett_cases();
 std::vector<VerifyCase> room_cases();
 std::vector<VerifyCase> evenness_cases();
+std::vector<VerifyCase> finish_cases();
 std::vector<VerifyCase> whole_run_cases();
 std::vector<VerifyCase> convergence_cases();
 std::vector<VerifyCase> measured_fibre_cases();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Wetting and wicking against hand-worked numbers and limits.
+#include "core/physics/finished_face.h"
 #include "core/physics/scattered_gate.h"
 #include "core/physics/water.h"
 #include "core/physics/wetting.h"
@@ -113,6 +114,52 @@ private Q_SLOTS:
             breakthrough_pressure(tension, radian_from_degree(89), 1e-4, 43e-6, 1e-4, std::numeric_limits<double>::infinity());
         QVERIFY(within(slot, 699.6, 1e-4));
         QVERIFY(within(1.0 / meniscus_curvature(1e-4, 43e-6, 0), 43e-6, 1e-12)); // between the nearest points
+    }
+    void aFinishCoversWhatSectionAndPathSay()
+    {
+        const FinishedYarn round{1, 1, 0.5}, spun{1.25, 1, 0.5};
+        QVERIFY(within(share_of_section_above(round, 0.5), 0.5, 1e-12) && within(share_of_outline_above(spun, 0.5), 0.5, 1e-12));
+        QVERIFY(within(share_of_section_above(round, 0.25), 1.0 / 3 - std::sqrt(3.0) / (4 * pi), 1e-12)); // a segment of 120 degrees
+        QVERIFY(within(share_of_outline_above(round, 0.25), 1.0 / 3, 1e-12));
+        QVERIFY(share_of_section_above(spun, 0) == 0 && share_of_section_above(spun, 1) == 1 && share_of_section_above(spun, 9) == 1);
+        const struct {
+            double depth, crown, all; // of a plain cloth of level faces, computed apart from drawn sections
+        } known[] = {{.05, .054, .008}, {.10, .143, .028}, {.20, .362, .099}, {.25, .477, .147}, {.33, .672, .243}, {.50, .995, .50}};
+        for (const auto& k : known) {
+            const FinishedShares shares = shares_in_finish(spun, 2, 2 * k.depth);
+            QVERIFY2(std::abs(shares.crown - k.crown) < 0.005 && std::abs(shares.all - k.all) < 0.002,
+                     qPrintable(QString("%1: %2, %3").arg(k.depth).arg(shares.crown).arg(shares.all)));
+        }
+        QVERIFY(!shares_in_finish(spun, 2, 1).goes_through());
+        const FinishedShares through = shares_in_finish(spun, 2, 2), none = shares_in_finish(spun, 2, 0);
+        QVERIFY(through.goes_through() && within(through.section, 1, 1e-12) && within(through.outline, 1, 1e-12));
+        QVERIFY(none.crown == 0 && none.outline == 0 && none.all == 0);
+        QCOMPARE(shares_in_finish({1.25, 1, 0.3}, 2, 0.2).crown, 0.0); // a yarn that lies below the face
+    }
+    void liquidPassesAFinishAtThePressureOfTheWayToItsDepth()
+    {
+        const double depths[] = {.05, .10, .15, .20, .25, .33, .50};
+        const struct {
+            double degrees, half_gap_um, pressure[7]; // Pa, computed apart
+        } known[] = {{100, 125, {0, 0, 0, 0, 106, 288, 611}},
+                     {110, 125, {0, 0, 0, 86, 203, 385, 698}},
+                     {120, 125, {0, 0, 60, 177, 295, 475, 779}},
+                     {130, 125, {0, 26, 141, 259, 377, 557, 853}},
+                     {110, 60, {0, 0, 0, 240, 572, 1059, 1631}}};
+        for (const auto& k : known)
+            for (int i = 0; i < 7; ++i) {
+                const double found =
+                    pressure_past_finish(0.0728, radian_from_degree(k.degrees), 62e-6, 1e-6 * k.half_gap_um, depths[i] * 250e-6);
+                QVERIFY2(std::abs(found - k.pressure[i]) <= 3, qPrintable(QString("%1, %2: %3").arg(k.degrees).arg(depths[i]).arg(found)));
+            }
+        const auto past = [](double degrees, double depth) {
+            return pressure_past_finish(tension, radian_from_degree(degrees), 62e-6, 125e-6, depth);
+        };
+        const double by_itself = 62e-6 * (1 + std::cos(radian_from_degree(120)));
+        QVERIFY(past(120, 0.999 * by_itself) == 0 && past(120, 1.01 * by_itself) > 0);
+        const double slot = breakthrough_pressure(tension, radian_from_degree(120), 62e-6, 125e-6, 62e-6, 125e-6);
+        QVERIFY(within(past(120, 1), slot, 1e-5)); // all the way through: the hole's own
+        for (double depth = 0; depth < 250e-6; depth += 5e-6) QVERIFY(past(120, depth + 5e-6) >= past(120, depth));
     }
     void hairsLeaveOpenWhatRandomCoverDoes()
     {
