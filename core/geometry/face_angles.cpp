@@ -44,4 +44,14 @@ FaceAngles angles_on_face(const Textile& textile)
     return {spreads, std::min(spreads, angle_of(cosine_beside(receding / covered, cover, takes_in)))};
 }
 
+FinishedShares shares_in_finish(const Textile& textile, const YarnType& type)
+{
+    return shares_in_finish(type.under_finish(), textile.thickness, textile.quantities.finish_depth * textile.thickness);
+}
+
+double angle_under_finish(const Textile& textile, const YarnType& type, const std::optional<double>& finish)
+{
+    return finish && shares_in_finish(textile, type).goes_through() ? *finish : type.contact_angle;
+}
+
 } // namespace hygroloom

@@ -6,6 +6,7 @@
 
 #include "core/base/vec3.h"
 #include "core/design/fitted_fabric.h"
+#include "core/physics/finished_face.h"
 
 #include <cmath>
 #include <cstdint>
@@ -42,6 +43,13 @@ struct YarnType {
     double core_area() const { return area * packing * core; }
     /// Of the fibres in the room that the core leaves them, where the pores are.
     double packing_round_core() const { return hygroloom::packing_round_core(packing, core); }
+    /// As a finish meets it where it lies on the face, with the mean of its rises.
+    FinishedYarn under_finish() const
+    {
+        double all = 0;
+        for (double over : rise) all += over;
+        return {section.width, section.height, rise.empty() ? 0.0 : all / static_cast<double>(rise.size())};
+    }
     double fibre_length = 1;              ///< of untwisted fibres over the yarn's: they run in and out where the section is squeezed
     std::vector<double> rise;             ///< m, height of the centreline over the middle plane at a crossing, per type it crosses
     std::vector<double> length_per_pitch; ///< mean, per type it crosses: 1 + crimp

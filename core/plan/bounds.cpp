@@ -96,11 +96,11 @@ private:
             gain = std::max(gain, std::abs(regain_in(isotherm, moment.climate) - regain_in(isotherm, experiment_.climate)));
         return gain;
     }
-    /// The smallest contact angle of the type, with the finishes of faces where they act.
+    /// The smallest contact angle of the type's pores, with the finishes of faces where they go through the yarns.
     double angle_on(const Textile& textile, const YarnType& type) const
     {
         if (experiment_.closure != Closure::pores) return type.contact_angle;
-        return std::min(textile.face_angle.value_or(type.contact_angle), textile.back_angle.value_or(type.contact_angle));
+        return std::min(angle_under_finish(textile, type, textile.face_angle), angle_under_finish(textile, type, textile.back_angle));
     }
     /// along: m of yarn per m2, crimp left out. Returns kg/m2 that the type's pores hold; 0 when it does not wick.
     double look_at(const YarnType& type, double contact_angle, double along)

@@ -225,7 +225,7 @@ void flow_by_suction(Scene& scene, const Textile& textile, int room_voxels)
     for (std::size_t type = 0; type < warps + wefts; ++type) {
         const bool is_warp = type < warps;
         const YarnBySuction found = yarn_by_suction(is_warp ? textile.warp.types[type] : textile.weft.types[type - warps], textile,
-                                                    is_warp ? textile.weft.pitch : textile.warp.pitch, liquid);
+                                                    is_warp ? YarnKind::warp : YarnKind::weft, liquid);
         YarnParameters& yarn = scene.cloth.yarns[type];
         yarn.on_face[0] = found.at_bottom;
         yarn.on_face[1] = found.on_top;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/scene/suction.h"
 
+#include "core/geometry/face_angles.h"
 #include "core/physics/between_yarns.h"
 #include "core/physics/scattered_gate.h"
 
@@ -44,34 +45,83 @@ WettedPores wetted_pores(const YarnType& type, const Angles& angles, const Liqui
         gate_of_dry_fibres(type.packing_round_core(), angles.advancing), between_hairs};
 }
 
-/// Its angles are the mean of both faces.
+/// Pa: see pressure_past_finish(), of the slots between ends of a type and between picks of another. 0: the finish wets.
+double passes_finish_at(const Textile& textile, double angle, const YarnType& warp, const YarnType& weft, const LiquidInPores& liquid)
+{
+    if (std::max(gate_of_dry_fibres(warp.packing_round_core(), angle), gate_of_dry_fibres(weft.packing_round_core(), angle)) > 0) return 0;
+    const auto slot = [&](const YarnType& type, double pitch) {
+        return pressure_past_finish(liquid.surface_tension, angle, 0.5 * type.section.height,
+                                    std::max(0.0, 0.5 * (pitch - type.section.width)), textile.quantities.finish_depth * textile.thickness);
+    };
+    return 0.5 * (slot(warp, textile.warp.pitch) + slot(weft, textile.weft.pitch));
+}
+
+/// Whether a finish leaves a core of a yarn that lies on its face.
+bool leaves_core(const Textile& textile, const YarnType& type, const std::optional<double>& finish)
+{
+    return finish && !shares_in_finish(textile, type).goes_through();
+}
+
+/// Of a yarn that lies on a face. A finish that wets lets liquid through as readily as its own dry fibres do, and the yarn is whole.
+WettedPores pores_on_face(const YarnType& type, const Textile& textile, YarnKind kind, bool on_top, const LiquidInPores& liquid)
+{
+    const std::optional<double>& finish = on_top ? textile.face_angle : textile.back_angle;
+    const double between_hairs = share_between_hairs(textile.quantities.hair_surface);
+    if (!leaves_core(textile, type, finish)) return wetted_pores(type, angles_on(type, finish), liquid, between_hairs);
+    WettedPores pores = wetted_pores(type, angles_on(type, {}), liquid, between_hairs);
+    FinishOverPores& over = pores.finish;
+    if (const double gate = gate_of_dry_fibres(type.packing_round_core(), *finish); gate > 0) {
+        over.dry_gate = pores.gate > gate ? gate / pores.gate : 1.0;
+        return pores;
+    }
+    const FinishedShares dry = kept_dry(textile, type, on_top);
+    const bool is_warp = kind == YarnKind::warp;
+    const YarnType& other = textile.system(other_kind(kind)).types.front();
+    over.conducts = 1.0 - dry.crown;
+    over.holds = 1.0 - dry.section;
+    over.open = std::max(over.conducts, textile.quantities.finish_holes);
+    over.holes = textile.quantities.finish_holes;
+    over.passes_at = passes_finish_at(textile, *finish, is_warp ? type : other, is_warp ? other : type, liquid);
+    return pores;
+}
+
+/// Its angles are the mean over its outline on both faces.
 CrossingYarn crossing_yarn(const YarnType& type, const Textile& textile, double pitch, std::size_t crossed)
 {
-    const Angles back = for_curves(angles_on(type, textile.back_angle)), face = for_curves(angles_on(type, textile.face_angle));
-    return {type.section.width,
-            type.section.height,
-            type.area,
-            pitch * type.length_per_pitch[crossed],
-            pitch,
-            type.packing_round_core(),
-            0.5 * (back.advancing + face.advancing),
-            0.5 * (back.receding + face.receding)};
+    const Angles own = for_curves(angles_on(type, {}));
+    const double in_finish = textile.back_angle || textile.face_angle ? shares_in_finish(textile, type).outline : 0.0;
+    Angles mean{};
+    for (const std::optional<double>& finish : {textile.back_angle, textile.face_angle}) {
+        const Angles there = for_curves(angles_on(type, finish));
+        mean.advancing += 0.5 * ((1.0 - in_finish) * own.advancing + in_finish * there.advancing);
+        mean.receding += 0.5 * ((1.0 - in_finish) * own.receding + in_finish * there.receding);
+    }
+    return {type.section.width,        type.section.height, type.area,    pitch * type.length_per_pitch[crossed], pitch,
+            type.packing_round_core(), mean.advancing,      mean.receding};
 }
 
 /// How much of the room's liquid a yarn on a face attracts, beside others: its skin times the work by which that wets. Derived here.
-double attraction(const YarnType& type, double skin, const std::optional<double>& finish)
+double attraction(const YarnType& type, const Textile& textile, double skin, const std::optional<double>& finish)
 {
-    return std::max(0.0, std::cos(angles_on(type, finish).advancing)) * skin;
+    const auto wets = [](double angle) { return std::max(0.0, std::cos(angle)); };
+    const double in_finish = finish ? shares_in_finish(textile, type).outline : 0.0;
+    return skin * ((1.0 - in_finish) * wets(type.contact_angle) + (finish ? in_finish * wets(*finish) : 0.0));
 }
 
 } // namespace
 
-YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, double pitch, const LiquidInPores& liquid)
+FinishedShares kept_dry(const Textile& textile, const YarnType& type, bool on_top)
+{
+    const std::optional<double>& finish = on_top ? textile.face_angle : textile.back_angle;
+    if (!leaves_core(textile, type, finish) || gate_of_dry_fibres(type.packing_round_core(), *finish) > 0) return {};
+    return shares_in_finish(textile, type);
+}
+
+YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, YarnKind kind, const LiquidInPores& liquid)
 {
     const double across = across_per_viscosity(type, liquid), along = permeability_along(fibre_radius(type), type.packing_round_core());
-    const double between_hairs = share_between_hairs(textile.quantities.hair_surface);
-    return {wetted_pores(type, angles_on(type, textile.back_angle), liquid, between_hairs),
-            wetted_pores(type, angles_on(type, textile.face_angle), liquid, between_hairs),
+    const double pitch = textile.system(other_kind(kind)).pitch;
+    return {pores_on_face(type, textile, kind, false, liquid), pores_on_face(type, textile, kind, true, liquid),
             along * (type.area - type.core_area()) / (liquid.viscosity * type.helix_tortuosity),
             type.section.width * pitch * across / (0.25 * type.section.height)};
 }
@@ -137,10 +187,13 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
         between.holds_back = breakthrough_pressure(liquid.surface_tension, 0.5 * (angle(warp_type) + angle(weft_type)), 0.5 * warp.height,
                                                    0.5 * (weft.pitch - warp.width), 0.5 * weft.height, 0.5 * (warp.pitch - weft.width));
     }
+    if (textile.back_angle) between.passes_at[0] = passes_finish_at(textile, *textile.back_angle, warp_type, weft_type, liquid);
+    if (textile.face_angle) between.passes_at[1] = passes_finish_at(textile, *textile.face_angle, warp_type, weft_type, liquid);
     for (bool warp_up : {false, true}) {
         const std::optional<double>&of_warp = warp_up ? textile.face_angle : textile.back_angle,
               &of_weft = warp_up ? textile.back_angle : textile.face_angle;
-        const double by_warp = attraction(warp_type, room.warp_skin, of_warp), by_weft = attraction(weft_type, room.weft_skin, of_weft);
+        const double by_warp = attraction(warp_type, textile, room.warp_skin, of_warp),
+                     by_weft = attraction(weft_type, textile, room.weft_skin, of_weft);
         if (by_warp + by_weft > 0) between.on_warp[warp_up] = by_warp / (by_warp + by_weft);
     }
     return between;

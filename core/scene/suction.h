@@ -9,11 +9,32 @@
 
 namespace hygroloom {
 
+/// What the finish of a face leaves of a yarn that lies there, and how it holds off liquid that stands on it. Without one it does nothing.
+struct FinishOverPores {
+    double conducts = 1;  ///< share of the section that lies under it: no liquid goes along in it
+    double holds = 1;     ///< share of the pores that lies under it
+    double dry_gate = 1;  ///< over the gate of the pores, of dry ones for what stands on it
+    double open = 1;      ///< share of the face's conductance that is open to what has passed it
+    double holes = 1;     ///< the same before that
+    double passes_at = 0; ///< Pa over the air's, see pressure_past_finish()
+
+    /// Share of the face's conductance that is open to liquid of this pressure over the air's, Pa.
+    HL_FN double lets_through(double pressure) const { return pressure >= passes_at ? open : holes; }
+};
+
 /// Pores between fibres that have a contact angle.
 struct WettedPores {
     Retention retention;
     double gate = 0;          ///< of dry ones, see gate_of_dry_fibres()
     double between_hairs = 1; ///< share of dry ones that a drop on the face touches, see share_between_hairs()
+    FinishOverPores finish{};
+
+    /// Share of the face's conductance for liquid that stands on it, of this pressure over the air's, Pa.
+    HL_FN double lets_in_from_face(bool connected, bool drop, double pressure) const
+    {
+        const double dry = gate * finish.dry_gate * (drop ? between_hairs : 1.0);
+        return (connected ? 1.0 : dry) * finish.lets_through(pressure);
+    }
 };
 
 /// The room between the yarns at a crossing, m3/(Pa s) unless said.
@@ -27,7 +48,14 @@ struct BetweenParameters {
     double face = 0;                ///< from liquid on one face
     double through = 0;             ///< out of the hole on the other face; 0: there is none
     double holds_back = 0;          ///< Pa over the air's that liquid must exceed to pass there, see breakthrough_pressure()
+    double passes_at[2] = {0, 0};   ///< Pa over the air's, of liquid on either face that comes past its finish, at the bottom, on top
     double on_warp[2] = {0.5, 0.5}; ///< share of its liquid that clings to the warp yarn: where that lies below, on top
+
+    /// Of what it lets in, or a yarn below it, the share that liquid of this pressure over the air's, Pa, finds on a face.
+    HL_FN double lets_in_from_face(double lets_in, int at_face, double pressure) const
+    {
+        return pressure >= passes_at[at_face] ? lets_in : 0.0;
+    }
 };
 
 /// A yarn's pores and what flows in them.
@@ -42,8 +70,12 @@ struct LiquidInPores {
     double surface_tension, viscosity;
 };
 
-/// One type of a textile's yarns; pitch in m from one crossing to the next.
-YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, double pitch, const LiquidInPores& liquid);
+/// What the finish of a face keeps dry of a type's yarns where they lie there: nothing where there is none, where its own dry fibres take
+/// liquid in, or where it goes through the yarns, whose pores are its own then.
+FinishedShares kept_dry(const Textile& textile, const YarnType& type, bool on_top);
+
+/// One type of a textile's warp or weft.
+YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, YarnKind kind, const LiquidInPores& liquid);
 
 /// Between neighbours that touch, m3/(Pa s): see Cloth::touching.
 std::vector<double> contacts_of(const Textile& textile, const LiquidInPores& liquid);

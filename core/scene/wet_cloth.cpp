@@ -34,7 +34,10 @@ public:
         const YarnParameters& yarn = yarn_of(i);
         const double length = scene_.cloth.fibre_length(i, yarn), dry = yarn.pore_area * length, fibres_m3 = yarn.fibre_area * length;
         const double room = rooms() > 0 ? between(crossing_of(i)).volume : 0.0;
-        return swollen_yarn(dry, fibres_m3, scene_.cloth.swelling * yarn.initial_regain * fibres(i), each_takes_of_room * room);
+        Swollen found = swollen_yarn(dry, fibres_m3, scene_.cloth.swelling * yarn.initial_regain * fibres(i), each_takes_of_room * room);
+        const bool on_top = (scene_.cloth.warp_up[crossing_of(i)] != 0) == (i < segments() / 2);
+        found.pores *= yarn.on_face[on_top ? 1 : 0].finish.holds;
+        return found;
     }
     const BetweenParameters& between(std::size_t crossing) const
     {

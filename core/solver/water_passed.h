@@ -86,7 +86,9 @@ struct Pools {
         const double radius = std::max(base(scene, 0, climate.density), scene.cloth.warp_pitch);
         const double height = cap_height(standing_volume(0, climate.density), radius);
         const double curvature = 2.0 * height / (radius * radius + height * height); // 1/m
-        return {true, 2.0 * climate.surface_tension * curvature + climate.density * gravity_acceleration * height};
+        return {.stands = true,
+                .pressure = 2.0 * climate.surface_tension * curvature + climate.density * gravity_acceleration * height,
+                .face = scene.supply.pools[0].top ? 1 : 0};
     }
 
 private:

@@ -97,7 +97,12 @@ template <typename Executor> void YarnNetwork<Executor>::move_by_suction(double 
     const bool pools = pools_.feeds();
     if (pools) {
         totals_.write(0, {});
-        const WeighPool weigh{segments(), face_under(0), climate_.density, pools_.weight_unit(*scene_), &totals_.data()->asked};
+        const WeighPool weigh{segments(),
+                              face_under(0),
+                              climate_.density,
+                              pools_.standing_pool(*scene_, climate_).pressure,
+                              pools_.weight_unit(*scene_),
+                              &totals_.data()->asked};
         each_segment("weigh pool", weigh);
         each_segment("offer pool", OfferPool{weigh, pools_.standing[0]});
     }

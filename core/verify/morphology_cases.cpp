@@ -109,8 +109,7 @@ void add_yarn(std::vector<VerifyResult>& results, const VerifyValues& v, const T
     const double voxel = voxel_of("fibre_voxel_um", v, usual_um, fibre_um / 4, grid_of_sections(drawn, metre_from_um(usual_um)), 2);
     const PoreImage image = image_of_sections(drawn, voxel, 2 * value(v, "skin_fibres") * drawn[0].fibres[0].radius);
     const Suctions geometry = suctions_of(morphology_curves(image, radii), voxel, 1, liquid.surface_tension, cosines_of(type));
-    const double pitch = textile.system(other_kind(kind)).pitch;
-    const Retention closure = yarn_by_suction(type, textile, pitch, liquid).at_bottom.retention;
+    const Retention closure = yarn_by_suction(type, textile, kind, liquid).at_bottom.retention;
     add_results(results, kind == YarnKind::warp ? "warp" : "weft", closure, geometry, 0.25, type.plies > 1 ? of_plies : of_yarns);
 }
 

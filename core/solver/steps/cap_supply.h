@@ -47,12 +47,12 @@ struct WeighCaps {
 
     HL_FN std::int64_t weight(int number, int crossing, int cap) const
     {
-        const Taker taker{find.s, density, number};
+        const Taker taker{find.s, density, number, find.caps[cap].pressure};
         const FedFace circle = find.under(cap);
         const double places = circle.places * circle.places;
         const double share = taker.is_room() ? circle.places_inside(find.s, crossing) / places : circle.share(find.s, number);
         constexpr double most = 1e-6; // kg, over what a taker holds: their sum can be counted
-        const double draws = share > 0 ? share * taker.draws_from_cap(dt, find.caps[cap].pressure) : 0.0;
+        const double draws = share > 0 ? share * taker.draws_from_cap(dt) : 0.0;
         return static_cast<std::int64_t>((draws < most ? draws : most) / water_quantum);
     }
     HL_FN void operator()(int index) const

@@ -30,7 +30,8 @@ struct WickBetweenLayers : PairFlow {
         flow(room_side(joint.a), room_side(joint.b), {joint.rooms, of_room, 0});
         for (bool is_warp : {true, false}) {
             const FacingSegments facing(s, joint, is_warp);
-            flow(side(facing.a), side(facing.b), {0.5 * joint.yarns, of_yarn, 0});
+            const Side a = side(facing.a), b = side(facing.b);
+            flow(a, b, {0.5 * joint.yarns * past_finish(a, b.suction()) * past_finish(b, a.suction()), of_yarn, 0});
             with_room(joint.a, facing.b, 0.5 * joint.a_room_to);
             with_room(joint.b, facing.a, 0.5 * joint.b_room_to);
         }
@@ -48,7 +49,13 @@ private:
     HL_FN void with_room(int crossing, int segment, double conductance) const
     {
         const Side room = room_side(crossing), yarn = side(segment);
-        flow(room, yarn, {conductance, yarn.suction() > room.suction() ? of_face : of_yarn, 0});
+        flow(room, yarn, {conductance * past_finish(yarn, room.suction()), yarn.suction() > room.suction() ? of_face : of_yarn, 0});
+    }
+    /// Share that the finish of the face that a yarn lies on leaves to liquid of a suction, Pa, whichever face the other layer touches.
+    HL_FN double past_finish(const Side& yarn, double suction) const
+    {
+        const int crossing = s.crossing_of(yarn.segment);
+        return s.yarn_of(yarn.segment).on_face[s.face_of(crossing, s.is_warp(yarn.segment))].finish.lets_through(-suction);
     }
 };
 

@@ -16,6 +16,7 @@ struct StandingPool {
     const CapOnFace* caps = nullptr; ///< null: there are none
     CapSums* sums = nullptr;         ///< of the caps
     bool drops = false;              ///< which hairs hold off dry yarns
+    int face = 1;                    ///< on which it stands: 1 on top, 0 at the bottom
 };
 
 /// Classes of pores at a place of a line.
@@ -318,10 +319,15 @@ struct PoreLines {
     }
     HL_FN double along_yarn(const YarnParameters& yarn, int i, int next) const // m3/(s Pa), between neighbours
     {
-        double flows = yarn.flow_along * 2.0 * plain_inverse(s.length[i] + s.length[next]);
+        double flows = yarn.flow_along * 2.0 * plain_inverse(resists(yarn, i) + resists(yarn, next));
         if (s.varies()) flows *= 0.5 * (find().permeability(i, yarn) + find().permeability(next, yarn));
         if (s.warmth[i] == 0 && s.warmth[next] == 0) return flows;
         return flows * 0.5 * (flow_factor(climate.flow, s.warmth[i]) + flow_factor(climate.flow, s.warmth[next]));
+    }
+    /// m of a yarn without a finish that let through as little as a segment.
+    HL_FN double resists(const YarnParameters& yarn, int i) const
+    {
+        return s.length[i] * plain_inverse(yarn.on_face[s.face_of(s.crossing_of(i), s.is_warp(i))].finish.conducts);
     }
     template <typename Places> HL_FN bool couple_with_pool(const Places& line, const Place& p, int i) const
     {
@@ -334,8 +340,11 @@ struct PoreLines {
             const End to = end_of(line, p, which, i);
             const double conductance =
                 which == room_pores ? find().permeability_of_room(p.crossing, room(p)) * room(p).face : yarn_of(p, which).face_conductance;
-            const double gate = pool.drops && which != room_pores ? to.gate * pores(p, which).between_hairs : to.gate;
-            line(feed + which, i) = climate.density * conductance * dt_across * (to.is_connected() ? 1.0 : gate);
+            const bool below = which == room_pores || face(p, which) != pool.face; // the finish of the pool's face
+            const double lets_in =
+                which == room_pores ? to.lets_in() : pores(p, which).lets_in_from_face(to.is_connected(), pool.drops, line(presses, i));
+            const double share = below ? room(p).lets_in_from_face(lets_in, pool.face, line(presses, i)) : lets_in;
+            line(feed + which, i) = climate.density * conductance * dt_across * share;
             any = any || line(feed + which, i) > 0;
         }
         return any;

@@ -30,6 +30,12 @@ struct FindPores {
     {
         return yarn.fibre_area * s.fibre_length(i, yarn);
     }
+    /// Share of a segment's pores that no finish keeps dry.
+    HL_FN double wettable(int i, const YarnParameters& yarn) const
+    {
+        return yarn.on_face[s.face_of(s.crossing_of(i), s.is_warp(i))].finish.holds;
+    }
+    /// Its pores are those that no finish keeps dry.
     HL_FN Swollen swollen(int i) const
     {
         const YarnParameters& yarn = s.yarn_of(i);
@@ -38,13 +44,15 @@ struct FindPores {
             const int crossing = s.crossing_of(i);
             share_of_room = each_takes_of_room * s.crossing_at(crossing / s.picks, crossing % s.picks).between.volume;
         }
-        return swollen_yarn(dry_pores(i, yarn), dry_fibres(i, yarn), s.swelling * s.bound[i], share_of_room);
+        Swollen found = swollen_yarn(dry_pores(i, yarn), dry_fibres(i, yarn), s.swelling * s.bound[i], share_of_room);
+        found.pores *= wettable(i, yarn);
+        return found;
     }
     /// How much finer pores are whose fibres have swollen: the ratio of fibres to pores over that of dry ones.
     HL_FN double tightness(int i, const YarnParameters& yarn) const
     {
         const double fibres = dry_fibres(i, yarn) + (s.swelling > 0 ? s.swelling * s.bound[i] : 0.0);
-        return fibres * yarn.pore_area * plain_inverse(s.pores[i] * yarn.fibre_area);
+        return fibres * yarn.pore_area * wettable(i, yarn) * plain_inverse(s.pores[i] * yarn.fibre_area);
     }
     /// How much narrower the room at a crossing is between yarns that have grown.
     HL_FN double narrowness(int crossing, const BetweenParameters& at) const
@@ -62,7 +70,7 @@ struct FindPores {
     HL_FN double permeability(int i, const YarnParameters& yarn) const
     {
         if (!s.varies()) return 1.0;
-        const double wide = s.pores[i] * plain_inverse(yarn.pore_area * s.length[i]);
+        const double wide = s.pores[i] * plain_inverse(yarn.pore_area * wettable(i, yarn) * s.length[i]);
         if (!s.narrows) return wide;
         const double finer = tightness(i, yarn);
         return wide * plain_inverse(finer * finer);

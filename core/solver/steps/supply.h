@@ -32,6 +32,8 @@ struct Taker {
     const Segments& s;
     double density;
     int number;
+    double pressure = 0; ///< Pa over the air's, of the liquid
+    int at_face = 1;     ///< on which it lies: 1 on top, 0 at the bottom
 
     HL_FN bool is_room() const { return number >= 2 * s.crossings(); }
     HL_FN int crossing() const { return is_room() ? number - 2 * s.crossings() : s.crossing_of(number); }
@@ -50,7 +52,7 @@ struct Taker {
         return draws > 0 ? draws : 0.0;
     }
     /// The same from a cap that stands on the face, where liquid flows by suction.
-    HL_FN double draws_from_cap(double dt, double pressure) const
+    HL_FN double draws_from_cap(double dt) const
     {
         const PoresFound pores = found();
         const double draws = density * dt * conductance(pores, true) * (pores.suction + pressure);
@@ -69,14 +71,14 @@ private:
     HL_FN int face() const { return s.face_of(crossing(), s.is_warp(number)); }
     HL_FN double conductance(const PoresFound& pores, bool from_drop) const
     {
-        if (is_room())
-            return pores.is_connected() || FindPores{s, density}.wet_yarns(crossing()) > 0
-                       ? FindPores{s, density}.permeability_of_room(crossing(), at().between) * at().between.face
-                       : 0.0;
+        if (is_room()) {
+            const double lets_in = pores.is_connected() || FindPores{s, density}.wet_yarns(crossing()) > 0 ? 1.0 : 0.0;
+            return FindPores{s, density}.permeability_of_room(crossing(), at().between) * at().between.face *
+                   at().between.lets_in_from_face(lets_in, at_face, pressure);
+        }
         const YarnParameters& yarn = s.yarn_of(number);
-        const WettedPores& dry = yarn.on_face[face()];
-        const double gate = from_drop ? dry.gate * dry.between_hairs : dry.gate;
-        return yarn.face_conductance * (pores.is_connected() ? 1.0 : gate);
+        const double lets_in = yarn.on_face[face()].lets_in_from_face(pores.is_connected(), from_drop, pressure);
+        return yarn.face_conductance * (face() == at_face ? lets_in : at().between.lets_in_from_face(lets_in, at_face, pressure));
     }
     HL_FN const CrossingParameters& at() const { return s.crossing_at(crossing() / s.picks, crossing() % s.picks); }
 };
@@ -177,18 +179,18 @@ struct SweatFromSkin {
         const FedFace face{s.panels.skin_on_top[s.panels.of_pick[pick]] != 0, -1.0};
         const std::int64_t offered = skin;
         const int weft = s.weft_of(end, pick);
-        skin -= take(crossing, face.share(s, crossing), offered);
-        skin -= take(weft, face.share(s, weft), offered);
-        if (skin > 0) skin -= take(2 * s.crossings() + crossing, 1.0, skin); // the room between the yarns, once one of them is wet
+        skin -= take(crossing, face, face.share(s, crossing), offered);
+        skin -= take(weft, face, face.share(s, weft), offered);
+        if (skin > 0) skin -= take(2 * s.crossings() + crossing, face, 1.0, skin); // the room between the yarns, once one of them is wet
         const auto most = static_cast<std::int64_t>(holds * area * density / water_quantum);
         if (skin <= most) return;
         atomic_add(drips, skin - most);
         skin = most;
     }
     /// Quanta that a taker takes of its share of what is offered.
-    HL_FN std::int64_t take(int number, double share, std::int64_t offered) const
+    HL_FN std::int64_t take(int number, const FedFace& face, double share, std::int64_t offered) const
     {
-        const Taker taker{s, density, number};
+        const Taker taker{s, density, number, 0.0, face.top ? 1 : 0};
         const double room = taker.room();
         if (share <= 0 || room <= 0) return 0;
         const double draws = share * taker.draws(dt, room), wanted = (draws < room ? draws : room) / water_quantum;
@@ -204,7 +206,8 @@ struct WeighPool {
     Segments s;
     FedFace face;
     double density;
-    double unit; ///< m3/(Pa s), so large that the sum is counted
+    double pressure; ///< Pa over the air's
+    double unit;     ///< m3/(Pa s), so large that the sum is counted
     std::int64_t* total;
 
     HL_FN std::int64_t weight(int taker) const
@@ -212,7 +215,7 @@ struct WeighPool {
         const int crossing = taker - 2 * s.crossings();
         const double inside = crossing >= 0 ? face.places_inside(s, crossing) : 0.0;
         const double share = crossing >= 0 ? inside / (face.places * face.places) : face.share(s, taker);
-        return share > 0 ? static_cast<std::int64_t>(share * Taker{s, density, taker}.conductance() / unit) : 0;
+        return share > 0 ? static_cast<std::int64_t>(share * Taker{s, density, taker, pressure, face.top ? 1 : 0}.conductance() / unit) : 0;
     }
     HL_FN std::int64_t operator()(int index) const
     {
