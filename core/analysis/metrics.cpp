@@ -254,11 +254,14 @@ void MetricsCollector::start(const RunRecord& run)
     metrics_ = {};
     absorbed_before_ = absorbed_before(run, experiment_);
     regain_at_start_.clear();
-    pins_ = uses_field(experiment_.type, "feed_s") ? TesterPins(textile_) : TesterPins();
+    pins_ = uses_field(experiment_.type, "feed_s") ? TesterPins(textile_, experiment_.closure == Closure::pores) : TesterPins();
     edge_time_.reset();
     falls_through_.clear();
-    if (const Fabric* fabric = find_fabric(run.design, run.fabric))
+    assumes_depth_ = false;
+    if (const Fabric* fabric = find_fabric(run.design, run.fabric)) {
         falls_through_ = falls_through(*fabric, fit_fabric(run.design, *fabric), experiment_);
+        assumes_depth_ = experiment_.closure == Closure::pores && (fabric->finish_face || fabric->finish_back) && !fabric->finish_depth;
+    }
     was_wet_.clear();
     wet_ends_.clear();
     last_wetted_ = 0;
@@ -373,6 +376,9 @@ Metrics MetricsCollector::metrics() const
                         "step.",
                         unsolved_lines_, unsolved_lines_ > 1 ? "times" : "time"));
     compute_results(m, experiment_, textile_.crossings() * textile_.warp.pitch * textile_.weft.pitch);
+    if (assumes_depth_)
+        m.assumed.push_back(fmt::format("The finish of a face reaches {:g} % of the thickness deep, since the fabric has no finish_depth.",
+                                        100 * default_finish_depth));
     return m;
 }
 

@@ -43,6 +43,7 @@ private:
     std::vector<float> regain_at_start_;
     TesterPins pins_;                          ///< of moisture_management only
     std::string falls_through_;                ///< see falls_through()
+    bool assumes_depth_ = false;               ///< of a face's finish
     std::optional<double> edge_time_;          ///< s, when water was first seen where the sample ends
     double unsolved_lines_ = 0;                ///< see Frame
     std::vector<std::array<double, 2>> stain_; ///< m, wet places on top in the last frame

@@ -131,10 +131,52 @@ double area(const Samples& face)
     return sum;
 }
 
+/// At the bottom, and on top.
+using ByFace = std::array<double, 2>;
+
+/// What pins read of a segment's yarn that lies deeper than some share of the thickness. Their tips are cones: what lies at a depth counts
+/// by a tip's circumference there.
+double read_deeper_than(const Textile& textile, const YarnType& type, double depth)
+{
+    constexpr int slices = 60; // of the sensor depth
+    double read = 0;
+    for (int i = 0; i < slices; ++i) {
+        const double above = std::max(depth, sensor_depth * i / slices), below = std::max(depth, sensor_depth * (i + 1) / slices);
+        const auto share = [&](double down) {
+            return shares_in_finish(type.under_finish(), textile.thickness, down * textile.thickness).section;
+        };
+        if (below > above) read += (sensor_depth - 0.5 * (above + below)) * (share(below) - share(above));
+    }
+    return read;
+}
+
+/// What pins read of the liquid of a segment whose finish keeps its outer part dry, over what they read where it is wet all through: all
+/// of its liquid lies in the rest.
+ByFace read_of_liquid(const Textile& textile, const YarnType& type)
+{
+    ByFace read{1, 1};
+    for (bool on_top : {false, true}) {
+        const double dry = kept_dry(textile, type, on_top).section, all = read_deeper_than(textile, type, 0);
+        if (dry > 0 && all > 0)
+            read[on_top ? 1 : 0] = read_deeper_than(textile, type, textile.quantities.finish_depth) / (all * (1.0 - dry));
+    }
+    return read;
+}
+
+/// The same of each type of a system.
+std::vector<ByFace> reads_of_types(const Textile& textile, YarnKind kind, bool finishes)
+{
+    std::vector<ByFace> reads;
+    for (const YarnType& type : textile.system(kind).types) reads.push_back(finishes ? read_of_liquid(textile, type) : ByFace{1, 1});
+    return reads;
+}
+
 } // namespace
 
-TesterPins::TesterPins(const Textile& textile)
+TesterPins::TesterPins(const Textile& textile, bool finishes)
 {
+    const std::vector<ByFace> of_warp = reads_of_types(textile, YarnKind::warp, finishes),
+                              of_weft = reads_of_types(textile, YarnKind::weft, finishes);
     // At least a crossing lies in the middle's band, and none is missed along the others.
     const double band = std::max(ring_band, 1.5 * std::max(textile.warp.pitch, textile.weft.pitch));
     for (int end = 0; end < textile.ends(); ++end)
@@ -147,7 +189,9 @@ TesterPins::TesterPins(const Textile& textile)
                 const YarnType& type = textile.type(kind, kind == YarnKind::warp ? end : pick);
                 const double fibres = type.area * type.packing * type.fibre.density_kg_m3 * textile.segment_length(kind, end, pick);
                 const bool on_top = textile.warp_up(end, pick) == (kind == YarnKind::warp);
-                pins_.push_back({static_cast<std::size_t>(textile.segment(kind, end, pick)), ring, on_top, fibres});
+                const auto own = static_cast<std::size_t>(textile.type_of(kind, kind == YarnKind::warp ? end : pick));
+                const double liquid = (kind == YarnKind::warp ? of_warp : of_weft)[own][on_top ? 1 : 0];
+                pins_.push_back({static_cast<std::size_t>(textile.segment(kind, end, pick)), ring, on_top, fibres, liquid});
                 dry_[on_top ? 0 : 1][static_cast<std::size_t>(ring)] += fibres;
             }
         }
@@ -159,7 +203,7 @@ TesterReading TesterPins::read(const Frame& frame, const std::vector<float>& reg
     for (const Pin& pin : pins_) {
         const std::size_t i = pin.segment;
         (pin.on_top ? water.top : water.bottom)[static_cast<std::size_t>(pin.ring)] +=
-            static_cast<double>(frame.liquid[i]) + pin.fibres * static_cast<double>(frame.regain[i] - regain_at_start[i]);
+            pin.liquid * static_cast<double>(frame.liquid[i]) + pin.fibres * static_cast<double>(frame.regain[i] - regain_at_start[i]);
     }
     for (std::size_t ring = 0; ring < tester_rings; ++ring) {
         water.top[ring] = dry_[0][ring] > 0 ? 100 * water.top[ring] / dry_[0][ring] : 0;
@@ -199,6 +243,10 @@ std::vector<std::string> tester_assumptions(double drop_ul, const TesterFeed& fe
         fmt::format("Each face has seven rings of pins, in the middle and every {:g} mm; each reads the mean of the band of {:g} mm inside "
                     "it, of coarse cloths one and a half pitches.",
                     mm_from_metre(ring_step), mm_from_metre(ring_band)),
+        fmt::format(
+            "The pins' tips are cones that reach to a sensor depth of {:g} % of the thickness from their face. A finish that repels "
+            "keeps that dry as far as it reaches; without one the depth changes nothing.",
+            100 * sensor_depth),
         fmt::format("A ring reads wet above {:g} % of the dry mass of that half of the cloth, beyond what the cloth held at the start.",
                     wet_content),
         "The content of a face is that of the water in the yarns that lie on it, the mean over the rings, each weighted with its own "

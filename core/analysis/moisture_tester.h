@@ -15,11 +15,12 @@ namespace hygroloom {
 constexpr int tester_rings = 7;          ///< of each face: one in the middle, then one every ring_step
 constexpr double ring_step = 5e-3;       ///< m
 constexpr double ring_band = 1e-3;       ///< m, width of what a ring reads, inwards from it; an assumption
+constexpr double sensor_depth = 0.15;    ///< of the thickness, from each face, to which the cones of its pins reach; an assumption
 constexpr double wet_content = 5;        ///< % of the dry mass, above which a ring reads wet; an assumption
 constexpr double tester_interval = 0.1;  ///< s, from sample to sample
 constexpr double share_of_largest = 0.5; ///< of the rise within the feed, over which absorption is initial; an assumption
 
-/// Water beyond that at the start in the band of each ring, % of the dry mass there of that face's yarns.
+/// Water beyond that at the start in the band of each ring, % of the dry mass there of that face's yarns, both down to sensor_depth.
 using RingContents = std::array<double, tester_rings>;
 
 /// What both faces read at one time.
@@ -31,9 +32,11 @@ struct TesterReading {
 class TesterPins {
 public:
     TesterPins() = default;
-    explicit TesterPins(const Textile& textile);
+    /// finishes: whether those of the faces act.
+    TesterPins(const Textile& textile, bool finishes);
 
-    /// Liquid in the pores and what the fibres took up since the start, of the segments on each face.
+    /// Liquid in the pores and what the fibres took up since the start, of the segments on each face. Where a face has no finish the
+    /// depth to which pins read changes nothing: a segment holds the same everywhere.
     TesterReading read(const Frame& frame, const std::vector<float>& regain_at_start) const;
 
 private:
@@ -42,6 +45,7 @@ private:
         int ring;
         bool on_top;
         double fibres; ///< kg, dry
+        double liquid; ///< per dry mass down to sensor_depth, over that of the segment
     };
     std::vector<Pin> pins_;
     std::array<RingContents, 2> dry_{}; ///< kg, top and bottom

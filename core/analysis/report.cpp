@@ -55,7 +55,7 @@ std::string results(const RunRecord& run, const Metrics& metrics, const ReaderUn
             if (!note.empty()) notes.push_back(full_title(outcome) + ": " + note + ".");
     }
     if (ellipse) notes.insert(notes.begin(), sizes_of_stain);
-    const std::string assumed = metrics.assumed.empty() ? "" : "<p>Assumed of the tester:</p>\n" + list(metrics.assumed);
+    const std::string assumed = metrics.assumed.empty() ? "" : "<p>Assumed:</p>\n" + list(metrics.assumed);
     const std::string about = "<p>After ±: the numerical error, as measured on runs of this kind.</p>\n";
     return table(rows) + (intervals.empty() ? "" : about) + list(notes) + assumed;
 }

@@ -45,7 +45,7 @@ struct Metrics {
     Ledger ledger;                    ///< at the end
     std::optional<double> edge_time;  ///< s, when water was first seen where the sample ends
     std::vector<std::string> notes;   ///< what limits a metric, in sentences
-    std::vector<std::string> assumed; ///< of the instrument that a metric imitates, in sentences
+    std::vector<std::string> assumed; ///< of the cloth, and of the instrument that a metric imitates, in sentences
 };
 
 } // namespace hygroloom

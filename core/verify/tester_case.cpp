@@ -59,7 +59,7 @@ std::vector<VerifyResult> tester(const VerifyValues& v, Backend&)
     const double radius = v.at("radius_mm").value, content = v.at("content_pct").value, rise = v.at("rise_s").value;
     const double bottom = v.at("bottom_share").value;
     const Textile cloth = plain_cotton();
-    const TesterPins pins(cloth);
+    const TesterPins pins(cloth, true);
     const Frame dry = disc(cloth, metre_from_mm(radius), 0, 0), full = disc(cloth, metre_from_mm(radius), content, bottom);
     const TesterReading start = pins.read(dry, dry.regain), end = pins.read(full, dry.regain);
     const ManagementIndices m = tester_indices({0, rise, duration}, {start, end, end}, {feed, 0});

@@ -44,9 +44,11 @@ Run run_of(double step, double end, const std::function<TesterReading(double)>& 
     return run;
 }
 
-Textile cloth(double per_cm = 20)
+Textile cloth(double per_cm = 20, std::optional<double> finish_depth = {}, double finish = 110)
 {
     Fabric fabric;
+    if (finish_depth) fabric.finish_face = finish;
+    fabric.finish_depth = finish_depth;
     fabric.warp.diameter_mm = fabric.weft.diameter_mm = 0.2;
     fabric.ends_per_cm = fabric.picks_per_cm = per_cm;
     return build_textile({}, fabric, region_of_sample(fabric, 80, 80));
@@ -78,7 +80,7 @@ private Q_SLOTS:
     void pinsReadTheWaterOfTheirFacePerDryMass()
     {
         const Textile t = cloth();
-        const TesterPins pins(t);
+        const TesterPins pins(t, true);
         Frame frame = frame_of(t, [](double, bool on_top) { return on_top ? 0.5 : 0.2; });
         const std::vector<float> before(frame.regain.size(), 0.07f);
         TesterReading reading = pins.read(frame, before);
@@ -91,6 +93,22 @@ private Q_SLOTS:
         QVERIFY(near(reading.top[3], 55, 1e-3));
         QVERIFY(near(reading.bottom[0], 25, 1e-3));
     }
+    void aFinishThatRepelsHidesWaterDownToItsDepth()
+    {
+        const std::vector<float> before(static_cast<std::size_t>(cloth().segments()), 0.07f);
+        const auto top = [&](const Textile& t, bool finishes) {
+            const TesterReading reading = TesterPins(t, finishes).read(frame_of(t, [](double, bool) { return 0.5; }), before);
+            if (!near(reading.bottom[2], 50, 1e-3)) return -1.0;
+            return reading.top[2];
+        };
+        QVERIFY(near(top(cloth(20, 0.2), true), 0, 1e-9));      // deeper than the pins reach
+        QVERIFY(near(top(cloth(20, 0.2), false), 50, 1e-3));    // another closure, in which finishes of faces do not act
+        QVERIFY(near(top(cloth(20, 0.2, 20), true), 50, 1e-3)); // it wets
+        QVERIFY(near(top(cloth(20, 0.0), true), 50, 1e-3));
+        // Near the top of a yarn its section grows as depth^1.5 and the part of a segment up there as depth^0.5, so that its share goes
+        // with depth^2: of that, weighted by 1 - x, lies deeper than 2/3 of the tip: 1 - 3 (2/3)^2 + 2 (2/3)^3 = 7/27.
+        QVERIFY(near(top(cloth(20, 0.1), true) / 50, 7.0 / 27, 0.05));
+    }
     void eachRingReadsTheBandInsideIt_data()
     {
         QTest::addColumn<double>("per_cm");
@@ -100,7 +118,7 @@ private Q_SLOTS:
     {
         QFETCH(double, per_cm);
         const Textile t = cloth(per_cm);
-        const TesterPins pins(t);
+        const TesterPins pins(t, true);
         const std::vector<float> before(static_cast<std::size_t>(t.segments()), 0.07f);
         for (int reached = 0; reached < tester_rings; ++reached) {
             // Up to the ring: that one is full, the next one dry.
