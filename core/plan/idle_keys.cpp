@@ -55,6 +55,7 @@ std::vector<Row> rows_of(const Fabric& fabric, const Experiment& experiment, con
          "no drop falls, which hairs would hold off",
          {"fabric.flyaway.loop_density_per_mm", "fabric.flyaway.hair_density_per_mm", "fabric.flyaway.hair_length_mm"}},
         {!fabric.finish_face && !fabric.finish_back, "no face has a finish of its own", {"fabric.finish_depth", "fabric.finish_holes"}},
+        {!wets_a_spot(experiment.type), "no drop or pool stands on a face", {"fabric.finish_holes"}},
         {turned_over_alike, "no face differs from the other", {"draft.rising_shed"}},
         {out("vapour"), "vapour is left out", {"experiment.climate.relative_humidity"}},
         {!meets_liquid(experiment),

@@ -214,12 +214,12 @@ bool spreads_from_a_spot(const Scene& scene)
     return scene.cloth.by_suction && (!scene.supply.droplets.empty() || !scene.supply.pools.empty());
 }
 
-/// room_voxels: see RoomTables; 0: rooms are not drawn.
-void flow_by_suction(Scene& scene, const Textile& textile, int room_voxels)
+void flow_by_suction(Scene& scene, const Textile& textile, const ModelPlan& plan)
 {
     scene.cloth.by_suction = true;
     const LiquidInPores liquid{scene.climate.surface_tension, scene.climate.viscosity};
     scene.cloth.touching = contacts_of(textile, liquid);
+    const int room_voxels = plan.on("wicking") ? static_cast<int>(plan.knobs.room_voxels) : 0;
     const auto drawn = room_voxels > 0 ? room_tables(textile, room_voxels) : std::make_shared<const RoomTables>();
     const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
     for (std::size_t type = 0; type < warps + wefts; ++type) {
@@ -229,6 +229,8 @@ void flow_by_suction(Scene& scene, const Textile& textile, int room_voxels)
         YarnParameters& yarn = scene.cloth.yarns[type];
         yarn.on_face[0] = found.at_bottom;
         yarn.on_face[1] = found.on_top;
+        if (!plan.on("wicking")) // air fills the pores in a finish, too
+            for (WettedPores& pores : yarn.on_face) pores.finish.holds = 1;
         yarn.flow_along = found.flow_along;
         yarn.face_conductance = found.face_conductance;
     }
@@ -400,7 +402,7 @@ Scene build_scene(const Design& design, const Textile& textile, const Experiment
     add_climate(scene, textile, *find_liquid(design, experiment.liquid), experiment);
     add_yarns(scene, textile, experiment);
     if (experiment.closure == Closure::pores) {
-        flow_by_suction(scene, textile, static_cast<int>(plan.knobs.room_voxels));
+        flow_by_suction(scene, textile, plan);
         scene.cloth.pores = uneven_pores(textile, scene.cloth.length, seed);
     }
     scene.rules.particles_per_droplet = plan.particles_per_droplet;

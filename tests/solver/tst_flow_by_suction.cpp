@@ -379,7 +379,12 @@ private Q_SLOTS:
         QTest::newRow("cross-section") << Change([](Design& d) { d.materials[0].cross_section.perimeter_factor = 1.3; });
         QTest::newRow("contact angle") << Change([](Design& d) { d.fabrics[0].contact_angle_deg = 45; });
         QTest::newRow("finish of the face") << Change([](Design& d) { d.fabrics[0].finish_face = 60; });
-        QTest::newRow("finish of the back") << Change([](Design& d) { d.fabrics[0].finish_back = 60; });
+        QTest::newRow("finish of the back") << Change(
+            [](Design& d) { d.fabrics[0].finish_back = 110; }); // a tenth deep: one that wets does less
+        QTest::newRow("depth of a finish") << Change([](Design& d) {
+            d.fabrics[0].finish_back = 110;
+            d.fabrics[0].finish_depth = 0.3;
+        });
         QTest::newRow("irregularity") << Change([](Design& d) { d.fabrics[0].warp.irregularity_cv = 0.15; });
         QTest::newRow("filaments of the warp") << Change([](Design& d) { d.fabrics[0].warp.filament_count = 200; });
         QTest::newRow("twist of the warp") << Change([](Design& d) { d.fabrics[0].warp.twist_per_m = 1400; });
