@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // check: issues of a project, and the calculated properties of its fabrics beside those a laboratory measured.
 #include "app/cli.h"
+#include "app/cli_room.h"
 #include "app/cli_weave.h"
 
 #include "core/base/units.h"
@@ -321,9 +322,13 @@ int check(const ProjectOptions& options)
         entry["derived"]["permeability_m2"] = permeability_json(formulas.permeability);
         entry["geometry"] = geometry ? geometry_json(*geometry) : Json();
         add_weave_json(json["fabrics"].back(), fabric, fitted.yarns);
-        if (options.json) continue;
+        if (options.json) {
+            add_room_json(json["fabrics"].back(), fabric, fitted);
+            continue;
+        }
         print_fabric(fabric, quantities, stripes, geometry, formulas);
         print_weave(fabric, fitted.yarns);
+        print_room(fabric, fitted);
     }
     show_garments(design, garments, options.json, json);
     if (options.json) print_json(json);

@@ -14,7 +14,7 @@ namespace {
 using Numbers = Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-constexpr double precise = 1e-5;      // of the residual
+constexpr double precise = 1e-8;      // of the residual
 constexpr double anchor = 1e-10;      // of a diagonal: fixes the pressure of liquid that touches nothing else
 constexpr double nearest_wall = 0.15; // of a voxel's side: a skin is not taken for nearer to its middle
 

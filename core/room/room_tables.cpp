@@ -148,6 +148,21 @@ RoomTables tables_of_period(const Textile& period, int voxels)
     return tables;
 }
 
+/// To four digits: what is left of equations that are solved by rounds does not show, and cloth turned over has the same tables.
+double rounded(double value)
+{
+    if (!(std::abs(value) > 0) || !std::isfinite(value)) return value;
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
+    return unit * std::round(value / unit);
+}
+void round_all(RoomTables& tables)
+{
+    for (DrawnRoom& room : tables.types)
+        for (double* value : {&room.warp_skin, &room.weft_skin, &room.faces, &room.along_warp, &room.along_weft}) *value = rounded(*value);
+    for (std::vector<float>* places : {&tables.warp_places, &tables.weft_places})
+        for (float& place : *places) place = static_cast<float>(rounded(static_cast<double>(place)));
+}
+
 RoomTables found_tables(const Textile& textile, int voxels)
 {
     const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
@@ -231,7 +246,8 @@ std::shared_ptr<const RoomTables> room_tables(const Textile& textile, int voxels
     static Kept kept;
     const std::string content = content_of(textile, voxels);
     if (auto found = kept.find(content)) return found;
-    auto tables = std::make_shared<const RoomTables>(found_tables(textile, voxels));
+    auto tables = std::make_shared<RoomTables>(found_tables(textile, voxels));
+    round_all(*tables);
     kept.keep(content, tables);
     return tables;
 }

@@ -64,6 +64,7 @@ void open_rooms(Scene& scene, const RoomBeside& room)
     retention.gives = retention.emptying; // its menisci stand until it empties
     std::fill(std::begin(between.retention), std::end(between.retention), retention);
     between.along_warp = room.permeability * section / (scene.climate.viscosity * cell);
+    between.quarters_along_warp = 8; // halves, as its curve is one of pores between fibres
 }
 
 double cell_capacity(const Scene& scene) { return scene.climate.density * scene.cloth.yarns[0].pore_area * scene.cloth.length[0]; }

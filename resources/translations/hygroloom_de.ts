@@ -965,6 +965,10 @@
         <translation>vernachlässigter Anteil</translation>
     </message>
     <message>
+        <source>room voxels</source>
+        <translation>Voxel des Raums zwischen Garnen</translation>
+    </message>
+    <message>
         <source>live</source>
         <translation>Live</translation>
     </message>

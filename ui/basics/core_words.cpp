@@ -297,6 +297,7 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "rest tolerance"),
     QT_TRANSLATE_NOOP("core", "double precision"),
     QT_TRANSLATE_NOOP("core", "free liquid"),
+    QT_TRANSLATE_NOOP("core", "room voxels"),
     QT_TRANSLATE_NOOP("core", "neglected share"),
     QT_TRANSLATE_NOOP("core", "live"),
     QT_TRANSLATE_NOOP("core", "draft"),

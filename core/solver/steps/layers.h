@@ -39,7 +39,7 @@ struct WickBetweenLayers : PairFlow {
 
 private:
     static constexpr int of_yarn = 7, of_room = usual_quarters_of_room; ///< see Way::power
-    static constexpr int of_face = 2;                                   ///< of a room's liquid the yarn touches as large a part as it fills
+    static constexpr int of_face = usual_quarters_of_room;              ///< the same of what a room gives to a yarn
 
     HL_FN bool is_dry(int crossing) const
     {
