@@ -40,15 +40,16 @@ private Q_SLOTS:
             }
         const BetweenParameters& between = scene.cloth.crossing[0].between;
         QCOMPARE(between.quarters_along_warp, static_cast<int>(std::lround(4 * drawn->falls_along_warp)));
-        // Liquid that begins in one crossing's room goes on by its place.
+        // Between yarns that are nearly full, liquid that begins in one room goes on by its place.
         const std::unique_ptr<Backend> backend = make_cpu_backend();
         const auto spread = [&](Scene begun) {
             begun.supply.pools.clear();
             begun.cloth.start.liquid.assign(static_cast<std::size_t>(begun.cloth.segments()), 0.0);
             begun.cloth.start.between.assign(100, 0.0);
             begun.cloth.start.between[44] = 0.9 * scene.climate.density * between.volume;
-            for (std::size_t i = 0; i < 100; ++i)
-                begun.cloth.start.liquid[i] = 0.3 * scene.climate.density * scene.cloth.yarns[0].pore_area * scene.cloth.length[i];
+            for (std::size_t i = 0; i < 200; ++i)
+                begun.cloth.start.liquid[i] =
+                    0.999 * scene.climate.density * scene.cloth.yarns[i < 100 ? 0 : 1].pore_area * scene.cloth.length[i];
             return frames_at(*backend, begun, {0.1}).front().between;
         };
         Scene even = scene;
