@@ -22,15 +22,15 @@ FaceAngles angles_on_face(const Textile& textile)
     bool takes_in = false;
     for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
         const YarnSystem& system = textile.system(kind);
-        std::vector<bool> wet_first; // types
+        std::vector<bool> type_wets;
         for (const YarnType& type : system.types)
-            wet_first.push_back(gate_of_dry_fibres(type.packing_round_core(), textile.face_angle.value_or(type.contact_angle)) >
+            type_wets.push_back(gate_of_dry_fibres(type.packing_round_core(), textile.face_angle.value_or(type.contact_angle)) >
                                 least_gate);
         for (std::uint8_t own : system.order) {
             const YarnType& type = system.types[own];
             const double angle = textile.face_angle.value_or(type.contact_angle);
             const double back = std::max(0.0, angle - std::max(0.0, type.contact_angle - type.receding_angle));
-            const bool wets = wet_first[own];
+            const bool wets = type_wets[own];
             takes_in = takes_in || wets;
             const double covers = type.section.width / (system.pitch * static_cast<double>(system.order.size()));
             advancing += covers * cosine_beside(std::cos(angle), type.packing_round_core(), wets);

@@ -2,6 +2,7 @@
 #include "core/room/drawn_layer.h"
 
 #include "core/base/units.h"
+#include "core/room/yarn_stations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,35 +14,12 @@ namespace {
 constexpr double layer_share = 2; // a layer has at least half as many voxels from face to face as the mean pitch
 constexpr double reaches = 0.55;  // of the mean pitch
 
-/// A place of a yarn's centreline, along the fabric, across the yarn and up, and its section.
-struct Station {
-    double along, across, up, half_height, flat; // m
-    double rise;                                 // of the centreline, over its way along the fabric
-};
-
-/// beyond: crossings on both sides of the period.
-std::vector<Station> stations_of(const Textile& textile, YarnKind kind, int yarn, double spacing, int beyond)
-{
-    const bool is_warp = kind == YarnKind::warp;
-    const int crossings = is_warp ? textile.picks() : textile.ends();
-    const int each = std::max(8, static_cast<int>(std::ceil(textile.system(other_kind(kind)).pitch / spacing)));
-    std::vector<Station> stations;
-    for (int at = -beyond; at < crossings + beyond; ++at)
-        for (int i = 0; i < each; ++i) {
-            const YarnPoint p = yarn_point(textile, kind, yarn, at, (i + 0.5) / each - 0.5);
-            stations.push_back({is_warp ? p.centre.y : p.centre.x, is_warp ? p.centre.x : p.centre.y, p.centre.z, p.half_height,
-                                p.half_width - p.half_height, p.tangent.z / std::max(1e-3, std::hypot(p.tangent.x, p.tangent.y))});
-        }
-    return stations;
-}
-
 /// One yarn among the voxels; what leaves the period comes in on the other side.
 class DrawnYarn {
 public:
     DrawnYarn(const Textile& textile, YarnKind kind, int yarn, DrawnLayer& layer)
-        : layer_(layer), is_warp_(kind == YarnKind::warp),
-          stations_(stations_of(textile, kind, yarn, 0.5 * (is_warp_ ? layer.dy : layer.dx), 2)),
-          half_height_(0.5 * textile.type(kind, yarn).section.height)
+        : layer_(layer), is_warp_(kind == YarnKind::warp), stations_(textile, kind, yarn, 0.5 * (is_warp_ ? layer.dy : layer.dx), 2),
+          reach_(0.5 * textile.type(kind, yarn).section.height + layer.reach)
     {
     }
     void draw()
@@ -51,30 +29,13 @@ public:
         const double voxel = is_warp_ ? layer_.dy : layer_.dx;
         for (int along = 0; along < n; ++along)
             for (int z = 0; z < g.nz; ++z)
-                if (const auto [station, off] = nearest((along + 0.5 - 0.5 * n) * voxel, (z + 0.5 - 0.5 * g.nz) * layer_.dz); station)
-                    draw_across(along, z, *station, off);
+                if (const NearStation near = stations_.nearest((along + 0.5 - 0.5 * n) * voxel, (z + 0.5 - 0.5 * g.nz) * layer_.dz, reach_);
+                    near.station)
+                    draw_across(along, z, *near.station, near.off);
     }
 
 private:
-    struct Near {
-        const Station* station;
-        double off;
-    };
-    /// To a place of the plane along the yarn and up; none farther than what is drawn.
-    Near nearest(double along, double up) const
-    {
-        const double reach = half_height_ + layer_.reach;
-        Near best{nullptr, reach * reach};
-        auto s =
-            std::lower_bound(stations_.begin(), stations_.end(), along - reach, [](const Station& a, double b) { return a.along < b; });
-        for (; s != stations_.end() && s->along < along + reach; ++s) {
-            const double off = (s->along - along) * (s->along - along) + (s->up - up) * (s->up - up);
-            if (off < best.off) best = {&*s, off};
-        }
-        best.off = std::sqrt(best.off);
-        return best;
-    }
-    void draw_across(int along, int z, const Station& station, double off)
+    void draw_across(int along, int z, const YarnStation& station, double off)
     {
         const VoxelGrid& g = layer_.grid;
         const int n = is_warp_ ? g.nx : g.ny;
@@ -84,25 +45,23 @@ private:
             const double beside = std::max(0.0, std::abs(c - middle) * voxel - station.flat);
             const auto outside = static_cast<float>(std::hypot(beside, off) - station.half_height);
             const int inside = ((c % n) + n) % n;
-            const std::size_t at = is_warp_ ? g.at(inside, along, z) : g.at(along, inside, z);
-            if (outside >= layer_.outside[at]) continue;
-            layer_.outside[at] = outside;
-            layer_.nearest[at] = is_warp_ ? 0 : 1;
+            float& least = layer_.outside[is_warp_ ? g.at(inside, along, z) : g.at(along, inside, z)];
+            least = std::min(least, outside);
         }
     }
 
     DrawnLayer& layer_;
     bool is_warp_;
-    std::vector<Station> stations_;
-    double half_height_;
+    YarnStations stations_;
+    double reach_; // from its centreline, to which it is drawn
 };
 
-/// Calls visit(x, y, voxel) for those of the cloth.
+/// Calls visit(voxel) for those of the cloth.
 template <typename Visit> void each_of_cloth(const DrawnLayer& layer, const Visit& visit)
 {
     for (int z = layer.first(); z <= layer.last(); ++z)
         for (int y = 0; y < layer.grid.ny; ++y)
-            for (int x = 0; x < layer.grid.nx; ++x) visit(x, y, layer.grid.at(x, y, z));
+            for (int x = 0; x < layer.grid.nx; ++x) visit(layer.grid.at(x, y, z));
 }
 
 } // namespace
@@ -125,28 +84,29 @@ DrawnLayer drawn_layer(const Textile& period, int voxels)
     layer.margin = static_cast<int>(std::ceil(layer.reach / layer.dz)) + 1;
     layer.grid = {period.ends() * layer.per_end, period.picks() * layer.per_pick, layers + 2 * layer.margin, true, false};
     layer.outside.assign(layer.grid.size(), static_cast<float>(layer.reach));
-    layer.nearest.assign(layer.grid.size(), 0);
     for (int end = 0; end < period.ends(); ++end) DrawnYarn(period, YarnKind::warp, end, layer).draw();
     for (int pick = 0; pick < period.picks(); ++pick) DrawnYarn(period, YarnKind::weft, pick, layer).draw();
     return layer;
 }
 
-double growth_to_share(const DrawnLayer& layer, double share)
+double share_outside(const DrawnLayer& layer, double growth)
 {
     const double per_side = 1 / layer.side();
-    const auto open = [&](double growth) { // share outside; a voxel that a skin cuts counts in part
-        double sum = 0;
-        std::size_t voxels = 0;
-        each_of_cloth(layer, [&](int, int, std::size_t i) {
-            sum += std::clamp(0.5 + (static_cast<double>(layer.outside[i]) - growth) * per_side, 0.0, 1.0);
-            ++voxels;
-        });
-        return sum / static_cast<double>(voxels);
-    };
+    double sum = 0;
+    std::size_t voxels = 0;
+    each_of_cloth(layer, [&](std::size_t i) {
+        sum += std::clamp(0.5 + (static_cast<double>(layer.outside[i]) - growth) * per_side, 0.0, 1.0);
+        ++voxels;
+    });
+    return sum / static_cast<double>(voxels);
+}
+
+double growth_to_share(const DrawnLayer& layer, double share)
+{
     double low = -layer.reach, high = layer.reach;
     for (int i = 0; i < 40; ++i) {
         const double middle = 0.5 * (low + high);
-        (open(middle) > share ? low : high) = middle;
+        (share_outside(layer, middle) > share ? low : high) = middle;
     }
     return 0.5 * (low + high);
 }
@@ -160,57 +120,44 @@ public:
     {
         for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
             for (int yarn = 0; yarn < period.system(kind).count; ++yarn)
-                (kind == YarnKind::warp ? warp_ : weft_).push_back(stations_of(period, kind, yarn, spacing, 2));
+                (kind == YarnKind::warp ? warp_ : weft_).emplace_back(period, kind, yarn, spacing, 2);
     }
     /// Of any number, from a place along it, across the cloth and up, m; no more than reach.
     double outside(YarnKind kind, int yarn, double along, double across, double up, double reach) const
     {
         const YarnSystem& system = period_.system(kind);
-        const std::vector<std::vector<Station>>& all = kind == YarnKind::warp ? warp_ : weft_;
         const int inside = ((yarn % system.count) + system.count) % system.count;
+        const YarnStations& stations = (kind == YarnKind::warp ? warp_ : weft_)[static_cast<std::size_t>(inside)];
+        const NearStation near = stations.nearest(along, up, reach + 2 * stations.all().front().half_height);
+        if (!near.station) return reach;
         const double shift = (yarn - inside) * system.pitch;
-        const std::vector<Station>& stations = all[static_cast<std::size_t>(inside)];
-        const double far = reach + stations.front().half_height * 2;
-        auto s = std::lower_bound(stations.begin(), stations.end(), along - far, [](const Station& a, double b) { return a.along < b; });
-        const Station* nearest = nullptr;
-        double least = far * far;
-        for (; s != stations.end() && s->along < along + far; ++s) {
-            const double off = (s->along - along) * (s->along - along) + (s->up - up) * (s->up - up);
-            if (off < least) {
-                least = off;
-                nearest = &*s;
-            }
-        }
-        if (!nearest) return reach;
-        const double beside = std::max(0.0, std::abs(across - nearest->across - shift) - nearest->flat);
-        return std::min(reach, std::hypot(beside, std::sqrt(least)) - nearest->half_height);
+        const double beside = std::max(0.0, std::abs(across - near.station->across - shift) - near.station->flat);
+        return std::min(reach, std::hypot(beside, near.off) - near.station->half_height);
     }
 
 private:
     const Textile& period_;
-    std::vector<std::vector<Station>> warp_, weft_;
+    std::vector<YarnStations> warp_, weft_;
 };
 
 /// What one yarn adds to the skin and takes from the openings.
 class YarnSkinInRoom {
 public:
     YarnSkinInRoom(const Textile& period, const DrawnYarns& yarns, YarnKind kind, int yarn, double growth)
-        : period_(period), yarns_(yarns), kind_(kind), yarn_(yarn), growth_(growth), half_thickness_(0.5 * period.thickness)
+        : period_(period), yarns_(yarns), kind_(kind), yarn_(yarn), growth_(growth), half_thickness_(0.5 * period.thickness),
+          stations_(period, kind, yarn, period.system(other_kind(kind)).pitch / 24, 0),
+          spacing_(period.system(other_kind(kind)).pitch * period.crossings_along(kind) / static_cast<double>(stations_.all().size()))
     {
-        const double along = (kind == YarnKind::warp ? period.weft : period.warp).pitch;
-        const int crossings = period.crossings_along(kind);
-        stations_ = stations_of(period, kind, yarn, along / 24, 0);
-        spacing_ = along * crossings / static_cast<double>(stations_.size());
     }
     void add_to(RoomSkin& skin) const
     {
-        for (const Station& s : stations_) {
+        for (const YarnStation& s : stations_.all()) {
             add_outline(s, kind_ == YarnKind::warp ? skin.warp : skin.weft);
             for (double side : {-1.0, 1.0}) { // where it reaches a face
                 constexpr double rounding = 1e-3;
                 const double reach = s.half_height + growth_, below = half_thickness_ - side * s.up;
                 if (below >= reach * (1 + rounding)) continue;
-                const double half_chord = std::max(0.0, s.flat) + std::sqrt(std::max(0.0, reach * reach - below * below));
+                const double half_chord = s.flat + std::sqrt(std::max(0.0, reach * reach - below * below));
                 skin.faces[crossing(s.along, s.across)] -= 2 * half_chord * spacing_;
             }
         }
@@ -231,10 +178,10 @@ private:
         const auto wrapped = [](int i, int n) { return ((i % n) + n) % n; };
         return static_cast<std::size_t>(wrapped(end, period_.ends()) * period_.picks() + wrapped(pick, period_.picks()));
     }
-    void add_outline(const Station& s, std::vector<double>& skin) const
+    void add_outline(const YarnStation& s, std::vector<double>& skin) const
     {
         constexpr int pieces = 48;
-        const double radius = s.half_height + growth_, flat = std::max(0.0, s.flat), slant = std::hypot(1.0, s.rise);
+        const double radius = s.half_height + growth_, flat = s.flat, slant = std::hypot(1.0, s.rise);
         if (radius <= 0) return;
         const double outline = 2 * pi * radius + 4 * flat, step = outline / pieces, area = step * spacing_ * slant;
         for (int k = 0; k < pieces; ++k) {
@@ -247,9 +194,9 @@ private:
         }
     }
     /// Whether a place of the yarn's skin lies between the faces and under no other yarn.
-    bool is_room(const Station& s, double across, double up) const
+    bool is_room(const YarnStation& s, double across, double up) const
     {
-        constexpr double touching = 0.02; // of a half height: where yarns are nearer, their fibres close the gap
+        constexpr double touching = 0.02; // of a half height: where yarns are nearer, fibres close the gap; an assumption
         const double slant = std::hypot(1.0, s.rise), z = s.up + up / slant, along = s.along - up * s.rise / slant,
                      beside = s.across + across;
         if (std::abs(z) >= half_thickness_ * (1 - 1e-3)) return false;
@@ -270,8 +217,9 @@ private:
     const DrawnYarns& yarns_;
     YarnKind kind_;
     int yarn_;
-    double growth_, half_thickness_, spacing_;
-    std::vector<Station> stations_;
+    double growth_, half_thickness_;
+    YarnStations stations_;
+    double spacing_;
 };
 
 } // namespace
@@ -303,7 +251,7 @@ HalfFull half_full(const DrawnLayer& layer, double growth)
         state.air.assign(middles.size(), 0);
         for (std::size_t i = 0; i < middles.size(); ++i) state.air[i] = static_cast<double>(to_middle[i]) <= in_voxels;
         double room = 0, liquid = 0;
-        each_of_cloth(layer, [&](int, int, std::size_t i) {
+        each_of_cloth(layer, [&](std::size_t i) {
             if (static_cast<double>(layer.outside[i]) <= growth) return;
             room += 1;
             liquid += state.air[i] ? 0 : 1;

@@ -10,11 +10,10 @@ namespace hygroloom {
 /// x runs along the picks, y along the ends, z up; air lies above and below the cloth.
 struct DrawnLayer {
     VoxelGrid grid;
-    int margin = 0;                    ///< layers of voxels above the cloth, and below it
-    int per_end = 0, per_pick = 0;     ///< voxels from end to end, and from pick to pick
-    double dx = 0, dy = 0, dz = 0;     ///< sides of a voxel: alike but for what makes them fit the pitches
-    std::vector<float> outside;        ///< from each voxel's middle to the nearest skin of a yarn, less than 0 within one; at most reach
-    std::vector<std::uint8_t> nearest; ///< whether that is of the weft
+    int margin = 0;                ///< layers of voxels above the cloth, and below it
+    int per_end = 0, per_pick = 0; ///< voxels from end to end, and from pick to pick
+    double dx = 0, dy = 0, dz = 0; ///< sides of a voxel: alike but for what makes them fit the pitches
+    std::vector<float> outside;    ///< from each voxel's middle to the nearest skin of a yarn, less than 0 within one; at most reach
     double reach = 0;
 
     int ends() const { return grid.nx / per_end; }
@@ -28,6 +27,9 @@ struct DrawnLayer {
 
 /// The textile is one period large. voxels: in the mean pitch at least; a thin layer has more, for half as many from face to face.
 DrawnLayer drawn_layer(const Textile& period, int voxels);
+
+/// Of the cloth, what lies outside yarns that have grown so much; a voxel that a skin cuts counts in part.
+double share_outside(const DrawnLayer& layer, double growth);
 
 /// By how much the yarns must grow evenly, more than 0, or shrink, for this share of the layer to lie outside them: drawn yarns are
 /// squeezed between crossings, where real ones keep their area.

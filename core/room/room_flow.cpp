@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/room/room_flow.h"
 
+#include "core/room/liquid_voxels.h"
+
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace hygroloom {
 namespace {
@@ -14,9 +15,8 @@ namespace {
 using Numbers = Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-constexpr double precise = 1e-8;      // of the residual
-constexpr double anchor = 1e-10;      // of a diagonal: fixes the pressure of liquid that touches nothing else
-constexpr double nearest_wall = 0.15; // of a voxel's side: a skin is not taken for nearer to its middle
+constexpr double precise = 1e-8; // of the residual
+constexpr double anchor = 1e-10; // of a diagonal: fixes the pressure of liquid that touches nothing else
 
 Numbers solved(const Matrix& matrix, const Numbers& right)
 {
@@ -29,46 +29,24 @@ Numbers solved(const Matrix& matrix, const Numbers& right)
     return solver.solve(right);
 }
 
-/// The liquid's voxels, and which lie beside which.
-class FilledRoom {
+/// The liquid of a room and how mobile it is.
+class MobileLiquid {
 public:
-    FilledRoom(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air) : layer_(layer), number_(layer.grid.size(), -1)
+    MobileLiquid(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air) : layer_(layer), liquid_(layer, growth, air)
     {
-        for (int z = layer.first(); z <= layer.last(); ++z)
-            for (int y = 0; y < layer.grid.ny; ++y)
-                for (int x = 0; x < layer.grid.nx; ++x) {
-                    const std::size_t i = layer.grid.at(x, y, z);
-                    if (static_cast<double>(layer.outside[i]) <= growth || (!air.empty() && air[i])) continue;
-                    number_[i] = static_cast<int>(places_.size());
-                    places_.push_back({x, y, z});
-                }
-        find_mobility(growth, air);
+        find_mobility(air);
     }
-    bool none() const { return places_.empty(); }
+    bool none() const { return liquid_.places().empty(); }
 
     AlongRoom along(bool warp) const;
 
 private:
-    struct Place {
-        int x, y, z;
-    };
+    using Place = LiquidVoxels::Place;
     double side(int axis) const { return axis == 0 ? layer_.dx : axis == 1 ? layer_.dy : layer_.dz; }
-    /// Voxel beside one, on its lower or upper side; nothing beyond the faces.
-    std::optional<std::size_t> beside(const Place& p, int axis, int step) const
-    {
-        const VoxelGrid& g = layer_.grid;
-        const auto round = [](int i, int n) { return i < 0 ? i + n : i >= n ? i - n : i; };
-        if (axis == 0) return g.at(round(p.x + step, g.nx), p.y, p.z);
-        if (axis == 1) return g.at(p.x, round(p.y + step, g.ny), p.z);
-        const int z = p.z + step;
-        if (z < layer_.first() || z > layer_.last()) return {};
-        return g.at(p.x, p.y, z);
-    }
-    void find_mobility(double growth, const std::vector<std::uint8_t>& air);
+    void find_mobility(const std::vector<std::uint8_t>& air);
 
     const DrawnLayer& layer_;
-    std::vector<int> number_; // of each voxel; less than 0: no liquid
-    std::vector<Place> places_;
+    LiquidVoxels liquid_;
     Numbers mobility_; // m2
 };
 
@@ -103,27 +81,25 @@ private:
     double diagonal_ = 0;
 };
 
-void FilledRoom::find_mobility(double growth, const std::vector<std::uint8_t>& air)
+void MobileLiquid::find_mobility(const std::vector<std::uint8_t>& air)
 {
-    Rows rows(places_.size());
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-        const Place& p = places_[k];
-        const double own = static_cast<double>(layer_.outside[layer_.grid.at(p.x, p.y, p.z)]) - growth;
+    const std::vector<Place>& places = liquid_.places();
+    Rows rows(places.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const double own = liquid_.outside(places[k]);
         for (int axis = 0; axis < 3; ++axis)
             for (int step : {-1, 1}) {
-                const auto next = beside(p, axis, step);
-                if (!next || (!air.empty() && air[*next])) continue; // air lets it slip
+                const auto next = liquid_.beside(places[k], axis, step);
+                if (!next || (!air.empty() && air[liquid_.at(*next)])) continue; // air lets it slip
                 const double per_area = 1 / (side(axis) * side(axis));
-                if (number_[*next] >= 0) {
-                    rows.beside(static_cast<int>(k), number_[*next], per_area);
-                } else {
-                    const double there = static_cast<double>(layer_.outside[*next]) - growth;
-                    rows.wall(per_area / std::clamp(own / (own - there), nearest_wall, 1.0));
-                }
+                if (liquid_.number(*next) >= 0)
+                    rows.beside(static_cast<int>(k), liquid_.number(*next), per_area);
+                else
+                    rows.wall(per_area / std::clamp(own / (own - liquid_.outside(*next)), nearest_wall, 1.0));
             }
         rows.close(static_cast<int>(k), 1 / (side(0) * side(0)));
     }
-    mobility_ = solved(rows.matrix(places_.size()), Numbers::Ones(static_cast<Eigen::Index>(places_.size())));
+    mobility_ = solved(rows.matrix(places.size()), Numbers::Ones(static_cast<Eigen::Index>(places.size())));
 }
 
 /// A period of crossings in a mean gradient of 1 along one system: the permeability that those of its crossings come to.
@@ -159,26 +135,27 @@ double joined(const DrawnLayer& layer, const std::vector<double>& along_warp, co
     return warp ? flow / (shape * n) : flow * shape / n;
 }
 
-AlongRoom FilledRoom::along(bool warp) const
+AlongRoom MobileLiquid::along(bool warp) const
 {
+    const std::vector<Place>& places = liquid_.places();
     const int axis = warp ? 1 : 0;
     const double h = side(axis);
     const auto face = [&](int a, int b) { return 2 * mobility_[a] * mobility_[b] / (mobility_[a] + mobility_[b]); };
-    Rows rows(places_.size());
-    Numbers right = Numbers::Zero(static_cast<Eigen::Index>(places_.size()));
-    for (std::size_t k = 0; k < places_.size(); ++k) {
+    Rows rows(places.size());
+    Numbers right = Numbers::Zero(static_cast<Eigen::Index>(places.size()));
+    for (std::size_t k = 0; k < places.size(); ++k) {
         const auto own = static_cast<int>(k);
         for (int a = 0; a < 3; ++a)
             for (int step : {-1, 1}) {
-                const auto next = beside(places_[k], a, step);
-                if (!next || number_[*next] < 0) continue;
-                const double conducts = face(own, number_[*next]);
-                rows.beside(own, number_[*next], conducts / (side(a) * side(a)));
+                const auto next = liquid_.beside(places[k], a, step);
+                if (!next || liquid_.number(*next) < 0) continue;
+                const double conducts = face(own, liquid_.number(*next));
+                rows.beside(own, liquid_.number(*next), conducts / (side(a) * side(a)));
                 if (a == axis) right[own] += step * conducts / h;
             }
         rows.close(own, mobility_[own] / (h * h));
     }
-    const Numbers pressure = solved(rows.matrix(places_.size()), right);
+    const Numbers pressure = solved(rows.matrix(places.size()), right);
 
     // Of each slice of each crossing across the flow: what flows, and the mean gradient.
     struct Slice {
@@ -187,14 +164,14 @@ AlongRoom FilledRoom::along(bool warp) const
     const int slices = warp ? layer_.per_pick : layer_.per_end, across = warp ? layer_.per_end : layer_.per_pick;
     const std::size_t crossings = static_cast<std::size_t>(layer_.ends() * layer_.picks());
     std::vector<Slice> of_slice(crossings * static_cast<std::size_t>(slices));
-    for (std::size_t k = 0; k < places_.size(); ++k) {
-        const auto next = beside(places_[k], axis, 1);
-        if (!next || number_[*next] < 0) continue;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const auto next = liquid_.beside(places[k], axis, 1);
+        if (!next || liquid_.number(*next) < 0) continue;
         const auto own = static_cast<int>(k);
-        const double gradient = 1 + (pressure[number_[*next]] - pressure[own]) / h;
-        const int at = (warp ? places_[k].y : places_[k].x) % slices;
-        Slice& slice = of_slice[static_cast<std::size_t>(layer_.crossing(places_[k].x, places_[k].y) * slices + at)];
-        slice.flows += face(own, number_[*next]) * gradient;
+        const double gradient = 1 + (pressure[liquid_.number(*next)] - pressure[own]) / h;
+        const int at = (warp ? places[k].y : places[k].x) % slices;
+        Slice& slice = of_slice[static_cast<std::size_t>(layer_.crossing(places[k].x, places[k].y) * slices + at)];
+        slice.flows += face(own, liquid_.number(*next)) * gradient;
         slice.gradient += gradient;
         slice.faces += 1;
     }
@@ -222,7 +199,7 @@ AlongRoom FilledRoom::along(bool warp) const
 RoomPermeability room_permeability(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air)
 {
     const auto crossings = static_cast<std::size_t>(layer.ends() * layer.picks());
-    const FilledRoom liquid(layer, growth, air);
+    const MobileLiquid liquid(layer, growth, air);
     if (liquid.none()) return {{0, std::vector<double>(crossings, 0.0)}, {0, std::vector<double>(crossings, 0.0)}};
     RoomPermeability found{liquid.along(true), liquid.along(false)};
     for (int round = 0; round < 3; ++round) // each system's joints carry some of the other's flow

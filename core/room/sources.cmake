@@ -5,8 +5,9 @@ target_sources(hygroloom_core PRIVATE
   room/room_tables.cpp
   room/stokes.cpp
   room/voxels.cpp
+  room/yarn_stations.cpp
 )
 
 # Sparse equations, compiled alone at full optimization.
-set_source_files_properties(room/drawn_layer.cpp room/room_flow.cpp room/stokes.cpp PROPERTIES
+set_source_files_properties(room/drawn_layer.cpp room/room_flow.cpp room/stokes.cpp room/yarn_stations.cpp PROPERTIES
   SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/room/stokes.h"
 
+#include "core/room/liquid_voxels.h"
+
 #include <Eigen/Sparse>
 #include <unsupported/Eigen/IterativeSolvers>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace hygroloom {
 namespace {
@@ -44,24 +45,17 @@ private:
 /// Velocities stand on the sides between voxels of liquid, pressures in their middles. Lengths in sides of a voxel.
 class StokesFlow {
 public:
-    StokesFlow(const DrawnLayer& layer, double growth) : layer_(layer), growth_(growth), pressure_(layer.grid.size(), -1)
+    StokesFlow(const DrawnLayer& layer, double growth) : layer_(layer), liquid_(layer, growth)
     {
         const double side = layer.side();
         length_ = {layer.dx / side, layer.dy / side, layer.dz / side};
-        for (int z = layer.first(); z <= layer.last(); ++z)
-            for (int y = 0; y < layer.grid.ny; ++y)
-                for (int x = 0; x < layer.grid.nx; ++x)
-                    if (is_liquid(layer.grid.at(x, y, z))) {
-                        pressure_[layer.grid.at(x, y, z)] = static_cast<int>(places_.size());
-                        places_.push_back({x, y, z});
-                    }
         for (int axis = 0; axis < 3; ++axis) {
             first_[static_cast<std::size_t>(axis)] = static_cast<int>(sides_.size());
             velocity_[static_cast<std::size_t>(axis)].assign(layer.grid.size(), -1);
-            for (const Place& p : places_) {
-                const auto before = beside(p, axis, -1);
-                if (!before || pressure_[at(*before)] < 0) continue;
-                velocity_[static_cast<std::size_t>(axis)][at(p)] = static_cast<int>(sides_.size());
+            for (const Place& p : liquid_.places()) {
+                const auto before = liquid_.beside(p, axis, -1);
+                if (!before || liquid_.number(*before) < 0) continue;
+                velocity_[static_cast<std::size_t>(axis)][liquid_.at(p)] = static_cast<int>(sides_.size());
                 sides_.push_back({p, *before});
             }
         }
@@ -70,24 +64,10 @@ public:
     double permeability(bool along_warp) const;
 
 private:
-    struct Place {
-        int x, y, z;
-    };
+    using Place = LiquidVoxels::Place;
     struct Side {
         Place here, before;
     };
-    std::size_t at(const Place& p) const { return layer_.grid.at(p.x, p.y, p.z); }
-    double outside(const Place& p) const { return static_cast<double>(layer_.outside[at(p)]) - growth_; }
-    bool is_liquid(std::size_t voxel) const { return static_cast<double>(layer_.outside[voxel]) > growth_; }
-    std::optional<Place> beside(Place p, int axis, int step) const
-    {
-        const auto round = [](int i, int n) { return i < 0 ? i + n : i >= n ? i - n : i; };
-        if (axis == 0) p.x = round(p.x + step, layer_.grid.nx);
-        if (axis == 1) p.y = round(p.y + step, layer_.grid.ny);
-        if (axis == 2) p.z += step;
-        if (p.z < layer_.first() || p.z > layer_.last()) return {};
-        return p;
-    }
     /// What the velocity on a side loses to what lies beside it; the neighbour's number, or none where that stands still or slips.
     struct Beside {
         double couples = 0;
@@ -96,21 +76,19 @@ private:
     Beside beside(const Side& side, int own, int axis, int step) const
     {
         const double per_area = 1 / (length_[static_cast<std::size_t>(axis)] * length_[static_cast<std::size_t>(axis)]);
-        const auto here = beside(side.here, axis, step), before = beside(side.before, axis, step);
+        const auto here = liquid_.beside(side.here, axis, step), before = liquid_.beside(side.before, axis, step);
         if (!here || !before) return {axis == own ? per_area : 0.0, -1};
-        const int next = velocity_[static_cast<std::size_t>(own)][at(*here)];
+        const int next = velocity_[static_cast<std::size_t>(own)][liquid_.at(*here)];
         if (next >= 0) return {per_area, next};
-        constexpr double nearest_wall = 0.15;
-        const double there = 0.5 * (outside(*here) + outside(*before)), inside = 0.5 * (outside(side.here) + outside(side.before));
+        const double there = 0.5 * (liquid_.outside(*here) + liquid_.outside(*before)),
+                     inside = 0.5 * (liquid_.outside(side.here) + liquid_.outside(side.before));
         const double part = there < 0 && inside > 0 ? std::clamp(inside / (inside - there), nearest_wall, 1.0) : 1.0;
         return {per_area / part, -1};
     }
 
     const DrawnLayer& layer_;
-    double growth_;
+    LiquidVoxels liquid_; // a pressure in each
     std::array<double, 3> length_{};
-    std::vector<int> pressure_;
-    std::vector<Place> places_;
     std::array<std::vector<int>, 3> velocity_; // number of the one on each voxel's lower side
     std::array<int, 4> first_{};
     std::vector<Side> sides_; // with a velocity: all along x, then y, then z
@@ -118,7 +96,7 @@ private:
 
 double StokesFlow::permeability(bool along_warp) const
 {
-    const int velocities = first_[3], all = velocities + static_cast<int>(places_.size()), driven = along_warp ? 1 : 0;
+    const int velocities = first_[3], all = velocities + static_cast<int>(liquid_.places().size()), driven = along_warp ? 1 : 0;
     if (velocities == 0) return 0;
     std::vector<Eigen::Triplet<double>> laplacian, whole;
     Numbers right = Numbers::Zero(all);
@@ -135,7 +113,7 @@ double StokesFlow::permeability(bool along_warp) const
             laplacian.emplace_back(u, u, diagonal);
             const double gradient = 1 / length_[static_cast<std::size_t>(axis)];
             for (const auto& [place, sign] : {std::pair{side.here, 1.0}, std::pair{side.before, -1.0}}) {
-                const int p = velocities + pressure_[at(place)];
+                const int p = velocities + liquid_.number(place);
                 whole.emplace_back(u, p, sign * gradient);
                 whole.emplace_back(p, u, sign * gradient);
             }

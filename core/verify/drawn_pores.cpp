@@ -3,10 +3,10 @@
 
 #include "core/base/units.h"
 #include "core/geometry/fibres.h"
+#include "core/room/yarn_stations.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace hygroloom {
 namespace {
@@ -102,38 +102,6 @@ PoreImage image_of_sections(const std::vector<DrawnSection>& sections, double vo
 
 namespace {
 
-/// A place of a yarn's centreline, along the fabric, across the yarn and up, and its section.
-struct Station {
-    double along, across, up, half_height, flat; ///< m
-};
-
-std::vector<Station> stations_of(const Textile& textile, YarnKind kind, int yarn, double spacing)
-{
-    const bool is_warp = kind == YarnKind::warp;
-    const int crossings = is_warp ? textile.picks() : textile.ends(), beyond = 2; // crossings on both sides
-    const int each = std::max(8, static_cast<int>(std::ceil(textile.system(other_kind(kind)).pitch / spacing)));
-    std::vector<Station> stations;
-    for (int at = -beyond; at < crossings + beyond; ++at)
-        for (int i = 0; i < each; ++i) {
-            const YarnPoint p = yarn_point(textile, kind, yarn, at, (i + 0.5) / each - 0.5);
-            stations.push_back({is_warp ? p.centre.y : p.centre.x, is_warp ? p.centre.x : p.centre.y, p.centre.z, p.half_height,
-                                p.half_width - p.half_height});
-        }
-    return stations;
-}
-
-/// The station nearest to a place of the plane along the yarn and up, and its squared distance.
-std::pair<const Station*, double> nearest_station(const std::vector<Station>& stations, double along, double up, double reach)
-{
-    std::pair<const Station*, double> best{nullptr, reach * reach};
-    auto s = std::lower_bound(stations.begin(), stations.end(), along - reach, [](const Station& a, double b) { return a.along < b; });
-    for (; s != stations.end() && s->along < along + reach; ++s) {
-        const double off = (s->along - along) * (s->along - along) + (s->up - up) * (s->up - up);
-        if (off < best.second) best = {&*s, off};
-    }
-    return best;
-}
-
 /// Fills one yarn; what leaves the repeat comes in on the other side.
 void fill_yarn(const Textile& textile, YarnKind kind, int yarn, PoreImage& image, const Vec3d& voxel)
 {
@@ -141,14 +109,13 @@ void fill_yarn(const Textile& textile, YarnKind kind, int yarn, PoreImage& image
     const bool is_warp = kind == YarnKind::warp;
     const double along_voxel = is_warp ? voxel.y : voxel.x, across_voxel = is_warp ? voxel.x : voxel.y;
     const int n_along = is_warp ? g.ny : g.nx, n_across = is_warp ? g.nx : g.ny;
-    const std::vector<Station> stations = stations_of(textile, kind, yarn, 0.5 * along_voxel);
+    const YarnStations stations(textile, kind, yarn, 0.5 * along_voxel, 2);
     const double reach = 0.5 * textile.type(kind, yarn).section.height + along_voxel;
     for (int a = 0; a < n_along; ++a)
         for (int z = 0; z < g.nz; ++z) {
-            const auto [station, squared] =
-                nearest_station(stations, (a + 0.5 - 0.5 * n_along) * along_voxel, (z + 0.5 - 0.5 * g.nz) * voxel.z, reach);
-            if (!station || squared >= station->half_height * station->half_height) continue;
-            const double half = station->flat + std::sqrt(station->half_height * station->half_height - squared);
+            const auto [station, off] = stations.nearest((a + 0.5 - 0.5 * n_along) * along_voxel, (z + 0.5 - 0.5 * g.nz) * voxel.z, reach);
+            if (!station || off >= station->half_height) continue;
+            const double half = station->flat + std::sqrt(station->half_height * station->half_height - off * off);
             const double middle = station->across / across_voxel + 0.5 * n_across - 0.5, wide = half / across_voxel;
             for (int c = static_cast<int>(std::ceil(middle - wide)); c <= static_cast<int>(std::floor(middle + wide)); ++c) {
                 const int inside = ((c % n_across) + n_across) % n_across;

@@ -22,7 +22,6 @@ DrawnLayer slot(int width)
     layer.grid = {layer.per_end, 8, 6, true, false};
     layer.reach = 1e-5;
     layer.outside.resize(layer.grid.size());
-    layer.nearest.assign(layer.grid.size(), 0);
     for (int z = 0; z < 6; ++z)
         for (int y = 0; y < 8; ++y)
             for (int x = 0; x < layer.per_end; ++x) {
@@ -107,6 +106,8 @@ private Q_SLOTS:
         const RoomTables& tables = *room_tables(textile, 16);
         QCOMPARE(tables.ends, 2);
         QVERIFY2(std::abs(tables.growth - growth_to_share(layer, share)) < 1e-3 * textile.thickness, "of any number of periods");
+        const double finer = share_outside(drawn_layer(cloth("plain"), 28), tables.growth);
+        QVERIFY2(std::abs(finer - share) < 0.005, qPrintable(QString("%1 for %2").arg(finer).arg(share)));
     }
     void longerFloatsLetMoreThrough()
     {

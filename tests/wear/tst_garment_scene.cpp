@@ -79,6 +79,25 @@ private Q_SLOTS:
         QVERIFY(a.temperature == b.temperature);
     }
 
+    /// What is of the warp in a cloth is of the weft in the same cloth turned, and turned twice it is as it was.
+    void turned_cloth_has_its_yarns_exchanged()
+    {
+        Worn worn;
+        Fabric fabric = worn.design.fabrics[0];
+        fabric.weft.packing_factor = 0.7; // unlike the warp
+        const FabricCells cells = fabric_cells(worn.design, fabric, worn.wear, knobs_of(Fidelity::draft), 2e-3), across = turned(cells),
+                          back = turned(across);
+        const BetweenParameters &of = cells.tile.cloth.crossing[0].between, &other = across.tile.cloth.crossing[0].between,
+                                &again = back.tile.cloth.crossing[0].between;
+        QVERIFY(of.retention[1].front != of.retention[2].front); // beside a wet warp, beside a wet weft
+        QCOMPARE(other.retention[1].front, of.retention[2].front);
+        QCOMPARE(other.retention[2].front, of.retention[1].front);
+        QCOMPARE(other.retention[both_wet].front, of.retention[both_wet].front);
+        QCOMPARE(other.along_warp, of.along_weft);
+        QCOMPARE(again.retention[1].front, of.retention[1].front);
+        QCOMPARE(again.on_warp[1], of.on_warp[1]);
+    }
+
     /// Water in a panel that hangs sinks as in a strip of a sample that stands, and half as far in one that slopes by 30 degrees.
     void a_hanging_panel_is_a_strip()
     {
