@@ -13,6 +13,8 @@ namespace {
 
 constexpr double layer_share = 2; // a layer has at least half as many voxels from face to face as the mean pitch
 constexpr double reaches = 0.55;  // of the mean pitch
+/// Of a layer, at so many in the pitch: a million is some 3 s on one core; fewer where fewer are asked for, so that they can be compared.
+double most_voxels_at(int voxels) { return 1e6 * std::min(1.0, std::pow(voxels / 16.0, 3)); }
 
 /// One yarn among the voxels; what leaves the period comes in on the other side.
 class DrawnYarn {
@@ -70,8 +72,9 @@ double DrawnLayer::side() const { return std::cbrt(dx * dy * dz); }
 
 DrawnLayer drawn_layer(const Textile& period, int voxels)
 {
-    const double pitch = std::sqrt(period.warp.pitch * period.weft.pitch);
-    const double voxel = std::min(pitch, layer_share * period.thickness) / voxels;
+    const double pitch = std::sqrt(period.warp.pitch * period.weft.pitch), reach = reaches * pitch;
+    const double volume = period.warp.pitch * period.weft.pitch * period.crossings() * (period.thickness + 2 * reach);
+    const double voxel = std::max(std::min(pitch, layer_share * period.thickness) / voxels, std::cbrt(volume / most_voxels_at(voxels)));
     const auto whole = [&](double length) { return std::max(2, static_cast<int>(std::lround(length / voxel))); };
     DrawnLayer layer;
     layer.per_end = whole(period.warp.pitch);
@@ -80,7 +83,7 @@ DrawnLayer drawn_layer(const Textile& period, int voxels)
     layer.dx = period.warp.pitch / layer.per_end;
     layer.dy = period.weft.pitch / layer.per_pick;
     layer.dz = period.thickness / layers;
-    layer.reach = reaches * pitch;
+    layer.reach = reach;
     layer.margin = static_cast<int>(std::ceil(layer.reach / layer.dz)) + 1;
     layer.grid = {period.ends() * layer.per_end, period.picks() * layer.per_pick, layers + 2 * layer.margin, true, false};
     layer.outside.assign(layer.grid.size(), static_cast<float>(layer.reach));

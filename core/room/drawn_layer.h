@@ -25,7 +25,8 @@ struct DrawnLayer {
     int crossing(int x, int y) const { return x / per_end * picks() + y / per_pick; }
 };
 
-/// The textile is one period large. voxels: in the mean pitch at least; a thin layer has more, for half as many from face to face.
+/// The textile is one period large. voxels: in the mean pitch at least; a thin layer has more, for half as many from face to face,
+/// and a period of more than a million of them has fewer.
 DrawnLayer drawn_layer(const Textile& period, int voxels);
 
 /// Of the cloth, what lies outside yarns that have grown so much; a voxel that a skin cuts counts in part.
