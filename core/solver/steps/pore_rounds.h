@@ -94,6 +94,7 @@ struct PoreRounds : PoreLines {
     template <typename Places> HL_FN Balance balance(const Places& line, int i, bool nested, double enough, const Inflow& joints) const
     {
         constexpr double rounding = 1e-14;    // of what would flow by the whole suction
+        constexpr double most_noise = 1e-6;   // of the capacity: a suction beyond all bounds does not excuse itself
         constexpr double least_fall = 1e-10;  // of the capacity over the entry suction, so that full pores do not leave their suction open
         constexpr double least_share = 1e-13; // of what couples them, so that elimination does not lose it among full pores in long steps
         const Place p = place(line, i);
@@ -110,7 +111,8 @@ struct PoreRounds : PoreLines {
             found.falls[which] = (cap * h.fall > least ? cap * h.fall : least) + leaks;
             if (pool.stands && fed < line(most_fed + which, i)) found.falls[which] += line(feed + which, i);
             const double flows = joints.coupled[which] + leaks + (pool.stands ? line(feed + which, i) : 0.0);
-            const double noise = enough * cap + rounding * flows * std::abs(line(suction + which, i));
+            const double rounded = rounding * flows * std::abs(line(suction + which, i)), most = most_noise * cap;
+            const double noise = enough * cap + (rounded < most ? rounded : most);
             found.open = found.open || !(over <= noise && over >= -noise);
         }
         return found;
