@@ -21,20 +21,19 @@ double open_share(const FittedYarns& fitted, double warp_pitch, double weft_pitc
     double open = 0;
     for (std::size_t i = 0; i < fitted.warp.size(); ++i)
         for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
-            const Section &a = fitted.warp[i].section, &b = fitted.weft[j].section;
-            const CrossingHeights& rise = fitted.at(i, j);
-            const auto edges = [](const Interlacing& path, const Section& own, const Section& other, double other_rise) {
+            const SpanPair& bent = fitted.span_at(i, j);
+            const auto edges = [](const SpanSections& sections) {
                 std::vector<double> half;
                 for (std::size_t k = 0; k < steps; ++k) {
-                    const double x = 0.5 * path.pitch * (static_cast<double>(k) + 0.5) / steps;
-                    half.push_back(0.5 * (own.width - own.height + squeezed_height_at(path, own, other, other_rise, x)));
+                    const double at = 0.5 * (span_samples - 1) * (static_cast<double>(k) + 0.5) / steps;
+                    const auto low = static_cast<std::size_t>(at);
+                    const double part = at - static_cast<double>(low);
+                    half.push_back((1 - part) * sections.half_width(low) + part * sections.half_width(low + 1));
                 }
                 return half;
             };
-            const std::vector<double> warp_bent = edges(fitted.path(weft_pitch, a, b, rise.warp), a, b, rise.weft),
-                                      warp_straight(steps, 0.5 * a.width);
-            const std::vector<double> weft_bent = edges(fitted.path(warp_pitch, b, a, rise.weft), b, a, rise.warp),
-                                      weft_straight(steps, 0.5 * b.width);
+            const std::vector<double> warp_bent = edges(bent.warp), warp_straight(steps, 0.5 * fitted.warp[i].section.width);
+            const std::vector<double> weft_bent = edges(bent.weft), weft_straight(steps, 0.5 * fitted.weft[j].section.width);
             const double dx = 0.5 * warp_pitch / steps, dy = 0.5 * weft_pitch / steps;
             const auto beyond = [](std::size_t cell, double size, double edge) {
                 return std::clamp(static_cast<double>(cell) + 1 - edge / size, 0.0, 1.0); // share of a cell past a yarn's edge
@@ -109,6 +108,10 @@ void note_section(std::vector<std::string>& notes, const std::string& name, cons
                                     name, section.width, pitch, free.packing_factor, fitted.packing_factor));
     else if (fitted.flattened)
         notes.push_back(fmt::format("{} become {:.3g} mm wide, keeping their area.", name, section.width));
+    if (fitted.area_share < 0.99)
+        notes.push_back(fmt::format("{} have {:.0f} % of their area on average, as the crossed yarns squeeze them between crossings; they "
+                                    "are packed to {:.3g}.",
+                                    name, 100 * fitted.area_share, fitted.packing_factor));
 }
 
 void note_sections(std::vector<std::string>& notes, const WovenYarns& yarns, bool warp)

@@ -61,17 +61,6 @@ double squeezed_height_at(const Interlacing& path, const Section& own, const Sec
     return std::min(squeezed_height(own, other, x, z + other_rise), squeezed_height(own, other, path.pitch - x, other_rise - z));
 }
 
-double mean_width(const Interlacing& path, const Section& own, const Section& other, double other_rise)
-{
-    constexpr int steps = 64;
-    double sum = 0;
-    for (int i = 0; i < steps; ++i) {
-        const double x = 0.5 * path.pitch * (i + 0.5) / steps; // the other half is the same
-        sum += own.width - own.height + squeezed_height_at(path, own, other, other_rise, x);
-    }
-    return sum / steps;
-}
-
 double Interlacing::height_at(double x) const
 {
     if (x > 0.5 * pitch) return -height_at(pitch - x);

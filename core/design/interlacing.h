@@ -42,13 +42,10 @@ inline Interlacing interlace(double pitch, const Section& own, const Section& ot
 }
 
 /// Height that a crossed section leaves to own's section whose middle is this far along and over the crossed one's middle; from a tenth of
-/// own's height to all of it. The flat stays, so the width shrinks by as much as the height.
+/// own's height to all of it.
 double squeezed_height(const Section& own, const Section& crossed, double along, double over);
 
 /// What the crossed yarns at both ends of a path that changes sides leave; other rises by other_rise to the other side.
 double squeezed_height_at(const Interlacing& path, const Section& own, const Section& other, double other_rise, double x);
-
-/// Mean width of own's section over such a path.
-double mean_width(const Interlacing& path, const Section& own, const Section& other, double other_rise);
 
 } // namespace hygroloom

@@ -19,6 +19,7 @@ target_sources(hygroloom_core PRIVATE
   design/jam.cpp
   design/liquid.cpp
   design/material.cpp
+  design/spreading.cpp
   design/unknowns.cpp
   design/validate.cpp
   design/validate_experiment.cpp

@@ -11,29 +11,22 @@ namespace hygroloom {
 namespace {
 
 /// How one type bends over another of the crossed system.
-struct Meeting {
-    Interlacing path;
-    const Section& own;
-    const Section& other;
-    double other_rise;
-};
-
-Meeting meeting(const WovenYarns& yarns, bool warp, std::size_t type, std::size_t other)
+Interlacing meeting(const WovenYarns& yarns, bool warp, std::size_t type, std::size_t other)
 {
     const CrossingHeights& heights = warp ? yarns.fitted.at(type, other) : yarns.fitted.at(other, type);
-    const Section &own = yarns.types(warp)[type].section, &over = yarns.types(!warp)[other].section;
-    return {yarns.fitted.path(yarns.pitch_mm(!warp), own, over, warp ? heights.warp : heights.weft), own, over,
-            warp ? heights.weft : heights.warp};
+    return yarns.fitted.path(yarns.pitch_mm(!warp), yarns.types(warp)[type].section, yarns.types(!warp)[other].section,
+                             warp ? heights.warp : heights.weft);
 }
 
-/// Mean width of one type in the fabric, mm: narrower where crossed yarns squeeze it.
+/// Mean width of one type in the fabric, mm: another where crossed yarns squeeze it.
 double mean_width_of(const WovenYarns& yarns, bool warp, std::size_t type)
 {
     const double changes = yarns.changes(warp);
     double sum = 0;
     for (std::size_t other = 0; other < yarns.types(!warp).size(); ++other) {
-        const Meeting m = meeting(yarns, warp, type, other);
-        sum += yarns.order(!warp).share[other] * (changes * mean_width(m.path, m.own, m.other, m.other_rise) + (1 - changes) * m.own.width);
+        const SpanPair& span = warp ? yarns.fitted.span_at(type, other) : yarns.fitted.span_at(other, type);
+        const double bent = (warp ? span.warp : span.weft).mean_width(), straight = yarns.types(warp)[type].section.width;
+        sum += yarns.order(!warp).share[other] * (changes * bent + (1 - changes) * straight);
     }
     return sum;
 }
@@ -73,7 +66,7 @@ double crimp_percent(const WovenYarns& yarns, bool warp, std::size_t type)
     // A yarn runs longer than the fabric only where it changes sides.
     double sum = 0;
     for (std::size_t other = 0; other < yarns.types(!warp).size(); ++other) {
-        const Interlacing path = meeting(yarns, warp, type, other).path;
+        const Interlacing path = meeting(yarns, warp, type, other);
         const double crimp = path.length / path.pitch - 1;
         sum += yarns.order(!warp).share[other] * 100 * (crimp > 1e-9 ? crimp : 0) * yarns.changes(warp);
     }
@@ -96,6 +89,7 @@ YarnQuantities yarn_quantities(const WovenYarns& yarns, bool warp, std::size_t t
     yarn.diameter_mm = fitted.free.diameter;
     yarn.packing_factor = fitted.free.packing_factor;
     yarn.section_mm = fitted.section;
+    yarn.area_share = fitted.area_share;
     yarn.packing_factor_in_fabric = fitted.packing_factor;
     yarn.pitch_mm = yarns.pitch_mm(warp);
     yarn.rise_mm = 2 * (warp ? yarns.fitted.at(type, 0).warp : yarns.fitted.at(0, type).weft);

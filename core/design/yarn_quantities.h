@@ -8,12 +8,13 @@ namespace hygroloom {
 
 struct YarnQuantities {
     double linear_density_tex = 0;
-    double diameter_mm = 0;    ///< of the free, round yarn
-    double packing_factor = 0; ///< of the free yarn
-    Section section_mm;        ///< in the fabric
-    double packing_factor_in_fabric = 0;
-    double pitch_mm = 0; ///< from yarn to yarn
-    double rise_mm = 0;  ///< of the centreline, from side to side
+    double diameter_mm = 0;              ///< of the free, round yarn
+    double packing_factor = 0;           ///< of the free yarn
+    Section section_mm;                  ///< in the fabric, at a crossing
+    double area_share = 1;               ///< mean area along the yarn over that of section_mm
+    double packing_factor_in_fabric = 0; ///< mean along the yarn
+    double pitch_mm = 0;                 ///< from yarn to yarn
+    double rise_mm = 0;                  ///< of the centreline, from side to side
     double crimp_percent = 0;
     double cover = 0; ///< sett x mean width, 1 = touching
     double fibre_radius_um = 0;

@@ -47,6 +47,7 @@ void fit(FittedYarn& yarn, double scale, double pitch)
         if (!yarn.flattened && section_area(yarn.section) < closest) yarn.section.height = height_of_area(closest, widest);
     }
     yarn.packing_factor = yarn.free.packing_factor * circle_area(diameter) / section_area(yarn.section);
+    yarn.area_share = 1;
 }
 
 /// The greatest rise of a yarn over the other's sections without tightening its arcs, from 0 to the sum of the half heights.
@@ -84,13 +85,19 @@ struct Loom {
             for (const FittedYarn& weft : fitted.weft) fitted.heights.push_back(rises(warp, weft));
     }
 
+    /// No arc turns by more than a right angle; level faces always do with less.
+    CrossingHeights highest(const Section& warp, const Section& weft) const
+    {
+        const double sum = 0.5 * (warp.height + weft.height);
+        return {std::min(sum, std::max(0.5 * weft.height, steepest * weft_pitch)),
+                std::min(sum, std::max(0.5 * warp.height, steepest * warp_pitch))};
+    }
+
     CrossingHeights rises(const FittedYarn& warp, const FittedYarn& weft) const
     {
         const Section &a = warp.section, &b = weft.section;
         const double sum = 0.5 * (a.height + b.height);
-        // No arc turns by more than a right angle; level faces always do with less.
-        const double warp_limit = std::min(sum, std::max(0.5 * b.height, steepest * weft_pitch));
-        const double weft_limit = std::min(sum, std::max(0.5 * a.height, steepest * warp_pitch));
+        const auto [warp_limit, weft_limit] = highest(a, b);
         if (warp_crimp >= 0 && weft_crimp >= 0)
             return {rise_of_crimp(fitted, weft_pitch, a, b, warp_crimp, warp_limit),
                     rise_of_crimp(fitted, warp_pitch, b, a, weft_crimp, weft_limit)};
@@ -141,6 +148,64 @@ struct Loom {
         return false;
     }
 
+    /// Sections between the crossings, and how close that packs the yarns; changes: see share_of_changes().
+    void lay_between(double along_warp, double along_weft)
+    {
+        std::vector<double> ends(fitted.warp.size(), 0), picks(fitted.weft.size(), 0); // mean areas over the sections'
+        fitted.spans.clear();
+        for (std::size_t i = 0; i < fitted.warp.size(); ++i)
+            for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
+                const Section &a = fitted.warp[i].section, &b = fitted.weft[j].section;
+                const CrossingHeights& rise = fitted.at(i, j);
+                const Spanning warp{fitted.path(weft_pitch, a, b, rise.warp), a, rise.warp, widest_share_of_pitch * warp_pitch,
+                                    warp_changes},
+                    weft{fitted.path(warp_pitch, b, a, rise.weft), b, rise.weft, widest_share_of_pitch * weft_pitch, weft_changes};
+                fitted.spans.push_back(span_sections(warp, weft));
+                ends[i] += fitted.weft_order.share[j] * mean_share(fitted.spans.back().warp, warp.path, along_warp);
+                picks[j] += fitted.warp_order.share[i] * mean_share(fitted.spans.back().weft, weft.path, along_weft);
+            }
+        for (std::size_t i = 0; i < ends.size(); ++i) fitted.warp[i].area_share = ends[i];
+        for (std::size_t j = 0; j < picks.size(); ++j) fitted.weft[j].area_share = picks[j];
+    }
+
+    static double mean_share(const SpanSections& bent, const Interlacing& path, double changes)
+    {
+        const double on_bends = changes * path.length;
+        return (on_bends * bent.area_share + (1 - changes) * path.pitch) / (on_bends + (1 - changes) * path.pitch);
+    }
+
+    bool squeezed_too_close() const
+    {
+        const auto too_close = [](const FittedYarn& yarn) {
+            return yarn.packing_factor > yarn.area_share * yarn.most_packing() * (1 + 1e-9);
+        };
+        return std::any_of(fitted.warp.begin(), fitted.warp.end(), too_close) ||
+               std::any_of(fitted.weft.begin(), fitted.weft.end(), too_close);
+    }
+
+    /// What set crimps leave overlapping is the crossing's to share.
+    void part_overlapping()
+    {
+        for (std::size_t i = 0; i < fitted.warp.size(); ++i)
+            for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
+                CrossingHeights& rises = fitted.heights[i * fitted.weft.size() + j];
+                const double sum = 0.5 * (fitted.warp[i].section.height + fitted.weft[j].section.height);
+                const double factor = sum / std::max(rises.warp + rises.weft, 1e-12);
+                if (factor > 1) rises = {rises.warp * factor, rises.weft * factor};
+            }
+    }
+
+    /// Yarns are packed as close as their mean area needs, up to the closest.
+    void pack()
+    {
+        for (auto* yarns : {&fitted.warp, &fitted.weft})
+            for (FittedYarn& yarn : *yarns) {
+                const double packed = std::min(yarn.packing_factor / yarn.area_share, std::max(yarn.packing_factor, yarn.most_packing()));
+                yarn.area_share = yarn.packing_factor / packed;
+                yarn.packing_factor = packed;
+            }
+    }
+
     bool warp_changes = true, weft_changes = true;
 };
 
@@ -151,7 +216,8 @@ double crimp_of_change(const std::optional<double>& set, const std::optional<dou
     return percent && changes > 0 ? 0.01 * *percent / changes : -1;
 }
 
-void flatten_until(Loom& loom, double scale, bool (Loom::*wrong)() const, bool stop_at_neighbours)
+/// Returns the scale that it ends with.
+double flatten_until(Loom& loom, double scale, bool (Loom::*wrong)() const, bool stop_at_neighbours)
 {
     double good = scale;
     for (int step = 1; step <= flattening_steps && (loom.*wrong)(); ++step) {
@@ -161,6 +227,30 @@ void flatten_until(Loom& loom, double scale, bool (Loom::*wrong)() const, bool s
         good = next;
     }
     loom.lay(good);
+    return good;
+}
+
+/// Set crimps that would squeeze yarns too close give way, a step at a time, to those that the yarns would have without.
+void give_way(Loom& loom, double scale, double along_warp, double along_weft)
+{
+    constexpr int steps = 10;
+    FittedYarns& fitted = loom.fitted;
+    const std::vector<CrossingHeights> set = fitted.heights;
+    loom.warp_crimp = loom.weft_crimp = -1;
+    fitted.roundness = 0;
+    loom.lay(1);
+    const double free_scale = flatten_until(loom, 1, &Loom::jams, true);
+    const std::vector<CrossingHeights> free = fitted.heights;
+    for (int step = 1; step <= steps; ++step) {
+        const double given = static_cast<double>(step) / steps;
+        loom.lay(scale + given * (free_scale - scale));
+        fitted.roundness = 1 - given;
+        for (std::size_t i = 0; i < free.size(); ++i)
+            fitted.heights[i] = {set[i].warp + given * (free[i].warp - set[i].warp), set[i].weft + given * (free[i].weft - set[i].weft)};
+        loom.part_overlapping();
+        loom.lay_between(along_warp, along_weft);
+        if (!loom.squeezed_too_close()) break;
+    }
 }
 
 } // namespace
@@ -272,7 +362,7 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
 
     loom.warp_crimp = crimp_of_change(fabric.warp_crimp_percent, fabric.measured.crimp_percent, warp_changes);
     loom.weft_crimp = crimp_of_change(fabric.weft_crimp_percent, fabric.measured.crimp_percent, weft_changes);
-    fitted.rounded = loom.warp_crimp >= 0 || loom.weft_crimp >= 0;
+    fitted.roundness = loom.warp_crimp >= 0 || loom.weft_crimp >= 0 ? 1 : 0;
     loom.lay(1);
     double scale = 1;
     if (fabric.thickness_mm) {
@@ -283,18 +373,13 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
         }
     }
     if (loom.warp_crimp >= 0 && loom.weft_crimp >= 0)
-        flatten_until(loom, scale, &Loom::too_high, false);
+        scale = flatten_until(loom, scale, &Loom::too_high, false);
     else if (!fabric.thickness_mm && loom.warp_crimp < 0 && loom.weft_crimp < 0)
-        flatten_until(loom, scale, &Loom::jams, true);
-    // What set crimps leave overlapping is the crossing's to share.
-    if (loom.too_high())
-        for (std::size_t i = 0; i < fitted.warp.size(); ++i)
-            for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
-                CrossingHeights& rises = fitted.heights[i * fitted.weft.size() + j];
-                const double sum = 0.5 * (fitted.warp[i].section.height + fitted.weft[j].section.height);
-                const double factor = sum / std::max(rises.warp + rises.weft, 1e-12);
-                if (factor > 1) rises = {rises.warp * factor, rises.weft * factor};
-            }
+        scale = flatten_until(loom, scale, &Loom::jams, true);
+    if (loom.too_high()) loom.part_overlapping();
+    loom.lay_between(warp_changes, weft_changes);
+    if (fitted.roundness > 0 && !fabric.thickness_mm && loom.squeezed_too_close()) give_way(loom, scale, warp_changes, weft_changes);
+    loom.pack();
     return with_angle_of(design, fabric, std::move(fitted));
 }
 

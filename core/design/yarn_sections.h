@@ -6,6 +6,7 @@
 #include "core/design/design.h"
 #include "core/design/evenness.h"
 #include "core/design/interlacing.h"
+#include "core/design/spreading.h"
 
 #include <cstdint>
 
@@ -56,7 +57,8 @@ struct FittedYarn {
     double core = 0;               ///< share of the solids, by volume, that is a core
     double receding_angle_deg = 0; ///< of the fibres, or of the fabric's finish over them
     Section section;               ///< mm, in the fabric
-    double packing_factor = 0;     ///< in the fabric
+    double packing_factor = 0;     ///< in the fabric, mean along the yarn
+    double area_share = 1;         ///< mean area along the yarn over the section's, which is that at crossings
     Unevenness unevenness;         ///< as given, or typical
     double shape = 1;              ///< height over width where nothing but the weave presses it: see usual_shape()
     bool flattened = false;        ///< by the thickness, the crimp or the neighbours
@@ -89,15 +91,17 @@ struct FittedYarns {
     std::vector<FittedYarn> warp; ///< per type
     std::vector<FittedYarn> weft;
     std::vector<CrossingHeights> heights; ///< warp type x number of weft types + weft type
+    std::vector<SpanPair> spans;          ///< the same, where the yarns change sides
     double available_height = 0;          ///< mm, thickness less the loops on both faces; 0 when no thickness is given
-    bool rounded = false;                 ///< a crimp is set: yarns are as round where they touch as a path of that crimp needs
-    bool jammed = false;                  ///< free yarns of this sett cannot bend round each other in full arcs
+    double roundness = 0; ///< of yarns where they are crossed: 1 where a crimp is set, so that a path has it; less where that gives way
+    bool jammed = false;  ///< free yarns of this sett cannot bend round each other in full arcs
 
     const CrossingHeights& at(std::size_t warp_type, std::size_t weft_type) const { return heights[warp_type * weft.size() + weft_type]; }
+    const SpanPair& span_at(std::size_t warp_type, std::size_t weft_type) const { return spans[warp_type * weft.size() + weft_type]; }
     /// One yarn's path over another's. Precondition of Interlacing holds.
     Interlacing path(double pitch, const Section& own, const Section& other, double rise) const
     {
-        return interlace(pitch, own, rounded ? Section{other.height, other.height} : other, rise);
+        return interlace(pitch, own, {other.width - roundness * (other.width - other.height), other.height}, rise);
     }
     /// From face to face.
     double thickness() const;
@@ -106,7 +110,8 @@ struct FittedYarns {
 /// Precondition: the yarns, the setts and the orders are in range.
 /// Crimp: as set; else warp and weft share it as their spans to the power 1.5, up to where either jams: a compromise between measured
 /// crimps of poplin, plain cloth of 94 x 120 threads an inch and satin. With both crimps set, yarns are flattened until they touch at those
-/// rises. Without a thickness or a set crimp, yarns that would jam are flattened until they do not or touch their neighbours.
+/// rises; without a thickness set crimps give way where they would squeeze yarns closer than they can be packed. Without a thickness or a
+/// set crimp, yarns that would jam are flattened until they do not or touch their neighbours.
 FittedYarns fit_yarns(const Design& design, const Fabric& fabric);
 /// The yarns of a fabric that differs by its contact angle alone, which they fit alike with.
 FittedYarns with_angle_of(const Design& design, const Fabric& fabric, FittedYarns yarns);

@@ -284,7 +284,7 @@ Permeability permeability_of(const FabricQuantities& q)
     const double across = 0.5 * (permeability_across(warp_r, warp_phi) + permeability_across(weft_r, weft_phi));
     const double layer = q.yarn_layer_thickness_mm;
     const auto along = [&](const YarnQuantities& yarn, double radius) {
-        const double share = section_area(yarn.section_mm) / (yarn.pitch_mm * layer); // of the layer's section
+        const double share = yarn.area_share * section_area(yarn.section_mm) / (yarn.pitch_mm * layer); // of the layer's section
         return share * permeability_along(radius, yarn.packing_factor_in_fabric) / std::pow(1 + 0.01 * yarn.crimp_percent, 2);
     };
     return {through(open, hole * hole, across), along(q.warp, warp_r), along(q.weft, weft_r)};

@@ -12,7 +12,6 @@
 namespace hygroloom {
 namespace {
 
-constexpr int path_samples = 65;
 constexpr double default_tortuosity = 1.2; // Li and Zhu 2003, of liquid in a yarn's pores
 
 Section metres(const Section& mm) { return {metre_from_mm(mm.width), metre_from_mm(mm.height)}; }
@@ -24,7 +23,8 @@ double smooth_slope(double t) { return 6 * t * (1 - t); }
 struct Crossed {
     Section section;
     double own_rise = 0;
-    double other_rise = 0;
+    double other_rise = 0;              ///< less what a gap between both leaves to the other
+    const SpanSections* bent = nullptr; ///< mm, of the own yarn
 };
 
 /// From over a to under b (or over b, when it stays up). Between two different yarns the two paths that each would make are blended.
@@ -34,8 +34,8 @@ YarnPath make_path(const FittedYarns& fitted, const Section& own, const Crossed&
     const bool alike = a.own_rise == b.own_rise && a.section == b.section;
     const double sign = changes ? -1 : 1;
     YarnPath path;
-    for (int i = 0; i < path_samples; ++i) {
-        const double t = static_cast<double>(i) / (path_samples - 1), x = pitch * t;
+    for (int i = 0; i < span_samples; ++i) {
+        const double t = static_cast<double>(i) / (span_samples - 1), x = pitch * t;
         double z, slope;
         if (changes) {
             const double w = alike ? 0 : smooth(t), dw = alike ? 0 : smooth_slope(t) / pitch;
@@ -45,19 +45,22 @@ YarnPath make_path(const FittedYarns& fitted, const Section& own, const Crossed&
             z = a.own_rise + smooth(t) * (b.own_rise - a.own_rise);
             slope = smooth_slope(t) / pitch * (b.own_rise - a.own_rise);
         }
-        // The section keeps its flat; its height is what the two crossed yarns leave it.
+        // Its height is what the two crossed yarns leave it, its flat what is as free of both.
         const double height = std::min(squeezed_height(own, a.section, x, z + a.other_rise),
                                        squeezed_height(own, b.section, x - pitch, z + sign * b.other_rise));
         path.height.push_back(z);
         path.slope.push_back(slope);
         path.half_height.push_back(0.5 * height);
-        path.half_width.push_back(0.5 * (own.width - own.height + height));
+        const auto at = static_cast<std::size_t>(i);
+        const double flat =
+            changes ? metre_from_mm(std::min(a.bent->half_flat[at], b.bent->half_flat[at])) : 0.5 * (own.width - own.height);
+        path.half_width.push_back(0.5 * height + flat);
     }
     if (changes && alike) {
         path.length = from.length;
     } else {
-        for (int i = 0; i + 1 < path_samples; ++i)
-            path.length += std::hypot(pitch / (path_samples - 1),
+        for (int i = 0; i + 1 < span_samples; ++i)
+            path.length += std::hypot(pitch / (span_samples - 1),
                                       path.height[static_cast<std::size_t>(i) + 1] - path.height[static_cast<std::size_t>(i)]);
     }
     return path;
@@ -72,9 +75,9 @@ double untwisted_length(const YarnPath& path, double pitch)
         for (int a = 0; a < angles; ++a) {
             const double radius = std::sqrt((r + 0.5) / radii), angle = 2 * pi * (a + 0.5) / angles;
             Vec3d before;
-            for (std::size_t i = 0; i < path_samples; i += 8) {
+            for (std::size_t i = 0; i < span_samples; i += 8) {
                 const double up = radius * path.half_height[i] * std::cos(angle), norm = 1 / std::hypot(1.0, path.slope[i]);
-                const Vec3d here{pitch * static_cast<double>(i) / (path_samples - 1) - up * path.slope[i] * norm,
+                const Vec3d here{pitch * static_cast<double>(i) / (span_samples - 1) - up * path.slope[i] * norm,
                                  radius * path.half_width[i] * std::sin(angle), path.height[i] + up * norm};
                 if (i > 0) sum += length(here - before) / (radii * angles);
                 before = here;
@@ -87,7 +90,7 @@ YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fit
 {
     YarnType type;
     type.section = metres(fitted.section);
-    type.area = section_area(type.section);
+    type.area = section_area(type.section) * fitted.area_share;
     type.packing = fitted.packing_factor * fibre_scale;
     type.fibre = fitted.fibre;
     type.core = fitted.core;
@@ -124,13 +127,19 @@ YarnSystem make_system(const Fabric& fabric, const FittedYarns& fitted, bool war
         std::vector<Crossed> all;
         for (std::size_t other = 0; other < crossed.size(); ++other) {
             const CrossingHeights& heights = warp ? fitted.at(own, other) : fitted.at(other, own);
-            all.push_back({metres(crossed[other].section), metre_from_mm(warp ? heights.warp : heights.weft),
-                           metre_from_mm(warp ? heights.weft : heights.warp)});
+            const Section section = metres(crossed[other].section);
+            const double own_rise = metre_from_mm(warp ? heights.warp : heights.weft),
+                         other_rise = metre_from_mm(warp ? heights.weft : heights.warp);
+            all.push_back({section, own_rise, other_rise - left_between(type.section, own_rise, section, other_rise),
+                           warp ? &fitted.span_at(own, other).warp : &fitted.span_at(other, own).weft});
             type.rise.push_back(all.back().own_rise);
         }
         for (const Crossed& before : all)
             for (const Crossed& after : all)
-                for (bool turns : {false, true}) system.paths.push_back(make_path(fitted, type.section, before, after, span, turns));
+                for (bool turns : {false, true}) {
+                    system.paths.push_back(make_path(fitted, type.section, before, after, span, turns));
+                    for (double half : system.paths.back().half_width) type.widest = std::max(type.widest, 2 * half);
+                }
         for (std::size_t other = 0; other < all.size(); ++other) {
             const YarnPath& path = system.paths[((own * all.size() + other) * all.size() + other) * 2 + 1];
             type.length_per_pitch.push_back(1 + (path.length / span - 1) * changes);
@@ -198,9 +207,14 @@ double Textile::shift_at_crossing(YarnKind kind, int end, int pick) const
     const double drift =
         0.5 * drawn(*this, is_warp, end, pick) + 0.25 * (drawn(*this, is_warp, end - (is_warp ? 0 : 1), pick - (is_warp ? 1 : 0)) +
                                                          drawn(*this, is_warp, end + (is_warp ? 0 : 1), pick + (is_warp ? 1 : 0)));
-    if (drift == 0) return 0;
-    const int yarn = is_warp ? end : pick, neighbour = drift > 0 ? yarn + 1 : yarn - 1;
-    const double gap = system(kind).pitch - 0.5 * (type(kind, yarn).section.width + type(kind, neighbour).section.width);
+    const int towards = drift > 0 ? 1 : -1;
+    // A thread that passes between the two fills the room there, up to the crossings before and after.
+    for (int along : {-1, 0, 1}) {
+        const int here_end = end + (is_warp ? 0 : along), here_pick = pick + (is_warp ? along : 0);
+        if (warp_up(here_end, here_pick) != warp_up(here_end + (is_warp ? towards : 0), here_pick + (is_warp ? 0 : towards))) return 0;
+    }
+    const int yarn = is_warp ? end : pick, neighbour = yarn + towards;
+    const double gap = system(kind).pitch - 0.5 * (type(kind, yarn).widest + type(kind, neighbour).widest);
     return drift * 0.5 * std::max(0.0, gap);
 }
 
@@ -212,7 +226,7 @@ bool Textile::touches_next(YarnKind kind, int end, int pick) const
     const int yarn = is_warp ? end : pick;
     if (yarn + 1 >= own.count) return false;
     const double nearer = shift_at_crossing(kind, end, pick) - shift_at_crossing(kind, end + (is_warp ? 1 : 0), pick + (is_warp ? 0 : 1));
-    return own.pitch - 0.5 * (type(kind, yarn).section.width + type(kind, yarn + 1).section.width) - nearer <= drawn_apart * own.pitch;
+    return own.pitch - 0.5 * (type(kind, yarn).widest + type(kind, yarn + 1).widest) - nearer <= drawn_apart * own.pitch;
 }
 
 bool Textile::changes_after(YarnKind kind, int end, int pick) const
@@ -322,6 +336,7 @@ Textile in_cells(const Textile& fine, int ends, int picks)
         own.pitch *= yarns;
         for (YarnType& type : own.types) {
             type.section.width *= yarns;
+            type.widest *= yarns;
             type.area *= yarns;
         }
         for (YarnPath& path : own.paths) {

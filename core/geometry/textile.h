@@ -25,8 +25,9 @@ struct YarnPath {
 /// Yarns of one system that are alike but for their colour.
 struct YarnType {
     Section section;        ///< m, at a crossing
-    double area = 0;        ///< m2, of the section with its pores
-    double packing = 0;     ///< fibre volume / yarn volume, in the fabric; a core counts as fibre
+    double area = 0;        ///< m2, of the section with its pores, mean along the yarn
+    double packing = 0;     ///< fibre volume / yarn volume, in the fabric, mean along the yarn; a core counts as fibre
+    double widest = 0;      ///< m, of the sections along it
     double core = 0;        ///< share of that fibre volume that is a solid core in the middle
     double pore_radius = 0; ///< m, effective, between the fibres
     double tortuosity = 1;

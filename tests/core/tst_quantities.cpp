@@ -146,7 +146,7 @@ private Q_SLOTS:
         QVERIFY(near(q.warp.section_mm.width, 0.29697, 1e-4));
         QVERIFY(near(q.weft.section_mm.width, 0.35, 1e-4));
         // Racetrack of 0.297 x 0.215: pi/4 x 0.215^2 + 0.082 x 0.215 = 0.05393 mm2; 0.0377/0.05393 = 0.699.
-        QVERIFY(near(q.warp.packing_factor_in_fabric, 0.699, 0.001));
+        QVERIFY(near(q.warp.area_share * q.warp.packing_factor_in_fabric, 0.699, 0.001)); // where they cross
         QVERIFY(q.warp.packing_factor_in_fabric <= densest_squeezed);
         QVERIFY(q.porosity > 0);
         QVERIFY(q.notes.size() >= 4);
@@ -157,7 +157,8 @@ private Q_SLOTS:
             const Design design = example(file);
             const FabricQuantities q = derive_quantities(design, design.fabrics[0]);
             const double density = find_material(design, design.fabrics[0].warp.material[0].name)->density_kg_m3;
-            QVERIFY(near(q.warp.packing_factor_in_fabric * density * section_area(q.warp.section_mm), q.warp.linear_density_tex, 1e-9));
+            QVERIFY(near(q.warp.packing_factor_in_fabric * density * q.warp.area_share * section_area(q.warp.section_mm),
+                         q.warp.linear_density_tex, 1e-9));
         }
     }
     void yarnsWiderThanTheirPitchAreSqueezedWithoutAThickness()

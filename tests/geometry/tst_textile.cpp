@@ -20,6 +20,12 @@ Design example(const QString& name)
     return read_project((QString(HYGROLOOM_SOURCE_DIR "/resources/examples/") + name + ".hygro").toStdString());
 }
 
+const Fabric& find_preset(const std::string& name)
+{
+    const auto& presets = shipped_presets();
+    return std::find_if(presets.begin(), presets.end(), [&](const Preset& p) { return p.fabric().name == name; })->fabric();
+}
+
 /// Depth of a point inside the picks, 0 outside: against the pick's section at every place whose cross-plane holds the point.
 double depth_in_weft(const Textile& t, const Vec3d& p)
 {
@@ -174,6 +180,64 @@ private Q_SLOTS:
         qInfo("worst overlap %.2f %% of a yarn's height", 100 * overlap);
         QVERIFY(overlap < 0.01);
     }
+    void yarnsOfTheLibraryDoNotInterpenetrate_data()
+    {
+        QTest::addColumn<int>("preset");
+        for (std::size_t i = 0; i < shipped_presets().size(); ++i)
+            QTest::newRow(shipped_presets()[i].fabric().name.c_str()) << static_cast<int>(i);
+    }
+    void yarnsOfTheLibraryDoNotInterpenetrate()
+    {
+        QFETCH(int, preset);
+        Fabric fabric = shipped_presets()[static_cast<std::size_t>(preset)].fabric();
+        const TextileRegion region{0, 0, std::max(6, fabric.weave.ends() + 2), std::max(6, fabric.weave.picks() + 2)};
+        for (bool set : {true, false}) {
+            if (!set) {
+                fabric.warp_crimp_percent.reset();
+                fabric.weft_crimp_percent.reset();
+            }
+            const double overlap = worst_overlap(build_textile({}, fabric, region));
+            QVERIFY2(overlap < 0.01, qPrintable(QString("%1 %2").arg(set).arg(overlap)));
+        }
+    }
+    void yarnsKeepTheirAreaBetweenCrossings()
+    {
+        const auto least_area = [](const Textile& t, YarnKind kind) {
+            double least = 1e9;
+            for (int at = 0; at < 4; ++at)
+                for (int i = -32; i <= 32; ++i) {
+                    const YarnPoint p = yarn_point(t, kind, 0, at, i / 64.0);
+                    least = std::min(least, p.half_height * (pi * p.half_height + 4 * (p.half_width - p.half_height)));
+                }
+            return least / section_area(t.system(kind).types[0].section);
+        };
+        // Of crimps that are not set, yarns have room for all of their area.
+        for (const char* name :
+             {"Sheeting", "Voile", "Tropical worsted", "Linen cloth", "Polyester taffeta", "Pongee", "Viscose challis"}) {
+            Fabric fabric = find_preset(name);
+            fabric.warp_crimp_percent.reset();
+            fabric.weft_crimp_percent.reset();
+            const Textile t = build_textile({}, fabric, {0, 0, 4, 4});
+            for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
+                QVERIFY2(least_area(t, kind) > 0.99, qPrintable(QString("%1 %2").arg(name).arg(least_area(t, kind))));
+        }
+        // Where it has not, yarns spread as far as the holes let them.
+        const Textile squeezed = build_textile({}, find_preset("Textile C"), {0, 0, 4, 4});
+        QVERIFY(squeezed.warp.types[0].widest > 1.05 * squeezed.warp.types[0].section.width);
+        QVERIFY2(least_area(squeezed, YarnKind::warp) > 0.35,
+                 qPrintable(QString::number(least_area(squeezed, YarnKind::warp)))); // flats kept: 0.27
+    }
+    void setCrimpsGiveWayBeforeYarnsArePackedTooClose()
+    {
+        Fabric fabric = find_preset("Nylon taslan");
+        fabric.warp_crimp_percent = fabric.weft_crimp_percent = 4;
+        const Textile t = build_textile({}, fabric, {0, 0, 4, 4});
+        for (YarnKind kind : {YarnKind::warp, YarnKind::weft}) QVERIFY(t.system(kind).types[0].packing <= densest_squeezed + 1e-9);
+        QVERIFY(t.quantities.warp.crimp_percent > 5);
+        const auto& notes = t.quantities.notes;
+        QVERIFY(std::any_of(notes.begin(), notes.end(),
+                            [](const std::string& note) { return note.find("is set to 4 %") != std::string::npos; }));
+    }
     void yarnsStayWithinTheThickness()
     {
         for (const char* letter : {"A", "B", "C", "D", "E", "F", "G"}) {
@@ -231,10 +295,7 @@ private Q_SLOTS:
     }
     void aTaffetaIsThin() // sold ones are 0.08 to 0.11 mm thick
     {
-        const auto& presets = shipped_presets();
-        const auto found =
-            std::find_if(presets.begin(), presets.end(), [](const Preset& p) { return p.fabric().name == "Polyester taffeta"; });
-        Fabric fabric = found->fabric();
+        Fabric fabric = find_preset("Polyester taffeta");
         const Textile as_shipped = build_textile({}, fabric, {0, 0, 4, 4});
         fabric.warp_crimp_percent.reset();
         fabric.weft_crimp_percent.reset();
