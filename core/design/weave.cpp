@@ -66,4 +66,27 @@ double share_of_changes(const Weave& weave, bool along_warp)
     return static_cast<double>(changes) / static_cast<double>(up.size());
 }
 
+double widening_by_floats(const Weave& weave, bool along_warp)
+{
+    constexpr double each = 0.1, most = 1.3;
+    const int threads = along_warp ? weave.ends() : weave.picks(), crossed = along_warp ? weave.picks() : weave.ends();
+    const auto up = [&](int thread, int at) {
+        return along_warp ? weave.warp_up(thread, at % crossed) : weave.warp_up(at % crossed, thread);
+    };
+    double sum = 0;
+    for (int thread = 0; thread < threads; ++thread) {
+        int first = 0; // where a float begins
+        while (first < crossed && up(thread, first) == up(thread, first + crossed - 1)) ++first;
+        if (first == crossed) { // it never changes sides
+            sum += most * crossed;
+            continue;
+        }
+        for (int at = first, length = 1; at < first + crossed; at += length) {
+            for (length = 1; at + length < first + crossed && up(thread, at + length) == up(thread, at);) ++length;
+            sum += length * std::min(most, 1 + each * (length - 1));
+        }
+    }
+    return sum / (static_cast<double>(threads) * crossed);
+}
+
 } // namespace hygroloom

@@ -35,11 +35,13 @@ double height_of_area(double area, double width)
 void fit(FittedYarn& yarn, double scale, double pitch)
 {
     const double diameter = yarn.free.diameter;
-    const Section usual = section_of_shape(circle_area(diameter), yarn.shape);
+    const double widest = widest_share_of_pitch * pitch;
+    Section usual = section_of_shape(circle_area(diameter), yarn.shape);
+    const double wider = std::min(yarn.in_floats * usual.width, widest); // floats spread within the pitch
+    if (wider > usual.width) usual = {wider, height_of_area(circle_area(diameter), wider)};
     yarn.flattened = scale < 1;
     yarn.section = yarn.flattened ? flattened_section(diameter, scale * usual.height) : usual;
     yarn.narrowed = false;
-    const double widest = widest_share_of_pitch * pitch;
     if (yarn.section.width > widest) {
         yarn.section = {widest, std::min(yarn.section.height, widest)};
         yarn.narrowed = true;
@@ -345,6 +347,7 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             yarn.core = core_of_solids(design, yarn_in(fabric, warp, number));
             yarn.free = free_yarn(yarn_in(fabric, warp, number), yarn.fibre.density_kg_m3);
             yarn.shape = usual_shape(design, yarn_in(fabric, warp, number), yarn.free);
+            if (!yarn_in(fabric, warp, number).diameter_mm) yarn.in_floats = widening_by_floats(fabric.weave, warp);
             yarn.unevenness = typical_unevenness(design, yarn_in(fabric, warp, number));
             if (const auto& given = yarn_in(fabric, warp, number).irregularity_cv) yarn.unevenness.cv = *given;
             if (const auto& filaments = yarn_in(fabric, warp, number).filament_count)

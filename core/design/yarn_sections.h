@@ -61,6 +61,7 @@ struct FittedYarn {
     double area_share = 1;         ///< mean area along the yarn over the section's, which is that at crossings
     Unevenness unevenness;         ///< as given, or typical
     double shape = 1;              ///< height over width where nothing but the weave presses it: see usual_shape()
+    double in_floats = 1;          ///< how much wider it lies than that: see widening_by_floats()
     bool flattened = false;        ///< by the thickness, the crimp or the neighbours
     bool narrowed = false;         ///< by the neighbours
 

@@ -293,6 +293,23 @@ private Q_SLOTS:
         yarn.diameter_mm = 0.2;
         QCOMPARE(shape(yarn), 1.0);
     }
+    void yarnsSpreadInFloats()
+    {
+        QCOMPARE(widening_by_floats(weave_from_pattern("plain"), true), 1.0);
+        QVERIFY(std::abs(widening_by_floats(weave_from_pattern("twill 3/1 Z"), true) - (3 * 1.2 + 1) / 4) < 1e-12);
+        QVERIFY(std::abs(widening_by_floats(weave_from_pattern("satin 8/3"), false) - (7 * 1.3 + 1) / 8) < 1e-12); // 1.3 at most
+        QVERIFY(std::abs(widening_by_floats(weave_from_pattern("rib 2/2 warp"), true) - 1.1) < 1e-12);
+        QCOMPARE(widening_by_floats(weave_from_pattern("rib 2/2 warp"), false), 1.0);
+        Fabric fabric = find_preset("Voile");
+        const Section plain = build_textile({}, fabric, {0, 0, 4, 4}).warp.types[0].section;
+        fabric.weave = weave_from_pattern("twill 3/1 Z");
+        const Textile twill = build_textile({}, fabric, {0, 0, 4, 4});
+        const Section wide = twill.warp.types[0].section;
+        QVERIFY2(std::abs(wide.width / plain.width - 1.15) < 1e-9, qPrintable(QString::number(wide.width / plain.width)));
+        QVERIFY(std::abs(section_area(wide) / section_area(plain) - 1) < 1e-9 && wide.height < 0.92 * plain.height);
+        fabric.ends_per_cm = 10 / mm_from_metre(1.05 * plain.width / widest_share_of_pitch); // neighbours leave it a twentieth
+        QVERIFY(std::abs(build_textile({}, fabric, {0, 0, 4, 4}).warp.types[0].section.width / plain.width - 1.05) < 1e-9);
+    }
     void aTaffetaIsThin() // sold ones are 0.08 to 0.11 mm thick
     {
         Fabric fabric = find_preset("Polyester taffeta");
