@@ -7,6 +7,7 @@
 #include "core/base/units.h"
 #include "core/base/words.h"
 #include "core/design/validate.h"
+#include "core/design/yarn_class.h"
 #include "core/garment/check_garment.h"
 #include "core/geometry/measured_geometry.h"
 #include "core/project/project_file.h"
@@ -23,8 +24,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// assumed: names of the values that neither the yarn nor a count says.
 Json yarn_json(const YarnQuantities& yarn)
 {
+    Json assumed = Json::array();
+    if (yarn.class_assumed) assumed.push_back("yarn_class");
+    if (yarn.packing_assumed) assumed.push_back("packing_factor");
+    if (yarn.class_assumed) assumed.push_back("shape");
     return {{"linear_density_tex", yarn.linear_density_tex},
             {"count_ne", ne_from_tex(yarn.linear_density_tex)},
             {"diameter_mm", yarn.diameter_mm},
@@ -39,7 +45,10 @@ Json yarn_json(const YarnQuantities& yarn)
             {"contact_angle_deg", yarn.contact_angle_deg},
             {"receding_angle_deg", yarn.receding_angle_deg},
             {"helix_tortuosity", yarn.helix_tortuosity},
-            {"flattened", yarn.flattened}};
+            {"flattened", yarn.flattened},
+            {"yarn_class", info_of(yarn.yarn_class).name},
+            {"shape", yarn.shape},
+            {"assumed", assumed}};
 }
 
 Json stripes_json(const std::vector<StripeYarn>& stripes)
@@ -215,6 +224,7 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     row("diameter, free", text(a.diameter_mm), text(b.diameter_mm), "", "", "mm");
     row("section, width", text(a.section_mm.width), text(b.section_mm.width), "", "", "mm");
     row("section, height", text(a.section_mm.height), text(b.section_mm.height), "", "", "mm");
+    row("kind", info_of(a.yarn_class).name, info_of(b.yarn_class).name, "", "", "");
     row("packing factor, free", text(a.packing_factor), text(b.packing_factor), "", "", "");
     row("packing factor, in fabric", text(a.packing_factor_in_fabric), text(b.packing_factor_in_fabric), "", "", "");
     row("crimp", text(a.crimp_percent), text(b.crimp_percent), made(m.warp.crimp_percent), made(m.weft.crimp_percent), "%",

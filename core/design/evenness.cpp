@@ -57,6 +57,7 @@ double fineness(const Design& design, const std::string& name)
 bool is_filament(const Design& design, const Yarn& yarn)
 {
     constexpr double least_of_staple = 300; // turns/m
+    if (yarn.yarn_class) return *yarn.yarn_class >= YarnClass::flat;
     if (yarn.filament_count) return true;
     return yarn.twist_per_m < least_of_staple && std::none_of(yarn.material.begin(), yarn.material.end(), [&](const MaterialShare& part) {
                return staple_of(library_fibre(design, part.name)).spun;
@@ -82,7 +83,7 @@ Unevenness typical_unevenness(const Design& design, const Yarn& yarn)
     }
     if (is_filament(design, yarn)) return {of_filaments * plies, length};
     const double covering = yarn.core ? 1 - yarn.core->share : 1;
-    const double ply_tex = covering * free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3).linear_density_tex / yarn.plies;
+    const double ply_tex = covering * free_yarn(design, yarn).linear_density_tex / yarn.plies;
     return {std::min(most, index * limit_irregularity(constant, ply_tex, fibre_tex)) * plies, length};
 }
 

@@ -10,7 +10,8 @@ namespace hygroloom {
 /// wool, 100 % of cut man-made fibres; Martindale 1945, Uster) over the root of their number. Linear densities in one unit.
 double limit_irregularity(double constant, double yarn_density, double fibre_density);
 
-/// Whether a yarn is of continuous filaments: it counts them, or it is of silk or man-made fibres with under 300 turns/m.
+/// Whether a yarn is of continuous filaments: its class says so, it counts them, or it is of silk or man-made fibres with under 300
+/// turns/m.
 bool is_filament(const Design& design, const Yarn& yarn);
 
 /// How the linear density goes up and down along a yarn.

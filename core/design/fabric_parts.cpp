@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/design/fabric_parts.h"
 
+#include "core/design/yarn_class.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,6 +19,7 @@ std::string words(double value, const char* unit, const NumberText& number)
 }
 std::string words(int value, const char* unit, const NumberText&) { return fmt::format("{}{}", value, unit); }
 std::string words(TwistDirection value, const char*, const NumberText&) { return value == TwistDirection::s ? "S" : "Z"; }
+std::string words(YarnClass value, const char*, const NumberText&) { return info_of(value).title; }
 std::string words(const std::string& value, const char*, const NumberText&) { return value; }
 
 std::string words(const Color& value, const char*, const NumberText&)
@@ -57,6 +60,7 @@ std::string words(const std::vector<Yarn>& yarns, const char*, const NumberText&
         if (yarn.diameter_mm) text += ", " + words(yarn.diameter_mm, " mm", number);
         if (yarn.linear_density_tex) text += ", " + words(yarn.linear_density_tex, " tex", number);
         if (yarn.packing_factor) text += ", packing " + words(yarn.packing_factor, "", number);
+        if (yarn.yarn_class) text += ", " + words(yarn.yarn_class, "", number);
         if (yarn.filament_count) text += ", " + words(yarn.filament_count, " filaments", number);
         text += fmt::format(", {:.4g} turns/m", yarn.twist_per_m);
         if (yarn.plies > 1) text += fmt::format(", {} plies of {:.4g} turns/m", yarn.plies, yarn.ply_twist_per_m);
@@ -121,9 +125,9 @@ template <typename OfYarn> void add_yarn(std::vector<FabricPart>& parts, const s
     parts.push_back(
         {which + " construction",
          PartActs::always,
-         {of("packing_factor", "packing", "", &Yarn::packing_factor), of("filament_count", "filaments", "", &Yarn::filament_count),
-          of("twist_per_m", "twist", " turns/m", &Yarn::twist_per_m), std::move(plies),
-          of("ply_twist_per_m", "ply twist", " turns/m", &Yarn::ply_twist_per_m),
+         {of("packing_factor", "packing", "", &Yarn::packing_factor), of("yarn_class", "class", "", &Yarn::yarn_class),
+          of("filament_count", "filaments", "", &Yarn::filament_count), of("twist_per_m", "twist", " turns/m", &Yarn::twist_per_m),
+          std::move(plies), of("ply_twist_per_m", "ply twist", " turns/m", &Yarn::ply_twist_per_m),
           of("irregularity_cv", "unevenness", "", &Yarn::irregularity_cv)}});
     parts.push_back(
         {which + " look",

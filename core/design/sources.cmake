@@ -32,6 +32,7 @@ target_sources(hygroloom_core PRIVATE
   design/weave_effects.cpp
   design/weave_grounds.cpp
   design/weave_patterns.cpp
+  design/yarn_class.cpp
   design/yarn_count.cpp
   design/yarn_quantities.cpp
   design/yarn_sections.cpp

@@ -4,6 +4,7 @@
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/design/validate.h"
+#include "core/design/yarn_class.h"
 #include "core/design/yarn_sections.h"
 
 #include <fmt/format.h>
@@ -73,16 +74,17 @@ UnknownInput hysteresis(const Fabric& fabric, const Material& material)
 }
 
 /// Equal for equal yarns, so that fabrics of the same yarn share the unknown.
-UnknownInput packing(const Fabric& fabric, const Yarn& yarn)
+UnknownInput packing(const Design& design, const Fabric& fabric, const Yarn& yarn)
 {
     const std::string size =
         yarn.linear_density_tex ? fmt::format("{:g} tex", *yarn.linear_density_tex) : fmt::format("{:g} mm", yarn.diameter_mm.value_or(0));
     const std::string name = fmt::format("packing of the yarn of {}, {}, {:g} turns/m", fibres_of(yarn), size, yarn.twist_per_m);
-    const double given = yarn.packing_factor.value_or(default_packing_factor);
+    const double given = packing_of(design, yarn);
     if (fabric.uncertainty.packing_factor)
         return either_way(name, given, *fabric.uncertainty.packing_factor, loosest_packing, densest_packing, "", given_by_user);
     if (yarn.packing_factor) return within(name, given, given, given, "", "");
-    return within(name, given, 0.45, 0.6, "", "yarns of staple fibres, soft to hard spun; an assumption");
+    return within(name, given, given - 0.05, std::min(given + 0.1, densest_packing), "",
+                  "yarns of a class, soft to hard spun; an assumption");
 }
 
 bool leaves_packing_open(const Yarn& yarn) { return !(yarn.diameter_mm && yarn.linear_density_tex); }
@@ -140,7 +142,7 @@ void draw_packing(Design& design, std::size_t fabric, const Value& value)
     const Fabric given = design.fabrics[fabric];
     for (Yarn* yarn : yarns_of(design.fabrics[fabric])) {
         if (!leaves_packing_open(*yarn)) continue;
-        const UnknownInput input = packing(given, *yarn);
+        const UnknownInput input = packing(design, given, *yarn);
         if (input.high > input.low) yarn->packing_factor = value(input);
     }
     if (!validate_and_fit(design).fabrics[fabric]) design = before;
@@ -181,7 +183,7 @@ std::vector<UnknownInput> unknown_inputs(const Design& design, const Fabric& fab
     }
     Fabric copy = fabric;
     for (const Yarn* yarn : yarns_of(copy))
-        if (leaves_packing_open(*yarn)) add(packing(fabric, *yarn), "packing_factor");
+        if (leaves_packing_open(*yarn)) add(packing(design, fabric, *yarn), "packing_factor");
     return all;
 }
 

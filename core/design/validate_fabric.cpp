@@ -83,7 +83,7 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     }
     if (!sound || !yarn.diameter_mm) {
         if (sound) { // from tex: the diameter must be one that could have been given
-            const FreeYarn free = free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3);
+            const FreeYarn free = free_yarn(design, yarn);
             list.range(where + ".linear_density_tex", "diameter that follows from the linear density", free.diameter, 0.005, 10, "mm");
         }
         return;
@@ -166,8 +166,7 @@ void validate_filaments(const Design& design, const Yarn& yarn, const std::strin
 {
     if (!yarn.filament_count) return;
     const Material fibre = blended_material(design, yarn.material);
-    const double tex =
-        (1 - (yarn.core ? yarn.core->share : 0)) * free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3).linear_density_tex;
+    const double tex = (1 - (yarn.core ? yarn.core->share : 0)) * free_yarn(design, yarn).linear_density_tex;
     const double radius = filament_radius_um(tex, *yarn.filament_count, fibre.density_kg_m3);
     if (!list.range(where + ".filament_count", "radius of a fibre that follows from the number of filaments", radius, least_fibre_radius_um,
                     most_fibre_radius_um, "µm"))
@@ -194,7 +193,7 @@ bool can_be_fitted(const Design& design, const Fabric& fabric, const std::string
     for (bool warp : {true, false})
         for (int number : yarn_order(fabric, warp).yarns) {
             const Yarn& yarn = yarn_in(fabric, warp, number);
-            thickest[warp] = std::max(thickest[warp], free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3).diameter);
+            thickest[warp] = std::max(thickest[warp], free_yarn(design, yarn).diameter);
         }
     if (fabric.thickness_mm && *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm < 0.1 * (thickest[true] + thickest[false])) {
         list.error("thickness_too_small", where + ".thickness_mm",

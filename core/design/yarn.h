@@ -11,6 +11,10 @@ namespace hygroloom {
 
 enum class TwistDirection { s, z };
 
+/// How a yarn is made: see yarn_class.h.
+enum class YarnClass { ring, rotor, plied, flat, textured, monofilament };
+constexpr int yarn_classes = 6;
+
 /// As screens show it (sRGB).
 struct Color {
     std::uint8_t red = 0, green = 0, blue = 0;
@@ -25,7 +29,7 @@ struct YarnCore {
 };
 
 /// A yarn has a diameter, or a linear density with a packing factor; all three must agree.
-/// With a diameter alone, or a linear density alone, the packing factor is default_packing_factor.
+/// With a diameter alone the packing factor is default_packing_factor, with a linear density alone that of its class: see packing_of().
 /// Of a plied yarn, diameter and linear density are the whole yarn's; twist is that of its single yarns.
 struct Yarn {
     std::vector<MaterialShare> material{{"cotton", 1.0}}; ///< of its fibres; those round the core where there is one
@@ -33,6 +37,7 @@ struct Yarn {
     std::optional<double> diameter_mm; ///< of the free yarn
     std::optional<double> linear_density_tex;
     std::optional<double> packing_factor; ///< fibre volume / yarn volume
+    std::optional<YarnClass> yarn_class;  ///< without it, see yarn_class_of()
     std::optional<int> filament_count;    ///< of continuous filaments; their radius then follows from it, not from the material
     int fibres_per_yarn = 30;             ///< drawn fibres (bundles of real ones)
     double twist_per_m = 700;
@@ -55,9 +60,9 @@ inline std::vector<std::string> materials_in(const Yarn& yarn)
 }
 
 constexpr double least_tex = 0.05, most_tex = 50000; ///< of a whole yarn
-constexpr int fewest_filaments = 2, most_filaments = 100000;
+constexpr int fewest_filaments = 1, most_filaments = 100000;
 constexpr int most_plies = 6;
 constexpr double least_core_share = 0.005, most_core_share = 0.4;
-constexpr double default_packing_factor = 0.5; ///< ring-spun staple yarn, ecosystem figures 0.50 to 0.65
+constexpr double default_packing_factor = 0.5; ///< of a yarn that is given by its diameter
 
 } // namespace hygroloom

@@ -103,6 +103,11 @@ YarnQuantities yarn_quantities(const WovenYarns& yarns, bool warp, std::size_t t
     yarn.receding_angle_deg = fitted.receding_angle_deg;
     yarn.helix_tortuosity = helix_tortuosity(yarn_in(yarns.fabric, warp, yarns.order(warp).yarns[type]), fitted.free.diameter,
                                              fitted.free.packing_factor * fitted.core);
+    const Yarn& given = yarn_in(yarns.fabric, warp, yarns.order(warp).yarns[type]);
+    yarn.yarn_class = fitted.yarn_class;
+    yarn.shape = fitted.shape;
+    yarn.class_assumed = !given.yarn_class;
+    yarn.packing_assumed = !given.packing_factor && !(given.diameter_mm && given.linear_density_tex);
     yarn.flattened = fitted.flattened || fitted.narrowed;
     return yarn;
 }
@@ -116,7 +121,7 @@ std::vector<StripeYarn> stripe_yarns(const Design& design, const Fabric& fabric,
     for (int yarn = 1; yarn <= static_cast<int>(fabric.extra_yarns.size()); ++yarn) {
         const Yarn& given = yarn_in(fabric, true, yarn);
         const Material fibre = yarn_substance(design, given);
-        stripes.push_back({free_yarn(given, fibre.density_kg_m3), fabric.contact_angle_deg.value_or(fibre.contact_angle_deg),
+        stripes.push_back({free_yarn(design, given), fabric.contact_angle_deg.value_or(fibre.contact_angle_deg),
                            of_yarn(yarn, yarns.order(true), ends), of_yarn(yarn, yarns.order(false), picks)});
     }
     return stripes;

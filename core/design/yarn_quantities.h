@@ -22,7 +22,11 @@ struct YarnQuantities {
     double contact_angle_deg = 0;
     double receding_angle_deg = 0;
     double helix_tortuosity = 1; ///< of the twisted fibres' way, see helix_tortuosity(); of the free yarn
-    bool flattened = false;      ///< section is not the free circle
+    YarnClass yarn_class = YarnClass::ring;
+    double shape = 1;             ///< height over width that its kind and twist give it: see usual_shape()
+    bool class_assumed = false;   ///< the yarn does not say it
+    bool packing_assumed = false; ///< the same
+    bool flattened = false;       ///< section is not the free circle
 };
 
 /// How much longer than the yarn the way along its fibres is, squared: mean of 1 / cos2 of the helix angle over the section of an ideal

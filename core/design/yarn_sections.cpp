@@ -2,6 +2,7 @@
 #include "core/design/yarn_sections.h"
 
 #include "core/base/units.h"
+#include "core/design/yarn_class.h"
 
 #include <algorithm>
 #include <cmath>
@@ -257,36 +258,45 @@ void give_way(Loom& loom, double scale, double along_warp, double along_weft)
 
 } // namespace
 
-FreeYarn free_yarn(const Yarn& yarn, double density)
+FreeYarn free_yarn(const Yarn& yarn, double density, double packing_if_open)
 {
     // 1 kg/m3 over 1 mm2 is 1 g/km.
     FreeYarn free;
     if (yarn.diameter_mm) {
         free.diameter = *yarn.diameter_mm;
         const double solid = density * circle_area(free.diameter); // tex of a yarn without pores
-        const double assumed = yarn.packing_factor.value_or(default_packing_factor);
+        const double assumed = yarn.packing_factor.value_or(packing_if_open);
         free.linear_density_tex = yarn.linear_density_tex.value_or(assumed * solid);
         free.packing_factor = yarn.packing_factor.value_or(free.linear_density_tex / solid);
     } else {
         free.linear_density_tex = yarn.linear_density_tex.value_or(0);
-        free.packing_factor = yarn.packing_factor.value_or(default_packing_factor);
+        free.packing_factor = yarn.packing_factor.value_or(packing_if_open);
         free.diameter = std::sqrt(4 * free.linear_density_tex / (pi * density * free.packing_factor));
     }
     return free;
 }
 
+FreeYarn free_yarn(const Design& design, const Yarn& yarn)
+{
+    return free_yarn(yarn, yarn_substance(design, yarn).density_kg_m3, packing_of(design, yarn));
+}
+
 double usual_shape(const Design& design, const Yarn& yarn, const FreeYarn& free)
 {
     if (yarn.diameter_mm) return 1;
-    constexpr double flat = 0.30, textured = 0.40, flat_from = 0.65, textured_to = 0.55, plied = 0.80;
-    if (is_filament(design, yarn)) {
+    constexpr double flat = 0.30, textured = 0.40, flat_from = 0.65, textured_to = 0.55, plied = 0.80, looser_spun = 0.03;
+    const YarnClass kind = yarn_class_of(design, yarn);
+    if (kind == YarnClass::monofilament) return 1;
+    if (kind >= YarnClass::flat) {
+        if (yarn.yarn_class) return kind == YarnClass::flat ? flat : textured;
         const double loose = std::clamp((flat_from - free.packing_factor) / (flat_from - textured_to), 0.0, 1.0);
         return flat + loose * (textured - flat);
     }
-    if (yarn.plies > 1) return plied;
+    if (kind == YarnClass::plied) return plied;
     constexpr double untwisted = 0.35, hard_twisted = 0.86, hard = 4600, course = 1600; // twist times the root of tex
     const double twist = std::min(hard, yarn.twist_per_m * std::sqrt(free.linear_density_tex));
-    return untwisted + (hard_twisted - untwisted) * std::expm1(-twist / course) / std::expm1(-hard / course);
+    const double ring = untwisted + (hard_twisted - untwisted) * std::expm1(-twist / course) / std::expm1(-hard / course);
+    return kind == YarnClass::rotor ? ring - looser_spun : ring;
 }
 
 double filament_radius_um(double linear_density_tex, int filaments, double fibre_density_kg_m3)
@@ -345,7 +355,8 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             FittedYarn yarn;
             yarn.fibre = yarn_substance(design, yarn_in(fabric, warp, number));
             yarn.core = core_of_solids(design, yarn_in(fabric, warp, number));
-            yarn.free = free_yarn(yarn_in(fabric, warp, number), yarn.fibre.density_kg_m3);
+            yarn.free = free_yarn(design, yarn_in(fabric, warp, number));
+            yarn.yarn_class = yarn_class_of(design, yarn_in(fabric, warp, number));
             yarn.shape = usual_shape(design, yarn_in(fabric, warp, number), yarn.free);
             if (!yarn_in(fabric, warp, number).diameter_mm) yarn.in_floats = widening_by_floats(fabric.weave, warp);
             yarn.unevenness = typical_unevenness(design, yarn_in(fabric, warp, number));

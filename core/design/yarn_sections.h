@@ -27,12 +27,15 @@ struct FreeYarn {
 };
 
 /// The missing values from the given ones: tex = packing x density x pi d2 / 4. Precondition: a diameter or a linear density is given.
-FreeYarn free_yarn(const Yarn& yarn, double fibre_density_kg_m3);
+FreeYarn free_yarn(const Yarn& yarn, double fibre_density_kg_m3, double packing_if_open);
+/// With the density and the packing of its fibres and class.
+FreeYarn free_yarn(const Design& design, const Yarn& yarn);
 
 /// Height over width of a yarn's section in cloth. One that is given by its diameter is round. Spun yarn by its twist times the root of its
 /// tex, t: e = 0.35 + 0.51 (1 - exp(-t/1600)) / (1 - exp(-4600/1600)), whose ends, 0.35 untwisted and 0.86 at 4600, were measured
-/// (Afrashteh, Merati and Jeddi 2013) and whose course between them is an assumption; plied yarn 0.8, as its plies keep it round. Filaments
-/// lie flatter: 0.3 where they are packed to 0.65 or closer, 0.4 where texture keeps them at 0.55 or looser; assumptions.
+/// (Afrashteh, Merati and Jeddi 2013) and whose course between them is an assumption; rotor yarn 0.03 less; plied yarn 0.8, as its plies
+/// keep it round; a monofilament is round. Filaments lie flatter: flat ones 0.3, textured ones 0.4; where the yarn does not say which,
+/// between both from a packing of 0.65 to 0.55; assumptions.
 double usual_shape(const Design& design, const Yarn& yarn, const FreeYarn& free);
 
 /// Packing of the fibres in the room that a solid core leaves them, which is so much of a yarn's solids.
@@ -59,11 +62,12 @@ struct FittedYarn {
     Section section;               ///< mm, in the fabric
     double packing_factor = 0;     ///< in the fabric, mean along the yarn
     double area_share = 1;         ///< mean area along the yarn over the section's, which is that at crossings
-    Unevenness unevenness;         ///< as given, or typical
-    double shape = 1;              ///< height over width where nothing but the weave presses it: see usual_shape()
-    double in_floats = 1;          ///< how much wider it lies than that: see widening_by_floats()
-    bool flattened = false;        ///< by the thickness, the crimp or the neighbours
-    bool narrowed = false;         ///< by the neighbours
+    YarnClass yarn_class = YarnClass::ring;
+    Unevenness unevenness;  ///< as given, or typical
+    double shape = 1;       ///< height over width where nothing but the weave presses it: see usual_shape()
+    double in_floats = 1;   ///< how much wider it lies than that: see widening_by_floats()
+    bool flattened = false; ///< by the thickness, the crimp or the neighbours
+    bool narrowed = false;  ///< by the neighbours
 
     /// How close it can be packed: as close as it can be squeezed, or as it is given where it is given closer.
     double most_packing() const

@@ -24,7 +24,9 @@ bool counts_filaments(const Fabric& fabric)
 /// Whether no yarn's section follows its twist.
 bool told_shape(const Fabric& fabric)
 {
-    const auto told = [](const Yarn& yarn) { return yarn.filament_count || yarn.diameter_mm; };
+    const auto told = [](const Yarn& yarn) {
+        return yarn.diameter_mm || (yarn.yarn_class ? *yarn.yarn_class >= YarnClass::flat : yarn.filament_count.has_value());
+    };
     return told(fabric.warp) && told(fabric.weft) && std::all_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), told);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A design as the project's JSON, and that as text.
 #include "core/base/error.h"
+#include "core/design/yarn_class.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"
 
@@ -66,6 +67,7 @@ ProjectJson write_yarn(const Yarn& yarn)
     write_if_given(json, "diameter_mm", yarn.diameter_mm);
     write_if_given(json, "linear_density_tex", yarn.linear_density_tex);
     write_if_given(json, "packing_factor", yarn.packing_factor);
+    if (yarn.yarn_class) json["yarn_class"] = info_of(*yarn.yarn_class).name;
     if (yarn.filament_count) json["filament_count"] = *yarn.filament_count;
     json["fibres_per_yarn"] = yarn.fibres_per_yarn;
     json["twist_per_m"] = yarn.twist_per_m;

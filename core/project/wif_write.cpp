@@ -147,7 +147,7 @@ private:
         line("Color", std::to_string(color_number(base, 0)));
         line("Units", "Centimeters");
         line("Spacing", fmt::format("{:.6g}", 1 / per_cm));
-        line("Thickness", fmt::format("{:.6g}", 0.1 * free_yarn(base, yarn_substance(design_, base).density_kg_m3).diameter));
+        line("Thickness", fmt::format("{:.6g}", 0.1 * free_yarn(design_, base).diameter));
     }
 
     void threads(const char* name, const std::vector<std::vector<int>>& lists, std::size_t count)

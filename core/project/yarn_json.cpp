@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Reads a yarn: its fibres, its core, its size or count, its twist.
+#include "core/design/yarn_class.h"
 #include "core/design/yarn_count.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_json.h"
@@ -34,6 +35,19 @@ TwistDirection read_direction(ObjectReader& object, const char* key, TwistDirect
     if (direction != "Z" && direction != "S")
         object.refuse(key, fmt::format("This must be \"Z\" or \"S\"; given is {}.", in_words(direction)));
     return direction == "Z" ? TwistDirection::z : TwistDirection::s;
+}
+
+std::optional<YarnClass> read_class(ObjectReader& object)
+{
+    if (!object.find("yarn_class")) return {};
+    std::string name, known;
+    object.read("yarn_class", name);
+    for (int kind = 0; kind < yarn_classes; ++kind) {
+        const char* word = info_of(static_cast<YarnClass>(kind)).name;
+        if (name == word) return static_cast<YarnClass>(kind);
+        known += (known.empty() ? "\"" : ", \"") + std::string(word) + "\"";
+    }
+    object.refuse("yarn_class", fmt::format("This must be one of {}; given is {}.", known, in_words(name)));
 }
 
 std::optional<Color> read_color(ObjectReader& object)
@@ -85,6 +99,7 @@ Yarn yarn_from_json(const ProjectJson& value, const std::string& file, const std
     object.read("diameter_mm", yarn.diameter_mm);
     object.read("linear_density_tex", yarn.linear_density_tex);
     object.read("packing_factor", yarn.packing_factor);
+    yarn.yarn_class = read_class(object);
     object.read("filament_count", yarn.filament_count);
     object.read("fibres_per_yarn", yarn.fibres_per_yarn);
     object.read("twist_per_m", yarn.twist_per_m);

@@ -82,6 +82,7 @@ inline Design rich()
     fabric.finish_holes = 0.1 + 0.2;
     fabric.weft.irregularity_cv = 0.125;
     fabric.weft.filament_count = 96;
+    fabric.weft.yarn_class = YarnClass::textured;
     fabric.measured = {0.8, 160.0, 12.5, 1.3, 6.0};
     fabric.thickness_mm.reset();
     design.fabrics.push_back(fabric);

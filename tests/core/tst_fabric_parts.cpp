@@ -48,6 +48,7 @@ const std::map<std::string, Change> changes{
     {"yarn.diameter_mm", {"0.4"}},
     {"yarn.linear_density_tex", {"30"}},
     {"yarn.packing_factor", {"0.6"}},
+    {"yarn.yarn_class", {R"("rotor")"}},
     {"yarn.filament_count", {"90"}},
     {"yarn.fibres_per_yarn", {"40"}},
     {"yarn.twist_per_m", {"800"}},

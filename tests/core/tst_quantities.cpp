@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/base/units.h"
 #include "core/design/fitted_fabric.h"
+#include "core/design/yarn_class.h"
 #include "core/project/project_file.h"
 
 #include <QTest>
@@ -41,7 +42,7 @@ private Q_SLOTS:
     void aCottonYarnOfAFifthMillimetreIsTwentyFourTex()
     {
         // 0.5 x 1550 kg/m3 x pi/4 x 0.04 mm2 = 24.347 g/km
-        const FreeYarn free = free_yarn(yarn("cotton", 0.2), 1550);
+        const FreeYarn free = free_yarn(yarn("cotton", 0.2), 1550, 0.5);
         QVERIFY(near(free.linear_density_tex, 24.347, 0.001));
         QCOMPARE(free.packing_factor, 0.5);
     }
@@ -52,7 +53,7 @@ private Q_SLOTS:
             Yarn given;
             given.linear_density_tex = tex;
             given.packing_factor = 1 / (1.1 * 1.55);
-            QVERIFY(near(free_yarn(given, 1550).diameter, 0.0375 * std::sqrt(tex), 0.003 * 0.0375 * std::sqrt(tex)));
+            QVERIFY(near(free_yarn(given, 1550, 0.5).diameter, 0.0375 * std::sqrt(tex), 0.003 * 0.0375 * std::sqrt(tex)));
         }
     }
     void countTwentyIsAFifthMillimetre()
@@ -60,13 +61,56 @@ private Q_SLOTS:
         Yarn given;
         given.linear_density_tex = tex_from_ne(20);
         given.packing_factor = 0.6;
-        QVERIFY(near(free_yarn(given, 1520).diameter, 0.203, 0.001));
+        QVERIFY(near(free_yarn(given, 1520, 0.5).diameter, 0.203, 0.001));
     }
     void diameterAndLinearDensityGiveThePacking()
     {
         Yarn given = yarn("cotton", 0.2);
         given.linear_density_tex = 0.6 * 48.694;
-        QVERIFY(near(free_yarn(given, 1550).packing_factor, 0.6, 1e-4));
+        QVERIFY(near(free_yarn(given, 1550, 0.5).packing_factor, 0.6, 1e-4));
+    }
+    void packingFollowsFromHowAYarnIsMade()
+    {
+        const auto packing = [](const Yarn& given) { return free_yarn({}, given).packing_factor; };
+        const auto kind = [](const Yarn& given) { return yarn_class_of({}, given); };
+        Yarn given;
+        given.linear_density_tex = 25;
+        given.twist_per_m = 760; // a twist factor of 3800
+        QVERIFY(kind(given) == YarnClass::ring && near(packing(given), 0.60, 1e-12));
+        given.twist_per_m = 400;
+        QVERIFY(near(packing(given), 0.60 * std::pow(2000.0 / 3800, 0.25), 1e-12));
+        given.twist_per_m = 5000;
+        QCOMPARE(packing(given), 0.68);
+        given.twist_per_m = 50;
+        QCOMPARE(packing(given), 0.45);
+        given.plies = 2;
+        QVERIFY(kind(given) == YarnClass::plied && packing(given) == 0.58);
+        given.yarn_class = YarnClass::rotor; // what the yarn says counts
+        QVERIFY(kind(given) == YarnClass::rotor && packing(given) == 0.55);
+        given.packing_factor = 0.5;
+        QCOMPARE(packing(given), 0.5);
+
+        Yarn filament;
+        filament.material = {{"polyester", 1.0}};
+        filament.linear_density_tex = 8.3;
+        filament.twist_per_m = 100;
+        QVERIFY(kind(filament) == YarnClass::flat && packing(filament) == 0.70);
+        filament.material = {{"silk", 1.0}};
+        QCOMPARE(packing(filament), 0.65);
+        filament.yarn_class = YarnClass::textured;
+        QCOMPARE(packing(filament), 0.50);
+        filament.yarn_class.reset();
+        filament.packing_factor = 0.5;
+        QVERIFY(kind(filament) == YarnClass::textured);
+        filament.filament_count = 1;
+        QVERIFY(kind(filament) == YarnClass::monofilament && usual_shape({}, filament, free_yarn({}, filament)) == 1);
+        filament.filament_count.reset();
+        filament.yarn_class = YarnClass::ring; // of staple, though hardly twisted
+        QVERIFY(!is_filament({}, filament) && typical_unevenness({}, filament).cv > 0.05);
+
+        given = Yarn();
+        given.diameter_mm = 0.2;
+        QCOMPARE(packing(given), 0.5);
     }
     void arealDensityIsMassOfBothSystemsWithCrimp()
     {

@@ -273,7 +273,7 @@ private Q_SLOTS:
     }
     void yarnsLieAsFlatAsTheirKindAndTwistMakeThem()
     {
-        const auto shape = [](const Yarn& yarn) { return usual_shape({}, yarn, free_yarn(yarn, 1390)); };
+        const auto shape = [](const Yarn& yarn) { return usual_shape({}, yarn, free_yarn({}, yarn)); };
         Yarn yarn;
         yarn.linear_density_tex = 16;
         const struct {

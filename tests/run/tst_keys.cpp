@@ -71,6 +71,7 @@ const char* const treadled = R"({ "pattern": null, "draft":
 const char* const lifted = R"({ "pattern": null, "draft": { "shafts": 3, "threading": [1, 2, 3], "liftplan": [[1], [2], [3]] } })";
 const char* const stripes = R"({ "extra_yarns": [{ "material": "other", "diameter_mm": 0.4 }],
     "warp_order": [{ "yarn": 1 }, { "yarn": 0 }], "weft_order": [{ "yarn": 1 }, { "yarn": 0 }] })";
+const char* const by_count = R"({ "material": "fibre", "linear_density_tex": 160, "diameter_mm": null, "packing_factor": 0.5 })";
 const char* const course =
     R"([{ "temperature_c": 25, "relative_humidity": 0.5, "air_speed_m_s": 0.5 }, { "time_s": 0.06, "temperature_c": 30 }])";
 const Change changes[] = {
@@ -100,6 +101,7 @@ const Change changes[] = {
     {"yarn.count", WARP "count", R"("160 tex")", WARP "packing_factor", "null"},
     {"yarn.linear_density_tex", WARP "linear_density_tex", "160", WARP "packing_factor", "null"},
     {"yarn.packing_factor", WARP "packing_factor", "0.6"},
+    {"yarn.yarn_class", WARP "yarn_class", R"("rotor")", "/fabrics/0/warp", by_count},
     {"yarn.filament_count", WARP "filament_count", "200"},
     {"yarn.twist_per_m", WARP "twist_per_m", "350"},
     {"yarn.plies", WARP "plies", "2"},
