@@ -145,6 +145,8 @@ Json fabric_json(const Fabric& fabric, const FabricQuantities& q, const std::vec
               {"smoothness", q.smoothness},
               {"jammed", q.jammed},
               {"extra_yarns", stripes_json(stripes)}}},
+            {"yarn_class", {{"warp", info_of(q.warp.yarn_class).name}, {"weft", info_of(q.weft.yarn_class).name}}},
+            {"thickness_mm_1kpa", q.thickness_1kpa_mm},
             {"measured", measured},
             {"notes", q.notes}};
 }
@@ -242,6 +244,7 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     row("cover factor", text(q.cover_factor), "", made(m.cover_factor), "", "");
     row("areal density", text(q.areal_density_g_m2), "", made(m.areal_density_g_m2), "", "g/m2", text(fabric.measured.areal_density_g_m2));
     row("thickness of the yarns", text(q.yarn_layer_thickness_mm), "", made(m.yarn_layer_thickness_mm), "", "mm");
+    row("thickness at 1 kPa", text(q.thickness_1kpa_mm), "", "", "", "mm");
     row("thickness", text(q.thickness_mm), "", made(m.thickness_mm), "", "mm", text(fabric.thickness_mm));
     row("share of air", text(q.porosity), "", made(m.porosity), "", "", text(fabric.measured.porosity));
     row("share of air less flyaways", text(q.rough_porosity), "", "", "", "");

@@ -108,6 +108,9 @@ void note_section(std::vector<std::string>& notes, const std::string& name, cons
                                     name, section.width, pitch, free.packing_factor, fitted.packing_factor));
     else if (fitted.flattened)
         notes.push_back(fmt::format("{} become {:.3g} mm wide, keeping their area.", name, section.width));
+    if (fitted.loosened > 1 + 1e-6)
+        notes.push_back(fmt::format("{} are loosened from a packing of {:.3g} to {:.3g}, to fill the thickness.", name, free.packing_factor,
+                                    fitted.packing_factor));
     if (fitted.area_share < 0.99)
         notes.push_back(fmt::format("{} have {:.0f} % of their area on average, as the crossed yarns squeeze them between crossings; they "
                                     "are packed to {:.3g}.",
@@ -143,6 +146,7 @@ FabricQuantities quantities_of(const Fabric& fabric, const FittedYarns& fitted)
 
     q.yarn_layer_thickness_mm = fitted.thickness();
     q.thickness_mm = fabric.thickness_mm.value_or(q.yarn_layer_thickness_mm + 2 * fabric.flyaway.loop_height_mm);
+    q.thickness_1kpa_mm = fabric.thickness_mm.value_or(q.yarn_layer_thickness_mm + fitted.surface());
     const double fibre_mm = warp_mass.solid + weft_mass.solid;
     q.porosity = 1 - fibre_mm / q.thickness_mm;
     q.fibre_volume_fraction = fibre_mm / q.yarn_layer_thickness_mm;

@@ -13,6 +13,7 @@ struct FabricQuantities {
     double areal_density_g_m2 = 0;      ///< dry
     double yarn_layer_thickness_mm = 0; ///< of the interlaced yarns
     double thickness_mm = 0;            ///< with flyaway, or as given
+    double thickness_1kpa_mm = 0;       ///< as given, or of the yarns and the fibres that stand out under 1 kPa
     double porosity = 0;                ///< 1 - areal density / (thickness x fibre density)
     double rough_porosity = 0;          ///< porosity less the share of flyaways: eps - k (1 - smoothness), k = 1, at least 0.01
     double fibre_volume_fraction = 0;   ///< of the yarn layer

@@ -60,7 +60,7 @@ inline std::vector<std::string> materials_in(const Yarn& yarn)
 }
 
 constexpr double least_tex = 0.05, most_tex = 50000; ///< of a whole yarn
-constexpr int fewest_filaments = 1, most_filaments = 100000;
+constexpr int fewest_filaments = 2, most_filaments = 100000;
 constexpr int most_plies = 6;
 constexpr double least_core_share = 0.005, most_core_share = 0.4;
 constexpr double default_packing_factor = 0.5; ///< of a yarn that is given by its diameter

@@ -12,7 +12,6 @@ YarnClass yarn_class_of(const Design& design, const Yarn& yarn)
 {
     constexpr double flat_from = 0.6;
     if (yarn.yarn_class) return *yarn.yarn_class;
-    if (yarn.filament_count == 1) return YarnClass::monofilament;
     if (is_filament(design, yarn))
         return yarn.packing_factor.value_or(info_of(YarnClass::flat).packing) < flat_from ? YarnClass::textured : YarnClass::flat;
     return yarn.plies > 1 ? YarnClass::plied : YarnClass::ring;

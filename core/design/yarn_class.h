@@ -26,7 +26,7 @@ constexpr std::array<YarnClassInfo, yarn_classes> yarn_class_infos{{
 }};
 constexpr const YarnClassInfo& info_of(YarnClass kind) { return yarn_class_infos[static_cast<std::size_t>(kind)]; }
 
-/// As the yarn says; else one of a single filament is a monofilament, one of filaments flat from a given packing of 0.6 on, or of none, and
+/// As the yarn says; else one of filaments is flat from a given packing of 0.6 on, or of none, and
 /// textured below; of staple yarns several plies make a plied one, and one a ring spun one.
 YarnClass yarn_class_of(const Design& design, const Yarn& yarn);
 

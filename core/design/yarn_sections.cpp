@@ -35,9 +35,10 @@ double height_of_area(double area, double width)
 /// scale: of the height that it has where only the weave presses it.
 void fit(FittedYarn& yarn, double scale, double pitch)
 {
-    const double diameter = yarn.free.diameter;
+    const double diameter = yarn.free.diameter * std::sqrt(yarn.loosened);
     const double widest = widest_share_of_pitch * pitch;
     Section usual = section_of_shape(circle_area(diameter), yarn.shape);
+    if (yarn.soft) usual = flattened_section(diameter, pressed_height * usual.height);
     const double wider = std::min(yarn.in_floats * usual.width, widest); // floats spread within the pitch
     if (wider > usual.width) usual = {wider, height_of_area(circle_area(diameter), wider)};
     yarn.flattened = scale < 1;
@@ -46,10 +47,10 @@ void fit(FittedYarn& yarn, double scale, double pitch)
     if (yarn.section.width > widest) {
         yarn.section = {widest, std::min(yarn.section.height, widest)};
         yarn.narrowed = true;
-        const double closest = circle_area(diameter) * yarn.free.packing_factor / densest_squeezed;
+        const double closest = circle_area(yarn.free.diameter) * yarn.free.packing_factor / densest_squeezed;
         if (!yarn.flattened && section_area(yarn.section) < closest) yarn.section.height = height_of_area(closest, widest);
     }
-    yarn.packing_factor = yarn.free.packing_factor * circle_area(diameter) / section_area(yarn.section);
+    yarn.packing_factor = yarn.free.packing_factor * circle_area(yarn.free.diameter) / section_area(yarn.section);
     yarn.area_share = 1;
 }
 
@@ -77,6 +78,7 @@ double rise_of_crimp(const FittedYarns& fitted, double span, const Section& own,
 struct Loom {
     FittedYarns& fitted;
     double warp_pitch, weft_pitch;
+    double along_warp, along_weft;           // share_of_changes()
     double warp_crimp = -1, weft_crimp = -1; // of one change of sides; negative: not set
 
     void lay(double scale)
@@ -121,14 +123,14 @@ struct Loom {
         return {warp_rise, sum - warp_rise};
     }
 
-    bool jams() const
+    bool jams()
     {
         bool jams = false;
         for (std::size_t i = 0; i < fitted.warp.size(); ++i)
             for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
                 const Section &a = fitted.warp[i].section, &b = fitted.weft[j].section;
-                jams = jams || (warp_changes && fitted.path(weft_pitch, a, b, fitted.at(i, j).warp).jammed) ||
-                       (weft_changes && fitted.path(warp_pitch, b, a, fitted.at(i, j).weft).jammed);
+                jams = jams || (along_warp > 0 && fitted.path(weft_pitch, a, b, fitted.at(i, j).warp).jammed) ||
+                       (along_weft > 0 && fitted.path(warp_pitch, b, a, fitted.at(i, j).weft).jammed);
             }
         return jams;
     }
@@ -141,7 +143,7 @@ struct Loom {
     }
 
     /// Whether set crimps leave the yarns of every crossing cutting into each other.
-    bool too_high() const
+    bool too_high()
     {
         for (std::size_t i = 0; i < fitted.warp.size(); ++i)
             for (std::size_t j = 0; j < fitted.weft.size(); ++j) {
@@ -151,8 +153,8 @@ struct Loom {
         return false;
     }
 
-    /// Sections between the crossings, and how close that packs the yarns; changes: see share_of_changes().
-    void lay_between(double along_warp, double along_weft)
+    /// Sections between the crossings, and how close that packs the yarns.
+    void lay_between()
     {
         std::vector<double> ends(fitted.warp.size(), 0), picks(fitted.weft.size(), 0); // mean areas over the sections'
         fitted.spans.clear();
@@ -161,8 +163,8 @@ struct Loom {
                 const Section &a = fitted.warp[i].section, &b = fitted.weft[j].section;
                 const CrossingHeights& rise = fitted.at(i, j);
                 const Spanning warp{fitted.path(weft_pitch, a, b, rise.warp), a, rise.warp, widest_share_of_pitch * warp_pitch,
-                                    warp_changes},
-                    weft{fitted.path(warp_pitch, b, a, rise.weft), b, rise.weft, widest_share_of_pitch * weft_pitch, weft_changes};
+                                    along_warp > 0},
+                    weft{fitted.path(warp_pitch, b, a, rise.weft), b, rise.weft, widest_share_of_pitch * weft_pitch, along_weft > 0};
                 fitted.spans.push_back(span_sections(warp, weft));
                 ends[i] += fitted.weft_order.share[j] * mean_share(fitted.spans.back().warp, warp.path, along_warp);
                 picks[j] += fitted.warp_order.share[i] * mean_share(fitted.spans.back().weft, weft.path, along_weft);
@@ -184,6 +186,17 @@ struct Loom {
         };
         return std::any_of(fitted.warp.begin(), fitted.warp.end(), too_close) ||
                std::any_of(fitted.weft.begin(), fitted.weft.end(), too_close);
+    }
+
+    /// Without a thickness or a set crimp: whether yarns have to be flattened to bend round each other. Yarns of given diameters as long as
+    /// their arcs tighten, soft ones only where they would be packed too close.
+    bool too_round()
+    {
+        const auto soft = [](const FittedYarn& yarn) { return yarn.soft; };
+        if (std::none_of(fitted.warp.begin(), fitted.warp.end(), soft) || std::none_of(fitted.weft.begin(), fitted.weft.end(), soft))
+            return jams();
+        lay_between();
+        return squeezed_too_close();
     }
 
     /// What set crimps leave overlapping is the crossing's to share.
@@ -208,8 +221,6 @@ struct Loom {
                 yarn.packing_factor = packed;
             }
     }
-
-    bool warp_changes = true, weft_changes = true;
 };
 
 /// As a share, of one change of sides; negative when it is not given.
@@ -220,7 +231,7 @@ double crimp_of_change(const std::optional<double>& set, const std::optional<dou
 }
 
 /// Returns the scale that it ends with.
-double flatten_until(Loom& loom, double scale, bool (Loom::*wrong)() const, bool stop_at_neighbours)
+double flatten_until(Loom& loom, double scale, bool (Loom::*wrong)(), bool stop_at_neighbours)
 {
     double good = scale;
     for (int step = 1; step <= flattening_steps && (loom.*wrong)(); ++step) {
@@ -233,8 +244,22 @@ double flatten_until(Loom& loom, double scale, bool (Loom::*wrong)() const, bool
     return good;
 }
 
+/// Loosens soft yarns of a cloth that lies flatter than so high, mm.
+void loosen_to(Loom& loom, double height)
+{
+    for (int i = 0; i < 8; ++i) {
+        const double ratio = height / loom.fitted.thickness();
+        if (ratio < 1 + 1e-6) return;
+        for (auto* yarns : {&loom.fitted.warp, &loom.fitted.weft})
+            for (FittedYarn& yarn : *yarns)
+                if (yarn.soft)
+                    yarn.loosened = std::max(1.0, std::min(yarn.free.packing_factor / loosest_in_cloth, yarn.loosened * ratio * ratio));
+        loom.lay(1);
+    }
+}
+
 /// Set crimps that would squeeze yarns too close give way, a step at a time, to those that the yarns would have without.
-void give_way(Loom& loom, double scale, double along_warp, double along_weft)
+void give_way(Loom& loom, double scale)
 {
     constexpr int steps = 10;
     FittedYarns& fitted = loom.fitted;
@@ -242,7 +267,7 @@ void give_way(Loom& loom, double scale, double along_warp, double along_weft)
     loom.warp_crimp = loom.weft_crimp = -1;
     fitted.roundness = 0;
     loom.lay(1);
-    const double free_scale = flatten_until(loom, 1, &Loom::jams, true);
+    const double free_scale = flatten_until(loom, 1, &Loom::too_round, true);
     const std::vector<CrossingHeights> free = fitted.heights;
     for (int step = 1; step <= steps; ++step) {
         const double given = static_cast<double>(step) / steps;
@@ -251,7 +276,7 @@ void give_way(Loom& loom, double scale, double along_warp, double along_weft)
         for (std::size_t i = 0; i < free.size(); ++i)
             fitted.heights[i] = {set[i].warp + given * (free[i].warp - set[i].warp), set[i].weft + given * (free[i].weft - set[i].weft)};
         loom.part_overlapping();
-        loom.lay_between(along_warp, along_weft);
+        loom.lay_between();
         if (!loom.squeezed_too_close()) break;
     }
 }
@@ -345,6 +370,14 @@ double FittedYarns::thickness() const
     return 2 * half;
 }
 
+double FittedYarns::surface() const
+{
+    double most = 0;
+    for (const auto* yarns : {&warp, &weft})
+        for (const FittedYarn& yarn : *yarns) most = std::max(most, info_of(yarn.yarn_class).surface_mm);
+    return most;
+}
+
 FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
 {
     FittedYarns fitted;
@@ -358,7 +391,8 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             yarn.free = free_yarn(design, yarn_in(fabric, warp, number));
             yarn.yarn_class = yarn_class_of(design, yarn_in(fabric, warp, number));
             yarn.shape = usual_shape(design, yarn_in(fabric, warp, number), yarn.free);
-            if (!yarn_in(fabric, warp, number).diameter_mm) yarn.in_floats = widening_by_floats(fabric.weave, warp);
+            yarn.soft = !yarn_in(fabric, warp, number).diameter_mm && yarn.yarn_class != YarnClass::monofilament;
+            if (yarn.soft) yarn.in_floats = widening_by_floats(fabric.weave, warp);
             yarn.unevenness = typical_unevenness(design, yarn_in(fabric, warp, number));
             if (const auto& given = yarn_in(fabric, warp, number).irregularity_cv) yarn.unevenness.cv = *given;
             if (const auto& filaments = yarn_in(fabric, warp, number).filament_count)
@@ -367,15 +401,13 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             (warp ? fitted.warp : fitted.weft).push_back(yarn);
         }
     }
-    Loom loom{fitted, 10 / fabric.ends_per_cm, 10 / fabric.picks_per_cm};
-    const double warp_changes = share_of_changes(fabric.weave, true), weft_changes = share_of_changes(fabric.weave, false);
-    loom.warp_changes = warp_changes > 0;
-    loom.weft_changes = weft_changes > 0;
+    Loom loom{fitted, 10 / fabric.ends_per_cm, 10 / fabric.picks_per_cm, share_of_changes(fabric.weave, true),
+              share_of_changes(fabric.weave, false)};
     loom.lay(1);
     fitted.jammed = loom.jams();
 
-    loom.warp_crimp = crimp_of_change(fabric.warp_crimp_percent, fabric.measured.crimp_percent, warp_changes);
-    loom.weft_crimp = crimp_of_change(fabric.weft_crimp_percent, fabric.measured.crimp_percent, weft_changes);
+    loom.warp_crimp = crimp_of_change(fabric.warp_crimp_percent, fabric.measured.crimp_percent, loom.along_warp);
+    loom.weft_crimp = crimp_of_change(fabric.weft_crimp_percent, fabric.measured.crimp_percent, loom.along_weft);
     fitted.roundness = loom.warp_crimp >= 0 || loom.weft_crimp >= 0 ? 1 : 0;
     loom.lay(1);
     double scale = 1;
@@ -385,14 +417,15 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             scale = std::max(0.01, scale * fitted.available_height / fitted.thickness());
             loom.lay(scale);
         }
+        if (scale == 1) loosen_to(loom, *fabric.thickness_mm - std::max(2 * fabric.flyaway.loop_height_mm, fitted.surface()));
     }
     if (loom.warp_crimp >= 0 && loom.weft_crimp >= 0)
         scale = flatten_until(loom, scale, &Loom::too_high, false);
     else if (!fabric.thickness_mm && loom.warp_crimp < 0 && loom.weft_crimp < 0)
-        scale = flatten_until(loom, scale, &Loom::jams, true);
+        scale = flatten_until(loom, scale, &Loom::too_round, true);
     if (loom.too_high()) loom.part_overlapping();
-    loom.lay_between(warp_changes, weft_changes);
-    if (fitted.roundness > 0 && !fabric.thickness_mm && loom.squeezed_too_close()) give_way(loom, scale, warp_changes, weft_changes);
+    loom.lay_between();
+    if (fitted.roundness > 0 && !fabric.thickness_mm && loom.squeezed_too_close()) give_way(loom, scale);
     loom.pack();
     return with_angle_of(design, fabric, std::move(fitted));
 }

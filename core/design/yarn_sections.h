@@ -15,6 +15,8 @@ namespace hygroloom {
 constexpr double widest_share_of_pitch = 0.98;  ///< neighbours leave this much of the pitch to one yarn at most
 constexpr double loosest_packing = 0.01;        ///< fibre volume / yarn volume of a free yarn, at least
 constexpr double densest_packing = 0.99;        ///< the same at most: fibres that fit each other, or hardly more than one
+constexpr double loosest_in_cloth = 0.45;       ///< the same that a given thickness can loosen a yarn to; an assumption
+constexpr double pressed_height = 0.925;        ///< of its free height that a yarn has in cloth at 1 kPa: 0.9 where two cross, 0.95 beyond
 constexpr double densest_squeezed = 0.85;       ///< the same that a looser yarn can be squeezed to
 constexpr double closest_round_fibres = 0.9069; ///< pi / (2 sqrt 3): round fibres of one size that touch all round
 constexpr std::size_t most_yarn_types = 16;     ///< different yarns in one system, colour apart
@@ -65,6 +67,8 @@ struct FittedYarn {
     YarnClass yarn_class = YarnClass::ring;
     Unevenness unevenness;  ///< as given, or typical
     double shape = 1;       ///< height over width where nothing but the weave presses it: see usual_shape()
+    bool soft = false;      ///< given by its count and of many fibres: the cloth presses it, and a given thickness loosens it
+    double loosened = 1;    ///< its area over that of the free yarn, to fill a given thickness
     double in_floats = 1;   ///< how much wider it lies than that: see widening_by_floats()
     bool flattened = false; ///< by the thickness, the crimp or the neighbours
     bool narrowed = false;  ///< by the neighbours
@@ -110,6 +114,8 @@ struct FittedYarns {
     }
     /// From face to face.
     double thickness() const;
+    /// Of fibres that stand out, both faces together, mm under 1 kPa.
+    double surface() const;
 };
 
 /// Precondition: the yarns, the setts and the orders are in range.

@@ -102,15 +102,54 @@ private Q_SLOTS:
         filament.yarn_class.reset();
         filament.packing_factor = 0.5;
         QVERIFY(kind(filament) == YarnClass::textured);
-        filament.filament_count = 1;
-        QVERIFY(kind(filament) == YarnClass::monofilament && usual_shape({}, filament, free_yarn({}, filament)) == 1);
-        filament.filament_count.reset();
+        filament.yarn_class = YarnClass::monofilament;
+        QCOMPARE(usual_shape({}, filament, free_yarn({}, filament)), 1.0);
         filament.yarn_class = YarnClass::ring; // of staple, though hardly twisted
         QVERIFY(!is_filament({}, filament) && typical_unevenness({}, filament).cv > 0.05);
 
         given = Yarn();
         given.diameter_mm = 0.2;
         QCOMPARE(packing(given), 0.5);
+    }
+    void clothPressesYarnsThatAreGivenByTheirCount()
+    {
+        Fabric fabric = square_cloth(Yarn(), 15);
+        fabric.warp.linear_density_tex = fabric.weft.linear_density_tex = 20;
+        const Yarn& given = fabric.warp;
+        const FreeYarn free = free_yarn({}, given);
+        const double shape = usual_shape({}, given, free), area = 0.25 * pi * free.diameter * free.diameter;
+        const double height = std::sqrt(area * shape / (1 - (1 - 0.25 * pi) * shape)); // of a racetrack of that shape
+        const FabricQuantities q = derive_quantities({}, fabric);
+        QVERIFY(near(q.warp.section_mm.height, 0.925 * height, 1e-9));
+        QVERIFY(near(section_area(q.warp.section_mm), area, 1e-9));
+        QVERIFY(near(q.thickness_1kpa_mm, q.yarn_layer_thickness_mm + 0.02, 1e-12));
+        fabric.warp.yarn_class = YarnClass::rotor; // its fibres stand out further
+        QVERIFY(near(derive_quantities({}, fabric).thickness_1kpa_mm - derive_quantities({}, fabric).yarn_layer_thickness_mm, 0.03, 1e-12));
+        fabric.warp.yarn_class = YarnClass::monofilament; // nothing presses it
+        const FabricQuantities mono = derive_quantities({}, fabric);
+        QVERIFY(near(mono.warp.section_mm.height, mono.warp.diameter_mm, 1e-9));
+    }
+    void aGivenThicknessLoosensYarnsBeforeItBecomesLoops()
+    {
+        Fabric fabric = square_cloth(Yarn(), 24);
+        fabric.picks_per_cm = 22;
+        for (Yarn* yarn : {&fabric.warp, &fabric.weft}) {
+            yarn->linear_density_tex = 20;
+            yarn->packing_factor = 0.55;
+        }
+        const FabricQuantities natural = derive_quantities({}, fabric);
+        fabric.thickness_mm = 1.05 * natural.yarn_layer_thickness_mm + 0.02; // fibres that stand out are 0.02 mm of it
+        const FabricQuantities a_little = derive_quantities({}, fabric);
+        QVERIFY2(near(a_little.yarn_layer_thickness_mm, 1.05 * natural.yarn_layer_thickness_mm, 1e-5),
+                 qPrintable(QString::number(a_little.yarn_layer_thickness_mm / natural.yarn_layer_thickness_mm)));
+        QVERIFY(a_little.warp.packing_factor_in_fabric < 0.53 && a_little.warp.pore_radius_um > 1.05 * natural.warp.pore_radius_um);
+        QVERIFY(std::any_of(a_little.notes.begin(), a_little.notes.end(),
+                            [](const std::string& note) { return note.find("loosened from a packing of 0.55") != std::string::npos; }));
+        fabric.thickness_mm = 1.4 * natural.yarn_layer_thickness_mm;
+        const FabricQuantities much = derive_quantities({}, fabric);
+        QVERIFY(near(much.warp.packing_factor_in_fabric * much.warp.area_share, loosest_in_cloth, 1e-9));
+        QVERIFY(much.yarn_layer_thickness_mm < 1.2 * natural.yarn_layer_thickness_mm); // the rest are loops
+        QVERIFY(near(much.areal_density_g_m2, natural.areal_density_g_m2, 0.05));
     }
     void arealDensityIsMassOfBothSystemsWithCrimp()
     {
