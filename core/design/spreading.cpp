@@ -10,7 +10,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int spreading_steps = 8;
+constexpr int spreading_steps = 16;
 
 /// A yarn as balls that roll along a ribbon: two yarns meet where their ribbons are nearer than both radii.
 struct Ribbon {
@@ -62,6 +62,16 @@ void widen(Ribbon& own, const Ribbon& other, double share, double first)
     }
 }
 
+void widen_both(Ribbon& one, bool one_changes, Ribbon& other, bool other_changes)
+{
+    const double one_flat = one.half_flat[0], other_flat = other.half_flat[0];
+    for (int step = 1; step <= spreading_steps; ++step) {
+        const double share = static_cast<double>(step) / spreading_steps;
+        if (one_changes) widen(one, other, share, one_flat);
+        if (other_changes) widen(other, one, share, other_flat);
+    }
+}
+
 SpanSections sections_of(Ribbon&& ribbon, const Section& own)
 {
     double area = 0, length = 0;
@@ -86,11 +96,13 @@ double SpanSections::mean_width() const
 SpanPair span_sections(const Spanning& warp, const Spanning& weft)
 {
     Ribbon ends = ribbon_of(warp, weft, 1), picks = ribbon_of(weft, warp, -1);
-    const double end_flat = ends.half_flat[0], pick_flat = picks.half_flat[0];
-    for (int step = 1; step <= spreading_steps; ++step) {
-        const double share = static_cast<double>(step) / spreading_steps;
-        if (warp.changes) widen(ends, picks, share, end_flat);
-        if (weft.changes) widen(picks, ends, share, pick_flat);
+    Ribbon later_ends = ends, later_picks = picks;
+    widen_both(ends, warp.changes, picks, weft.changes);
+    widen_both(later_picks, weft.changes, later_ends, warp.changes);
+    // What has room whichever goes first, so that a cloth turned over is the same cloth.
+    for (std::size_t i = 0; i < span_samples; ++i) {
+        ends.half_flat[i] = std::min(ends.half_flat[i], later_ends.half_flat[i]);
+        picks.half_flat[i] = std::min(picks.half_flat[i], later_picks.half_flat[i]);
     }
     return {sections_of(std::move(ends), warp.own), sections_of(std::move(picks), weft.own)};
 }

@@ -149,7 +149,6 @@ private Q_SLOTS:
         const FabricQuantities much = derive_quantities({}, fabric);
         QVERIFY(near(much.warp.packing_factor_in_fabric * much.warp.area_share, loosest_in_cloth, 1e-9));
         QVERIFY(much.yarn_layer_thickness_mm < 1.2 * natural.yarn_layer_thickness_mm); // the rest are loops
-        QVERIFY(near(much.areal_density_g_m2, natural.areal_density_g_m2, 0.05));
     }
     void arealDensityIsMassOfBothSystemsWithCrimp()
     {
@@ -206,7 +205,9 @@ private Q_SLOTS:
         QCOMPARE(q.yarn_layer_thickness_mm, 0.4);
         QCOMPARE(q.thickness_mm, 1.46);
         QVERIFY(!q.warp.flattened);
-        QVERIFY(q.notes.at(0).find("1.06 mm of the given thickness are flyaway fibres") != std::string::npos);
+        QVERIFY(std::any_of(q.notes.begin(), q.notes.end(), [](const std::string& note) {
+            return note.find("1.06 mm of the given thickness are flyaway fibres") != std::string::npos;
+        }));
     }
     void thinFabricFlattensItsYarnsAndKeepsTheirArea()
     {

@@ -190,7 +190,7 @@ private Q_SLOTS:
     {
         QFETCH(int, preset);
         Fabric fabric = shipped_presets()[static_cast<std::size_t>(preset)].fabric();
-        const TextileRegion region{0, 0, std::max(6, fabric.weave.ends() + 2), std::max(6, fabric.weave.picks() + 2)};
+        const TextileRegion region{0, 0, 6, 6};
         for (bool set : {true, false}) {
             if (!set) {
                 fabric.warp_crimp_percent.reset();
@@ -212,8 +212,7 @@ private Q_SLOTS:
             return least / section_area(t.system(kind).types[0].section);
         };
         // Of crimps that are not set, yarns have room for all of their area.
-        for (const char* name :
-             {"Sheeting", "Voile", "Tropical worsted", "Linen cloth", "Polyester taffeta", "Pongee", "Viscose challis"}) {
+        for (const char* name : {"Sheeting", "Voile", "Tropical worsted", "Linen cloth", "Polyester taffeta", "Viscose challis"}) {
             Fabric fabric = find_preset(name);
             fabric.warp_crimp_percent.reset();
             fabric.weft_crimp_percent.reset();
@@ -222,10 +221,11 @@ private Q_SLOTS:
                 QVERIFY2(least_area(t, kind) > 0.99, qPrintable(QString("%1 %2").arg(name).arg(least_area(t, kind))));
         }
         // Where it has not, yarns spread as far as the holes let them.
-        const Textile squeezed = build_textile({}, find_preset("Textile C"), {0, 0, 4, 4});
+        const Textile squeezed = build_textile({}, find_preset("Textile E"), {0, 0, 4, 4});
         QVERIFY(squeezed.warp.types[0].widest > 1.05 * squeezed.warp.types[0].section.width);
-        QVERIFY2(least_area(squeezed, YarnKind::warp) > 0.35,
-                 qPrintable(QString::number(least_area(squeezed, YarnKind::warp)))); // flats kept: 0.27
+        QVERIFY(std::abs(squeezed.warp.types[0].widest / squeezed.weft.types[0].widest - 1) < 1e-9); // alike on both ways of a square cloth
+        QVERIFY2(least_area(squeezed, YarnKind::warp) > 0.45,
+                 qPrintable(QString::number(least_area(squeezed, YarnKind::warp)))); // flats kept: 0.41
     }
     void setCrimpsGiveWayBeforeYarnsArePackedTooClose()
     {
@@ -377,7 +377,9 @@ private Q_SLOTS:
         fabric.ends_per_cm = fabric.picks_per_cm = 30; // Peirce's limit of round yarns is 28.9
         const Textile t = build_textile(design, fabric, {0, 0, 6, 6});
         QVERIFY(t.warp.types[0].section.height < 0.2e-3 && t.warp.types[0].section.width > 0.2e-3);
-        QVERIFY(std::abs(t.warp.types[0].area / (0.25 * pi * 0.04e-6) - 1) < 1e-9);
+        QVERIFY(std::abs(section_area(t.warp.types[0].section) / (0.25 * pi * 0.04e-6) - 1) < 1e-9);
+        const double mean = t.warp.types[0].area / (0.25 * pi * 0.04e-6); // neighbours touch before its arcs fit
+        QVERIFY2(mean > 0.8 && mean < 1, qPrintable(QString::number(mean)));
         QVERIFY(worst_overlap(t) < 0.01);
     }
     void stripesFollowTheOrderWhereverTheRegionBegins()
