@@ -29,7 +29,7 @@ private Q_SLOTS:
         const std::map<std::string, double> expected{{"Poplin shirting", 128},
                                                      {"Sheeting", 105},
                                                      {"Drill", 245},
-                                                     {"Denim", 394},
+                                                     {"Denim", 402},
                                                      {"Oxford", 123},
                                                      {"Voile", 47},
                                                      {"Cotton sateen", 119},
@@ -40,7 +40,7 @@ private Q_SLOTS:
                                                      {"Polyester taffeta", 69},
                                                      {"Sports micro-twill", 84},
                                                      {"Pongee", 68},
-                                                     {"Nylon taslan", 93},
+                                                     {"Nylon taslan", 97},
                                                      {"Silk habotai", 53},
                                                      {"Viscose challis", 105}};
         std::size_t found = 0;
