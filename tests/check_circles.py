@@ -10,8 +10,9 @@ root = pathlib.Path(sys.argv[1])
 
 # The units of a circle, and why they belong together.
 ALLOWED = {
-    # How uneven a yarn usually is follows from its free linear density, and a fitted yarn says how uneven it is.
-    frozenset({"core/design/evenness", "core/design/yarn_sections"}),
+    # How uneven a yarn usually is follows from its free linear density, that from its kind's packing, the kind from its being of filaments;
+    # and a fitted yarn says how uneven it is.
+    frozenset({"core/design/evenness", "core/design/yarn_class", "core/design/yarn_sections"}),
     # A scene's start is found from all the rest of the scene.
     frozenset({"core/scene/scene", "core/scene/wet_cloth"}),
 }

@@ -2,6 +2,7 @@
 // Distances and balls in voxels against brute force and against pores whose throats are known.
 #include "core/base/error.h"
 #include "core/base/units.h"
+#include "core/project/library.h"
 #include "core/verify/drawn_pores.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
