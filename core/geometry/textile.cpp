@@ -101,6 +101,8 @@ YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fit
     type.helix_tortuosity =
         fabric.measured.tortuosity.value_or(helix_tortuosity(yarn, fitted.free.diameter, fitted.free.packing_factor * fitted.core));
     type.receding_angle = radian_from_degree(fitted.receding_angle_deg);
+    constexpr double between_nodes = 0.04; // m, where flat filaments are intermingled; an assumption
+    if (fitted.yarn_class == YarnClass::flat) type.mouths_apart = between_nodes;
     type.perimeter_factor = type.fibre.cross_section.perimeter_factor;
     type.unevenness = fitted.unevenness;
     type.fibres = yarn.fibres_per_yarn;

@@ -34,6 +34,7 @@ struct YarnType {
     double helix_tortuosity = 1; ///< as the fabric gives it, else of twist and plies on the free diameter, see helix_tortuosity()
     double contact_angle = 0;    ///< radian, advancing
     double receding_angle = 0;   ///< radian, at most the contact angle
+    double mouths_apart = 0;     ///< m along the yarn, see entry_across_fibres()
     double perimeter_factor = 1; ///< of a fibre's section: perimeter over that of a circle of the same area
     Unevenness unevenness;       ///< of the linear density along the yarn
     Material fibre;              ///< the yarn's mean substance, see yarn_substance()

@@ -18,6 +18,14 @@ HL_FN double permeability_along(double fibre_radius, double packing)
     return 8.0 * fibre_radius * fibre_radius / 53.0 * pores * pores * pores / (packing * packing);
 }
 
+/// The same along rods at random, which leave wider ways: 1.03, 1.11, 1.18, 1.21, 1.16 times as much at packings of 0.35, 0.45, 0.5, 0.6,
+/// 0.7, from flow past hard discs at random (108 discs, four samples), rounded to a line up to 0.5 and a constant beyond.
+HL_FN double permeability_along_random(double fibre_radius, double packing)
+{
+    const double looser = (packing - 0.40) * 10.0, part = looser < 0 ? 0.0 : looser > 1 ? 1.0 : looser;
+    return (1.0 + 0.18 * part) * permeability_along(fibre_radius, packing);
+}
+
 /// Permeability across a hexagonal bundle, m2 (Gebart 1992); 0 from packing 0.9069.
 HL_FN double permeability_across(double fibre_radius, double packing)
 {

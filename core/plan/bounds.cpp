@@ -137,7 +137,7 @@ private:
         const double radius = metre_from_um(type.fibre.fibre_radius_um) / type.perimeter_factor;
         const PoreClosure pores = pores_of_bundle(type.packing_round_core(), radius, b_.liquid.surface_tension, contact_angle,
                                                   std::min(type.receding_angle, contact_angle));
-        return gate_of_dry_fibres(type.packing_round_core(), contact_angle) * permeability_along(radius, type.packing_round_core()) *
+        return gate_of_dry_fibres(type.packing_round_core(), contact_angle) * permeability_along_random(radius, type.packing_round_core()) *
                (type.area - type.core_area()) * pores.entry_suction / (b_.liquid.viscosity * type.helix_tortuosity);
     }
     /// Between yarns of any two types, as the scene's holes are.

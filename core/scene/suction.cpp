@@ -40,9 +40,11 @@ Angles for_curves(const Angles& angles)
 WettedPores wetted_pores(const YarnType& type, const Angles& angles, const LiquidInPores& liquid, double between_hairs)
 {
     const Angles held = for_curves(angles);
-    return {
-        retention_of(pores_of_bundle(type.packing_round_core(), fibre_radius(type), liquid.surface_tension, held.advancing, held.receding)),
-        gate_of_dry_fibres(type.packing_round_core(), angles.advancing), between_hairs};
+    const double packing = type.packing_round_core(), radius = fibre_radius(type), through = permeability_across(radius, packing);
+    const double along_over_across = through > 0 ? permeability_along_random(radius, packing) / through : 0.0;
+    return {retention_of(pores_of_bundle(packing, radius, liquid.surface_tension, held.advancing, held.receding)),
+            gate_of_dry_fibres(packing, angles.advancing),
+            entry_across_fibres(packing, angles.advancing, along_over_across, type.area, type.mouths_apart), between_hairs};
 }
 
 /// Pa: see pressure_past_finish(), of the slots between ends of a type and between picks of another. 0: the finish wets.
@@ -119,7 +121,8 @@ FinishedShares kept_dry(const Textile& textile, const YarnType& type, bool on_to
 
 YarnBySuction yarn_by_suction(const YarnType& type, const Textile& textile, YarnKind kind, const LiquidInPores& liquid)
 {
-    const double across = across_per_viscosity(type, liquid), along = permeability_along(fibre_radius(type), type.packing_round_core());
+    const double across = across_per_viscosity(type, liquid),
+                 along = permeability_along_random(fibre_radius(type), type.packing_round_core());
     const double pitch = textile.system(other_kind(kind)).pitch;
     return {pores_on_face(type, textile, kind, false, liquid), pores_on_face(type, textile, kind, true, liquid),
             along * (type.area - type.core_area()) / (liquid.viscosity * type.helix_tortuosity),

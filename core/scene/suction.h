@@ -26,13 +26,14 @@ struct FinishOverPores {
 struct WettedPores {
     Retention retention;
     double gate = 0;          ///< of dry ones, see gate_of_dry_fibres()
+    double across = 1;        ///< over that, for what comes across the fibres: see entry_across_fibres()
     double between_hairs = 1; ///< share of dry ones that a drop on the face touches, see share_between_hairs()
     FinishOverPores finish{};
 
     /// Share of the face's conductance for liquid that stands on it, of this pressure over the air's, Pa.
     HL_FN double lets_in_from_face(bool connected, bool drop, double pressure) const
     {
-        const double dry = gate * finish.dry_gate * (drop ? between_hairs : 1.0);
+        const double dry = gate * across * finish.dry_gate * (drop ? between_hairs : 1.0);
         return (connected ? 1.0 : dry) * finish.lets_through(pressure);
     }
 };

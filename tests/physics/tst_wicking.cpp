@@ -190,6 +190,23 @@ private Q_SLOTS:
         QVERIFY(within(permeability_across(6e-6, 0.6), 2.10e-13, 1e-2));
         QCOMPARE(permeability_across(8e-6, 0.91), 0.0);
     }
+    void rodsAtRandomLetMoreThroughAlong() // as flow past hard discs at random has it
+    {
+        const double packings[] = {0.35, 0.45, 0.5, 0.6, 0.7}, found[] = {0.349, 0.138, 0.0889, 0.0324, 0.0096};
+        for (int i = 0; i < 5; ++i) QVERIFY(within(permeability_along_random(1, packings[i]), found[i], 0.035));
+    }
+    void liquidWaitsAtTheSkinOfFlatFilament()
+    {
+        const double angle = radian_from_degree(75), section = 8.6e-9;
+        QCOMPARE(entry_across_fibres(0.7, angle, 6, section, 0), 1.0); // crimped fibres
+        QVERIFY(within(entry_across_fibres(0.7, angle, 6, section, 0.04), 6.45e-5, 1e-2));
+        QVERIFY(within(entry_across_fibres(0.7, angle, 6, section, 0.005), 64 * 6.45e-5, 1e-2));
+        QCOMPARE(entry_across_fibres(0.7, angle, 6, 1, 0.005), 1.0);
+        QCOMPARE(entry_across_fibres(0.8, radian_from_degree(24), 6, 0, 0.04), 1.0); // menisci merge from rod to rod
+        QCOMPARE(entry_across_fibres(0.8, radian_from_degree(30), 6, 0, 0.04), 0.5);
+        QCOMPARE(entry_across_fibres(0.8, radian_from_degree(36), 6, 0, 0.04), 0.0);
+        QCOMPARE(entry_across_fibres(0.65, 0.0, 6, 0, 0.04), 0.0);
+    }
     void bundlesOfAnyPackingHavePores() // from nearly none to nearly nothing but
     {
         double radius = 1, along = 1, across = 1;

@@ -19,17 +19,12 @@ struct PairFlow {
         bool is_room;
         bool fed; ///< stands in a bath
         PoresFound pores;
-        double gate;
+        double gate, across; ///< see PoreLines::End
 
         HL_FN PoreLines::End end() const
         {
-            return {suction(),
-                    pores.saturation,
-                    pores.retention.threshold,
-                    pores.retention.entry,
-                    pores.capacity,
-                    gate,
-                    pores.retention.is_straight()};
+            return {suction(), pores.saturation, pores.retention.threshold,    pores.retention.entry, pores.capacity,
+                    gate,      across,           pores.retention.is_straight()};
         }
         HL_FN double suction() const { return fed ? 0.0 : pores.suction; }
         HL_FN double held() const { return pores.saturation * pores.capacity; } // kg
@@ -46,6 +41,7 @@ struct PairFlow {
         double conductance; ///< m3/(Pa s), of full pores
         int power;          ///< of the permeability, see PoreLines::End
         double lift;        ///< Pa, by which suction rises from the first to the second in liquid at rest
+        bool across = true; ///< the fibres of segments, or along them
     };
 
     HL_FN Side side(int i) const
@@ -53,14 +49,14 @@ struct PairFlow {
         const YarnParameters& yarn = s.yarn_of(i);
         const int face = s.face_of(s.crossing_of(i), s.is_warp(i));
         const bool fed = s.fed != nullptr && s.fed[i] != 0;
-        return {i, false, fed, FindPores{s, climate.density}.segment(i, yarn, face), yarn.on_face[face].gate};
+        return {i, false, fed, FindPores{s, climate.density}.segment(i, yarn, face), yarn.on_face[face].gate, yarn.on_face[face].across};
     }
     HL_FN Side room_side(int crossing) const
     {
         const FindPores find{s, climate.density};
         const int wet = find.wet_yarns(crossing);
         const BetweenParameters& at = s.crossing_at(crossing / s.picks, crossing % s.picks).between;
-        return {crossing, true, false, find.between(crossing, at, wet), wet > 0 ? 1.0 : 0.0};
+        return {crossing, true, false, find.between(crossing, at, wet), wet > 0 ? 1.0 : 0.0, 1.0};
     }
 
     HL_FN void flow(const Side& first, const Side& second, const Way& way) const
@@ -77,7 +73,8 @@ private:
     HL_FN void flow(const Side& from, const Side& to, const Way& way, double difference, double lift) const
     {
         if (from.fed && to.fed) return;
-        const double conductance = climate.density * way.conductance * to.end().lets_in() * from.end().permeability(way.power);
+        const double lets_in = way.across ? to.end().lets_in_across() : to.end().lets_in();
+        const double conductance = climate.density * way.conductance * lets_in * from.end().permeability(way.power);
         bool moves = false;
         const double coupling = PoreLines::coupling(conductance, difference, from.end(), to.end(), dt, moves);
         if (moves) pass(from, to, passing(from, to, coupling, lift));

@@ -221,11 +221,13 @@ struct PoreLines {
     struct End {
         double suction, saturation, threshold, entry, capacity;
         double gate;   ///< of dry pores
+        double across; ///< over that, for what comes across the fibres
         bool straight; ///< see Retention
 
         HL_FN bool is_connected() const { return saturation > threshold; }
         /// What dry pores let in, of what connected ones do.
         HL_FN double lets_in() const { return is_connected() ? 1.0 : gate; }
+        HL_FN double lets_in_across() const { return is_connected() ? 1.0 : gate * across; }
         /// Share of the permeability of full pores, by the power of what is connected: in halves, or of a room in quarters.
         HL_FN double permeability(int power) const
         {
@@ -236,9 +238,11 @@ struct PoreLines {
     {
         const Retention& holds = retention(line, p, which, i);
         // Between dry yarns liquid does not spread by itself.
-        const double gate = which != room_pores ? pores(p, which).gate : line(wet, i) > 0 ? 1.0 : 0.0;
-        return {line(before + which, i), line(held_before + which, i), holds.threshold, holds.entry, line(can_hold + which, i), gate,
-                holds.is_straight()};
+        const bool is_room = which == room_pores;
+        const double gate = !is_room ? pores(p, which).gate : line(wet, i) > 0 ? 1.0 : 0.0, across = is_room ? 1.0 : pores(p, which).across;
+        return {
+            line(before + which, i), line(held_before + which, i), holds.threshold, holds.entry, line(can_hold + which, i), gate, across,
+            holds.is_straight()};
     }
 
     /// kg/Pa in some seconds, of a conductance in kg/(s Pa). Says where more than next to nothing would pass: in a line with no such place
@@ -276,7 +280,7 @@ struct PoreLines {
         const double difference = b.suction - a.suction;
         const End &from = difference > 0 ? a : b, &to = difference > 0 ? b : a;
         const bool from_room = a_is_room && difference > 0;
-        const double share = to.lets_in() * (from_room ? from.saturation : from.permeability(7));
+        const double share = to.lets_in_across() * (from_room ? from.saturation : from.permeability(7));
         return coupling(conductance * share, difference, from, to, dt_across, moves);
     }
     /// Finds what couples a place's classes with each other and with the next place's; whether anything does.

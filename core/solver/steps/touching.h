@@ -39,7 +39,7 @@ struct FlowThroughSeam : PairFlow {
     {
         const SeamJoint& joint = joints[index];
         const int a = s.crossing_of(joint.a), b = s.crossing_of(joint.b);
-        if (s.liquid[joint.a] > 0 || s.liquid[joint.b] > 0) flow(side(joint.a), side(joint.b), {joint.yarns, 7, 0});
+        if (s.liquid[joint.a] > 0 || s.liquid[joint.b] > 0) flow(side(joint.a), side(joint.b), {joint.yarns, 7, 0, false});
         if (s.between[a] > 0 || s.between[b] > 0) {
             const BetweenParameters& room = s.crossing_at(a / s.picks, a % s.picks).between;
             flow(room_side(a), room_side(b), {joint.rooms, s.is_warp(joint.a) ? room.quarters_along_warp : room.quarters_along_weft, 0});
