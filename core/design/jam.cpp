@@ -99,7 +99,7 @@ bool racetracks_jam(const Fabric& fabric, const FittedYarns& yarns)
     const auto mean = [](const YarnOrder& order, const std::vector<FittedYarn>& types) {
         Section section{0, 0};
         for (std::size_t type = 0; type < types.size(); ++type) {
-            const double squeezed = std::sqrt(std::min(1.0, types[type].packing_factor / densest_squeezed));
+            const double squeezed = std::sqrt(std::min(1.0, types[type].area_share * types[type].packing_factor / densest_squeezed));
             section.width += order.share[type] * squeezed * types[type].section.width;
             section.height += order.share[type] * squeezed * types[type].section.height;
         }
