@@ -52,7 +52,7 @@ Design cloth_with_strip()
     Experiment across = strip;
     across.name = "across";
     across.along_weft = true;
-    across.sample_mm = {1, 40};
+    across.sample_mm = {1, 60};
     design.experiments = {strip, drop, across};
     return design;
 }

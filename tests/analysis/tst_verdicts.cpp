@@ -133,7 +133,8 @@ private Q_SLOTS:
             for (const std::size_t which : repeats() > 1 ? std::vector<std::size_t>{0, 1, 2} : std::vector<std::size_t>{0, 2})
                 qInfo("%s, %s: better %d, probably %d, none %d, probably worse %d, worse %d", key.c_str(), names[which], table[which][0],
                       table[which][1], table[which][2], table[which][3], table[which][4]);
-        const char* telling = experiment == "drop" ? "absorbency_time_s" : "wick_rate_mm_s05";
+        // An open cloth conducts better and sucks less: by its rate alone it is hardly told.
+        const char* telling = experiment == "drop" ? "absorbency_time_s" : "wick_height_mm";
         QCOMPARE(count[telling][2][2], 0); // the open cloth is told from the other
         for (const auto& [key, table] : count) QVERIFY2(20 * (repeats() - table[0][2]) <= repeats(), key.c_str());
     }

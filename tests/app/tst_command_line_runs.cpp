@@ -101,7 +101,7 @@ private Q_SLOTS:
                               "experiments[3].volume_ul=1",
                               "experiments[3].sample_mm=[16,16]",
                               "experiments[3].duration_s=200",
-                              "experiments[3].climate.relative_humidity=0.993",
+                              "experiments[3].climate.relative_humidity=0.9945",
                               "experiments[3].climate.air_speed_m_s=0"};
         const Answer answer = run_cli(run);
         QVERIFY2(answer.code == 0, answer.err);

@@ -15,7 +15,8 @@ class TestCommandLineWhy : public QObject {
     static QString structures() { return example("paper/figure-13-structures.hygro"); }
 
     /// A small drop that stands as a cap: without particles all tests of this file take some 4 s.
-    static QStringList scene(const QString& project, const QString& experiment = "one drop", const QString& seconds = "0.2")
+    static QStringList scene(const QString& project, const QString& experiment = "one drop", const QString& seconds = "0.2",
+                             const QString& volume_ul = "5", const QString& side_mm = "16")
     {
         const QString of = "experiments." + experiment + ".";
         return {"compare",
@@ -30,8 +31,8 @@ class TestCommandLineWhy : public QObject {
                 "--quiet",
                 "--set",
                 of + "duration_s=" + seconds,
-                of + "sample_mm=[16,16]",
-                of + R"(droplets=[{"volume_ul": 5}])"};
+                of + "sample_mm=[" + side_mm + "," + side_mm + "]",
+                of + R"(droplets=[{"volume_ul": )" + volume_ul + "}]"};
     }
 
     /// The project of structures with a copy of "base", named "copy", with other values at some keys.
@@ -68,9 +69,10 @@ private Q_SLOTS:
         QTest::addColumn<QStringList>("question");
         QTest::addColumn<QString>("method");
         QTest::addColumn<int>("fabrics");
-        QTest::newRow("two parts, in all orders")
-            << scene(structures()) + QStringList{"--why", "25 threads per cm", "--baseline", "35 threads per cm"} << "shapley" << 4;
-        QTest::newRow("eight parts, one at a time") << scene(example("paper/figure-10-three-fibres.hygro"), "three drops", "0.5") +
+        QTest::newRow("two parts, in all orders") << scene(structures(), "one drop", "0.2", "20", "30") +
+                                                         QStringList{"--why", "25 threads per cm", "--baseline", "35 threads per cm"}
+                                                  << "shapley" << 4;
+        QTest::newRow("eight parts, one at a time") << scene(example("paper/figure-10-three-fibres.hygro"), "three drops", "0.5", "3") +
                                                            QStringList{"--why", "Textile F", "--baseline", "Textile G"}
                                                     << "one_at_a_time" << 18;
     }

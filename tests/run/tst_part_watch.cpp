@@ -114,7 +114,7 @@ class TestPartWatch : public QObject {
 private Q_SLOTS:
     void vapourComesOnWhereMoreGetsWetThanExpected()
     {
-        const Design design = spot(0.993);
+        const Design design = spot(0.9945);
         const Run left = run(design, draft({{"heat", false}})), on = run(design, draft({{"heat", false}, {"vapour", true}})),
                   off = run(design, draft({{"heat", false}, {"vapour", false}}));
         const PlannedPart& planned = part_of(left.record.plan, "vapour");
@@ -247,7 +247,7 @@ private Q_SLOTS:
     {
         QFETCH(int, atLoad);
         QFETCH(int, atState);
-        const Design design = spot(0.993);
+        const Design design = spot(0.9945);
         WatchedBackend backend;
         backend.full_at_load = atLoad;
         backend.full_at_state = atState;
@@ -340,9 +340,9 @@ private Q_SLOTS:
                 if (part.watched) names << QString::fromStdString(part.name);
             return names.join(' ');
         };
-        QCOMPARE(watched(spot(0.993)), QString("vapour heat"));
+        QCOMPARE(watched(spot(0.9945)), QString("vapour heat"));
         QCOMPARE(watched(spot(1.0)), QString(""));                        // nothing dries, and the fibres are full
-        QCOMPARE(watched(spot(0.993), Fidelity::reference), QString("")); // nothing is left out
+        QCOMPARE(watched(spot(0.9945), Fidelity::reference), QString("")); // nothing is left out
         QCOMPARE(watched(drop_design(120)), QString("vapour heat"));      // the drop dries; no water gets to the fibres
         QCOMPARE(watched(drop_design(35)), QString("vapour"));
     }
@@ -350,7 +350,7 @@ private Q_SLOTS:
     {
         RunOptions options = draft();
         options.recording = folder_.filePath("watched.hygrorec").toStdString();
-        const Run left = run(spot(0.993), options);
+        const Run left = run(spot(0.9945), options);
         const Recording recording(options.recording);
         QCOMPARE(recording.run().switched_on.size(), std::size_t(1));
         const SwitchedPart &part = left.record.switched_on[0], &read = recording.run().switched_on[0];
@@ -380,7 +380,7 @@ private Q_SLOTS:
     {
         QFETCH(int, failsAtLoad);
         QFETCH(int, failsAtState);
-        const Design design = spot(0.993);
+        const Design design = spot(0.9945);
         WatchedBackend backend;
         backend.fails_at_load = failsAtLoad;
         backend.fails_at_state = failsAtState;

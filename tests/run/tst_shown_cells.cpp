@@ -280,7 +280,7 @@ void TestShownCells::bundles_are_never_parted()
     QCOMPARE(few.record.textile.ends(), static_cast<int>(std::lround(fine.ends() / 8.0)));
     for (const Run* cells : {&alike, &few}) {
         QCOMPARE(which_ledger_differs(all.end().ledger, cells->end().ledger), nullptr);
-        QVERIFY(near_to(sum(all.end().liquid), sum(cells->end().liquid), 1e-5));
+        QVERIFY(near_to(sum(all.end().liquid), sum(cells->end().liquid), 1e-4));
         QVERIFY(std::abs(all.end().water_top - cells->end().water_top) < 5e-5 * all.end().ledger.water_initial); // frames are rounded
     }
     const Design pool = design_of(ExperimentType::horizontal_wicking, 2);
@@ -300,7 +300,7 @@ void TestShownCells::what_is_left_out_comes_on_at_the_same_frame_data()
     QTest::addColumn<ForcedParts>("forced");
     QTest::addColumn<double>("neglected");
     QTest::addColumn<QString>("due");
-    QTest::newRow("vapour") << 0.993 << ForcedParts{{"heat", false}} << 0.01 << "vapour";
+    QTest::newRow("vapour") << 0.9945 << ForcedParts{{"heat", false}} << 0.01 << "vapour";
     QTest::newRow("sorption and heat") << 0.2 << ForcedParts{{"vapour", false}} << 0.04 << "sorption heat";
 }
 
