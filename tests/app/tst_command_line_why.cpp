@@ -72,9 +72,10 @@ private Q_SLOTS:
         QTest::newRow("two parts, in all orders") << scene(structures(), "one drop", "0.2", "20", "30") +
                                                          QStringList{"--why", "25 threads per cm", "--baseline", "35 threads per cm"}
                                                   << "shapley" << 4;
-        QTest::newRow("eight parts, one at a time") << scene(example("paper/figure-10-three-fibres.hygro"), "three drops", "0.5", "3") +
-                                                           QStringList{"--why", "Textile F", "--baseline", "Textile G"}
-                                                    << "one_at_a_time" << 18;
+        QTest::newRow("eight parts, one at a time")
+            << scene(example("paper/figure-10-three-fibres.hygro"), "three drops", "0.5", "3", "30") +
+                   QStringList{"--why", "Textile F", "--baseline", "Textile G"}
+            << "one_at_a_time" << 18;
     }
     void contributionsAddUpToTheDifference()
     {

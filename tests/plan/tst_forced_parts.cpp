@@ -76,7 +76,7 @@ private Q_SLOTS:
         QTest::newRow("a humidity step's vapour") << sample(ExperimentType::conditioning, 600) << "vapour" << true << ForcedParts{} << 0.01;
         QTest::newRow("it hardly dries") << spot_design("polyester", 0.999, 50) << "vapour" << false << ForcedParts{} << 0.01;
         QTest::newRow("fibres warm") << cotton << "heat" << true << ForcedParts{} << 0.01;
-        QTest::newRow("hardly any cooling") << spot_design("polyester", 0.9945, 50) << "heat" << false << ForcedParts{{"vapour", true}}
+        QTest::newRow("hardly any cooling") << spot_design("polyester", 0.9955, 50) << "heat" << false << ForcedParts{{"vapour", true}}
                                             << 0.01;
         QTest::newRow("a small stain") << cotton << "growth" << true << ForcedParts{} << 0.01;
         QTest::newRow("wet all over") << sample(ExperimentType::drying, 600) << "growth" << false << ForcedParts{} << 0.01;

@@ -261,7 +261,7 @@ private Q_SLOTS:
     }
     void partsComeOnAtTheSameFrame()
     {
-        const Design design = spot_design("polyester", 0.9945, 200);
+        const Design design = spot_design("polyester", 0.9955, 200);
         RunOptions options;
         options.fidelity = Fidelity::draft;
         options.forced = {{"heat", false}};

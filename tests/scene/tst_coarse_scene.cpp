@@ -480,7 +480,7 @@ private Q_SLOTS:
     }
     void aPartThatWasLeftOutComesOn()
     {
-        const Design design = spot_design("polyester", 0.9945, 200);
+        const Design design = spot_design("polyester", 0.9955, 200);
         RunOptions options[2] = {in_bundles(1), in_bundles(2)};
         for (RunOptions& o : options) o.forced = {{"heat", false}}; // one part is enough
         const Run single = run(design, options[0]), bundled = run(design, options[1]);

@@ -376,7 +376,7 @@ private Q_SLOTS:
         experiment.volume_ul = 1;
         experiment.sample_mm = {16, 16};
         experiment.duration_s = 200;
-        experiment.climate = {21, 0.9945, 0};
+        experiment.climate = {21, 0.9955, 0};
         design->experiments = {experiment};
         Playback playback;
         const ResultsPanel panel(playback);
