@@ -70,12 +70,11 @@ void print_room(const Fabric& fabric, const FittedFabric& fitted)
 {
     const auto room = room_of(fabric, fitted);
     if (!room) return;
-    print_result("  room between yarns, drawn  {:.3g} of the layer; permeability {:.2g} m2 along the warp, {:.2g} along the weft\n",
+    print_result("  room between yarns         {:.3g} of the layer; permeability {:.2g} m2 along the warp, {:.2g} along the weft\n",
                  room->open, room->drawn.along_warp, room->drawn.along_weft);
     print_result("                             {} voxels from yarn to yarn change these by {:.0f} %\n", coarser_voxels, 100 * room->error);
     print_result("                             water fills it at a suction of {:.0f} Pa; at {:.0f} Pa it has emptied to a half\n",
                  room->filling, room->half);
-    print_result("                             runs take it with --set fidelity.room_voxels={}, else a formula\n", voxels_per_pitch);
 }
 
 } // namespace hygroloom

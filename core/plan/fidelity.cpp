@@ -62,7 +62,7 @@ constexpr KnobInfo table[] = {
      .meaning = "drops as particles that flow, or as caps that stand with a contact line; auto: as caps where the plan allows it",
      .words = drop_models},
     {.name = "room_voxels", .value = &Knobs::room_voxels, .unit = "",
-     .at = {0, 0, 0, 0}, .least = 0, .most = 48, .whole = true, .cheaper = 0, .finer = 16,
+     .at = {16, 16, 24, 32}, .least = 0, .most = 48, .whole = true, .cheaper = 16, .finer = 32,
      .meaning = "voxels from yarn to yarn in which the room between them is drawn, from 24 on with Stokes flow; 0: a formula that knows no weave"},
     {.name = "neglected_share", .value = &Knobs::neglected_share, .unit = "",
      .at = {0.02, 0.01, 0.001, 0}, .least = 0, .most = 0.5, .whole = false, .cheaper = 0.01, .finer = 0,

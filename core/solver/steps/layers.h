@@ -39,6 +39,7 @@ struct WickBetweenLayers : PairFlow {
 
 private:
     static constexpr int of_yarn = 7, of_room = usual_quarters_of_room; ///< see Way::power
+    static constexpr int of_face = 4;                                   ///< of a room's liquid the yarn touches as large a part as it fills
 
     HL_FN bool is_dry(int crossing) const
     {
@@ -48,7 +49,7 @@ private:
     HL_FN void with_room(int crossing, int segment, double conductance) const
     {
         const Side room = room_side(crossing), yarn = side(segment);
-        flow(room, yarn, {conductance * past_finish(yarn, room.suction()), yarn.suction() > room.suction() ? of_room : of_yarn, 0});
+        flow(room, yarn, {conductance * past_finish(yarn, room.suction()), yarn.suction() > room.suction() ? of_face : of_yarn, 0});
     }
     /// Share that the finish of the face that a yarn lies on leaves to liquid of a suction, Pa, whichever face the other layer touches.
     HL_FN double past_finish(const Side& yarn, double suction) const
