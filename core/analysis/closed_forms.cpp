@@ -40,8 +40,10 @@ double wet_bulb(const ClimateParameters& air)
 /// Whether there is still water outside the fibres when the constant-rate period ends at the latest.
 bool stays_wet(const Scene& scene)
 {
-    const double liquid = std::accumulate(scene.cloth.start.liquid.begin(), scene.cloth.start.liquid.end(), 0.0);
-    return liquid > 0 && steady_to * (liquid + scene.cloth.start.bound) >= scene.cloth.start.bound;
+    const ClothStart& start = scene.cloth.start;
+    const auto sum = [](const std::vector<double>& masses) { return std::accumulate(masses.begin(), masses.end(), 0.0); };
+    const double liquid = sum(start.liquid) + sum(start.between) + start.film;
+    return liquid > 0 && steady_to * (liquid + start.bound) >= start.bound;
 }
 
 } // namespace

@@ -125,7 +125,7 @@ private Q_SLOTS:
     {
         Design design = conditioning_design("wool", "wool");
         design.experiments[0].type = ExperimentType::drying;
-        design.experiments[0].initial_water_g_m2 = 300;
+        design.experiments[0].initial_water_g_m2 = 250;
         design.experiments[0].duration_s = 3600;
         const RunRecord run = run_of(design);
         const std::map<std::string, double> answers = closed_forms(run);
