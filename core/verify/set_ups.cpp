@@ -222,10 +222,11 @@ Design drop_on_cotton(double volume, double duration, double contact_angle)
     return design;
 }
 
-WholeRun run_whole(const Design& design, Fidelity fidelity, Backend& backend)
+WholeRun run_whole(const Design& design, Fidelity fidelity, Backend& backend, const KnobSettings& knobs)
 {
     RunOptions options;
     options.fidelity = fidelity;
+    options.knobs = knobs;
     RunControl control;
     WholeRun whole;
     MetricsCollector collector;

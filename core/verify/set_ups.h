@@ -60,6 +60,6 @@ struct WholeRun {
     Metrics metrics;
     Frame last;
 };
-WholeRun run_whole(const Design& design, Fidelity fidelity, Backend& backend);
+WholeRun run_whole(const Design& design, Fidelity fidelity, Backend& backend, const KnobSettings& knobs = {});
 
 } // namespace hygroloom

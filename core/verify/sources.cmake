@@ -23,7 +23,9 @@ target_sources(hygroloom_core PRIVATE
   verify/room_case.cpp
   verify/set_ups.cpp
   verify/evenness_case.cpp
+  verify/section_case.cpp
   verify/sett_case.cpp
+  verify/stain_case.cpp
   verify/swing_fit.cpp
   verify/tester_case.cpp
   verify/verify.cpp

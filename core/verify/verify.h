@@ -108,6 +108,8 @@ std::vector<VerifyCase> cap_cases();
 std::vector<VerifyCase> yarn_drop_cases();
 std::vector<VerifyCase> cloth_cases();
 std::vector<VerifyCase> sett_cases();
+std::vector<VerifyCase> section_cases();
+std::vector<VerifyCase> stain_cases();
 std::vector<VerifyCase> room_cases();
 std::vector<VerifyCase> evenness_cases();
 std::vector<VerifyCase> finish_cases();
