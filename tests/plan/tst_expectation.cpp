@@ -301,14 +301,14 @@ private Q_SLOTS:
     void whereTheClothHoldsLittleMoreParticlesAreLeft()
     {
         ModelPlan plan = plan_of(35);
+        plan.counts.uptake = 2e-9;
         const auto particles = [&](double pores, double base) {
             plan.counts.pores = pores;
             plan.counts.drop_base = base;
             return count_liquid(plan).particles;
         };
         const double dense = particles(1.1e-4, 3.0);
-        QVERIFY(particles(0.5e-4, 3.0) > 1.3 * dense); // thin
-        QVERIFY(particles(1.1e-4, 2.0) > 1.1 * dense); // open
+        QVERIFY(particles(0.5e-4, 3.0) > 1.3 * dense && particles(1.1e-4, 2.0) > 1.1 * dense); // thin; open
         plan.particles_per_droplet /= 8;
         QVERIFY(8 * particles(1.1e-4, 3.0) > 1.2 * dense); // coarse ones last longer
     }
@@ -361,16 +361,16 @@ private Q_SLOTS:
         QVERIFY(all > 300);
         QVERIFY2(within >= 0.9 * all, qPrintable(QString("%1 of %2").arg(within).arg(all)));
     }
-    // On these it is calibrated: counted with 1c1e975 and, by suction, with the program that absorbs drops as this one does. Ratios to the
-    // drop of 15 ul on textile F, from whose run others are estimated.
+    // Counts of other cloths than the estimate was calibrated on. Ratios to the drop on textile F, from whose run others are estimated.
     void countedDropsComeOutWithinHalf_data()
     {
         QTest::addColumn<QString>("counts");
         QTest::addColumn<int>("closure");
         QTest::addColumn<int>("all");
         QTest::addColumn<int>("most_outside");
-        QTest::newRow("kissa") << "drops.csv" << static_cast<int>(Closure::kissa) << 86 << 3;
-        QTest::newRow("pores") << "drops-pores.csv" << static_cast<int>(Closure::pores) << 59 << 20; // counted when rooms filled faster
+        QTest::newRow("kissa") << "drops.csv" << static_cast<int>(Closure::kissa) << 52 << 5;
+        QTest::newRow("pores") << "drops-pores.csv" << static_cast<int>(Closure::pores) << 41
+                               << 6; // flat filament is expected to wait up to 8 times as long
     }
     void countedDropsComeOutWithinHalf()
     {
