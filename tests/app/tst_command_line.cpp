@@ -407,7 +407,7 @@ private Q_SLOTS:
         const auto fabric = [](const QString& file) {
             return run_cli({"check", file, "--json"}).json()["fabrics"].toArray()[0].toObject();
         };
-        QCOMPARE(fabric(project), fabric(example("textile-F.hygro")));
+        for (const char* part : {"derived", "weave", "jam"}) QCOMPARE(fabric(project)[part], fabric(example("textile-F.hygro"))[part]);
     }
     void exportWritesMeshesAndSaysHowLarge()
     {

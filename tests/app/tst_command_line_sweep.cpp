@@ -144,7 +144,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString out = folder.filePath("out");
         const QByteArray two =
-            R"({ "path": "fabrics[0].ends_per_cm", "low": 26, "high": 36 }, { "path": "fabrics[0].contact_angle_deg", "low": 20, "high": 60 })";
+            R"({ "path": "fabrics[0].ends_per_cm", "low": 26, "high": 36 }, { "path": "fabrics[0].contact_angle_deg", "low": 20, "high": 40 })";
         const QString study = study_in(folder, two, R"({ "type": "latin_hypercube", "points": 12 })");
         QCOMPARE(run_cli({"sweep", drop, "--study", study, "-o", out, "--quiet"}).code, 0);
         Answer answer = run_cli({"sweep", "-o", out, "--analyse", "--json"});
@@ -156,7 +156,7 @@ private Q_SLOTS:
         const Answer early = run_cli({"sweep", "-o", part, "--analyse"});
         QVERIFY2(early.err.contains("6 of 12 runs have ended: shares will change"), early.err);
         const QJsonObject index = answer.json()["maximum_wetted_radius_top_mm"].toObject()["fabrics[0].ends_per_cm"].toObject();
-        QVERIFY(index["first"].toDouble() > 0.5); // more ends hold more water
+        QVERIFY(index["first"].toDouble() > 0.3); // more ends hold more water
         QCOMPARE(index["method"].toString(), QString("kriging surrogate"));
         answer = run_cli({"sweep", "-o", out, "--predict", "fabrics[0].ends_per_cm=30", "--json"});
         const QJsonObject radius = answer.json()["predictions"].toObject()["maximum_wetted_radius_top_mm"].toObject();
@@ -166,7 +166,7 @@ private Q_SLOTS:
         QVERIFY2(answer.code == 0, answer.err);
         const QJsonArray found = answer.json()["suggestions"].toArray();
         QCOMPARE(found.size(), 2);
-        QVERIFY(found[0].toObject()["point"].toObject()["fabrics[0].ends_per_cm"].toDouble() > 33);
+        QVERIFY(found[0].toObject()["value"].toDouble() < radius["value"].toDouble()); // smaller than in the middle of both ranges
     }
 
     void whatWouldBeLostOrIgnoredIsRefused()

@@ -198,7 +198,12 @@ private Q_SLOTS:
     void whatIsNeglectedDecidesTheParts()
     {
         QVERIFY(plan_with({}).on("heat"));
-        QVERIFY(!plan_with({{"neglected_share", 0.5}}).on("heat"));
+        Design polyester = drop_design();
+        polyester.fabrics[0].warp.material = polyester.fabrics[0].weft.material = {{"polyester", 1.0}};
+        for (double share : {0.0, 0.5})
+            QCOMPARE(plan_run(polyester, polyester.fabrics[0], polyester.experiments[0], Fidelity::draft, {}, {{"neglected_share", share}})
+                         .on("heat"),
+                     share == 0);
         QVERIFY(plan_with({{"neglected_share", 0.0}}, Fidelity::draft).on("vapour"));
     }
     void aWrongKnobIsRefusedInASentence()

@@ -120,9 +120,10 @@ private Q_SLOTS:
         };
         const Design cotton = striped(1, 0), polyester = striped(0, 1);
         for (const Design& mixed : {striped(3, 1), striped(1, 3), striped(1, 40)}) {
-            QCOMPARE(bound(mixed, "sorption"), bound(cotton, "sorption")); // thirstier than polyester, however few
-            QVERIFY(bound(mixed, "vapour") >= 0.999 * bound(cotton, "vapour"));
-            QVERIFY(bound(mixed, "vapour") <= 1.001 * bound(polyester, "vapour")); // of a finer yarn: less room, a larger stain
+            QCOMPARE(bound(mixed, "sorption"), bound(cotton, "sorption"));                      // thirstier than polyester, however few
+            const double worst = std::max(bound(cotton, "vapour"), bound(polyester, "vapour")); // the finer yarn gives less room
+            QVERIFY(bound(mixed, "vapour") >= 0.999 * std::min(bound(cotton, "vapour"), bound(polyester, "vapour")));
+            QVERIFY(bound(mixed, "vapour") <= 1.2 * worst); // the coarser one's thickness with the finer one's room
         }
     }
     void theThinnestYarnSetsHowFinelyATinyDropIsResolved()
@@ -278,13 +279,14 @@ private Q_SLOTS:
         QVERIFY2(reported[0].starts_with("Yarns side by side went in bundles: "), reported[0].c_str());
         QCOMPARE(reported[1], std::string("settle_share was set and had no effect: no drop falls."));
     }
-    /// Liquid runs between dry fibres up to 63 degrees where half of the yarn is fibre, to 76 where it is 0.7.
+    /// By the scatter of angles next to nothing runs between dry fibres from a mean of 76 degrees on where half of the yarn is fibre.
     void yarnsThatStayDryAreNoted()
     {
         Design design = drop_design();
         const auto notes = [&](double angle, Closure closure) {
             design.fabrics[0].contact_angle_deg = angle;
             design.experiments[0].closure = closure;
+            design.fabrics[0].warp.packing_factor = design.fabrics[0].weft.packing_factor = 0.35; // flattened in the cloth to 0.46
             return notes_of(plan_of(design));
         };
         const std::vector<std::string> dry = notes(80, Closure::pores);

@@ -202,7 +202,8 @@ private Q_SLOTS:
             QVERIFY(std::abs(emptying(suction_emptying(room, saturation)) - saturation) < 1e-12);
         }
     }
-    void theRoomBetweenTheYarnsOfTextileFIsAsComputedByHand() // 0.1141 mm of void
+    void theRoomBetweenTheYarnsOfTextileFIsAsComputedByHand() // 0.1683 mm of void: 0.4 less twice 0.2 mm yarns of 81 % of their area, 30 %
+                                                              // longer than the pitch
     {
         Experiment experiment = standard_experiment(ExperimentType::droplet);
         experiment.name = "drop";
@@ -215,14 +216,14 @@ private Q_SLOTS:
         const Scene scene = build_scene(design, textile, design.experiments[0], plan, 1);
         const BetweenParameters& between = scene.cloth.crossing[0].between;
         const auto within = [](double value, double expected) { return std::abs(value / expected - 1) < 0.005; };
-        QVERIFY(within(between.volume / scene.cloth.cell_area, 0.1141e-3));
+        QVERIFY(within(between.volume / scene.cloth.cell_area, 0.1683e-3));
         const Retention(&of)[wet_states] = between.retention;
-        QVERIFY2(within(of[both_wet].front, 1737), qPrintable(QString::number(of[both_wet].front)));
+        QVERIFY2(within(of[both_wet].front, 1127), qPrintable(QString::number(of[both_wet].front)));
         QVERIFY(of[both_wet].emptying > of[both_wet].front); // its receding angle is 0
         QVERIFY(of[0].front < of[1].front && of[1].front < of[both_wet].front);
         const double permeability =
             between.along_warp * scene.climate.viscosity * scene.cloth.weft_pitch / (textile.thickness * scene.cloth.warp_pitch);
-        QVERIFY2(within(permeability, 1.7 * 2.80e-11), qPrintable(QString::number(permeability)));
+        QVERIFY2(within(permeability, 1.7 * 6.57e-11), qPrintable(QString::number(permeability)));
         QVERIFY(std::abs(cosine_on_wet_yarn(0.5, 0.5) - (1 - 0.5 * (1 - std::cos(0.5)))) < 1e-15);
     }
     void stepsKeepAllWaterWithinItsBounds_data()

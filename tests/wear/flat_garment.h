@@ -44,6 +44,7 @@ struct Worn {
     WearExperiment wear;
     GarmentParts parts;
     Fidelity fidelity = Fidelity::standard;
+    std::optional<double> room_voxels; ///< in place of the fidelity's
 
     explicit Worn(const std::string& fabric = "Textile F") : design(library_design(fabric))
     {
@@ -61,7 +62,9 @@ struct Worn {
         parts.design = &design;
         parts.garment = &garment;
         parts.wear = &wear;
-        return garment_scene(parts, {knobs_of(fidelity), side, hangs, has_skin, shown});
+        Knobs knobs = knobs_of(fidelity);
+        if (room_voxels) knobs.room_voxels = *room_voxels;
+        return garment_scene(parts, {knobs, side, hangs, has_skin, shown});
     }
 };
 
