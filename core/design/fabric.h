@@ -73,7 +73,7 @@ struct Fabric {
     std::vector<YarnRun> warp_order; ///< one period, from end 0; empty: all ends alike
     std::vector<YarnRun> weft_order;
     std::optional<double> thickness_mm;
-    std::optional<double> warp_crimp_percent; ///< set; without it warp and weft share the crimp by their stiffness
+    std::optional<double> warp_crimp_percent; ///< set; without it warp and weft share the crimp: see fit_yarns()
     std::optional<double> weft_crimp_percent;
     Flyaway flyaway;
     std::optional<double> contact_angle_deg; ///< of the finish; without it, each yarn's fibres

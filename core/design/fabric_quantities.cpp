@@ -107,10 +107,10 @@ void note_section(std::vector<std::string>& notes, const std::string& name, cons
                                     "{:.3g} to {:.3g}.",
                                     name, section.width, pitch, free.packing_factor, fitted.packing_factor));
     else if (fitted.flattened)
-        notes.push_back(fmt::format("{} become {:.3g} mm wide, keeping their area.", name, section.width));
+        notes.push_back(fmt::format("{} become {:.3g} mm wide where they cross.", name, section.width));
     if (fitted.loosened > 1 + 1e-6)
         notes.push_back(fmt::format("{} are loosened from a packing of {:.3g} to {:.3g}, to fill the thickness.", name, free.packing_factor,
-                                    fitted.packing_factor));
+                                    free.packing_factor / fitted.loosened));
     if (fitted.area_share < 0.99)
         notes.push_back(fmt::format("{} have {:.0f} % of their area on average, as the crossed yarns squeeze them between crossings; they "
                                     "are packed to {:.3g}.",

@@ -78,7 +78,9 @@ UnknownInput packing(const Design& design, const Fabric& fabric, const Yarn& yar
 {
     const std::string size =
         yarn.linear_density_tex ? fmt::format("{:g} tex", *yarn.linear_density_tex) : fmt::format("{:g} mm", yarn.diameter_mm.value_or(0));
-    const std::string name = fmt::format("packing of the yarn of {}, {}, {:g} turns/m", fibres_of(yarn), size, yarn.twist_per_m);
+    const std::string plies = yarn.plies > 1 ? fmt::format(" x {}", yarn.plies) : std::string();
+    const std::string name = fmt::format("packing of the {} yarn of {}, {}{}, {:g} turns/m", info_of(yarn_class_of(design, yarn)).title,
+                                         fibres_of(yarn), size, plies, yarn.twist_per_m);
     const double given = packing_of(design, yarn);
     if (fabric.uncertainty.packing_factor)
         return either_way(name, given, *fabric.uncertainty.packing_factor, loosest_packing, densest_packing, "", given_by_user);
@@ -143,7 +145,9 @@ void draw_packing(Design& design, std::size_t fabric, const Value& value)
     for (Yarn* yarn : yarns_of(design.fabrics[fabric])) {
         if (!leaves_packing_open(*yarn)) continue;
         const UnknownInput input = packing(design, given, *yarn);
-        if (input.high > input.low) yarn->packing_factor = value(input);
+        if (!(input.high > input.low)) continue;
+        yarn->yarn_class = yarn_class_of(design, *yarn); // which a packing that is drawn would change
+        yarn->packing_factor = value(input);
     }
     if (!validate_and_fit(design).fabrics[fabric]) design = before;
 }

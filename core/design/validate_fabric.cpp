@@ -55,6 +55,18 @@ bool validate_blend(const Design& design, const Yarn& yarn, const std::string& w
     return list.errors() == before;
 }
 
+void validate_plies(const Yarn& yarn, const std::string& where, IssueList& list)
+{
+    list.range(where + ".plies", "number of plies", yarn.plies, 1, most_plies);
+    list.range(where + ".ply_twist_per_m", "twist of the plies", yarn.ply_twist_per_m, 0, 5000, "turns per metre");
+    if (yarn.yarn_class == YarnClass::monofilament && (yarn.filament_count || yarn.plies > 1))
+        list.error("range", where + (yarn.filament_count ? ".filament_count" : ".plies"),
+                   "A monofilament is one filament, without filament_count and of one ply.");
+    if (yarn.plies > yarn.fibres_per_yarn)
+        list.error("range", where + ".fibres_per_yarn",
+                   fmt::format("{} drawn fibres do not fill {} plies; give at least one for each.", yarn.fibres_per_yarn, yarn.plies));
+}
+
 void validate_yarn(const Design& design, const Yarn& yarn, const std::string& where, IssueList& list)
 {
     bool sound = validate_blend(design, yarn, where + ".material", list);
@@ -68,12 +80,8 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     list.range_if_given(where + ".filament_count", "number of filaments", yarn.filament_count, fewest_filaments, most_filaments);
     list.range(where + ".fibres_per_yarn", "number of drawn fibres", yarn.fibres_per_yarn, 1, 500);
     list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
-    list.range(where + ".plies", "number of plies", yarn.plies, 1, most_plies);
-    list.range(where + ".ply_twist_per_m", "twist of the plies", yarn.ply_twist_per_m, 0, 5000, "turns per metre");
+    validate_plies(yarn, where, list);
     list.range_if_given(where + ".irregularity_cv", "coefficient of variation of the linear density", yarn.irregularity_cv, 0, 0.4);
-    if (yarn.plies > yarn.fibres_per_yarn)
-        list.error("range", where + ".fibres_per_yarn",
-                   fmt::format("{} drawn fibres do not fill {} plies; give at least one for each.", yarn.fibres_per_yarn, yarn.plies));
 
     sound = sound && list.errors() == before;
     for (const std::string& name : materials_in(yarn)) {
@@ -149,7 +157,7 @@ void warn_of_closed_yarns(const FittedFabric& fabric, const std::string& where, 
         const auto& numbers = (warp ? fabric.yarns.warp_order : fabric.yarns.weft_order).yarns;
         for (std::size_t i = 0; i < yarns.size(); ++i) {
             const double packing = scale * yarns[i].packing_factor;
-            if (packing < closest_round_fibres) continue;
+            if (packing < closest_round_fibres || yarns[i].yarn_class == YarnClass::monofilament) continue;
             const std::string yarn = numbers[i] > 0 ? fmt::format(".extra_yarns[{}]", numbers[i] - 1) : warp ? ".warp" : ".weft";
             list.add(
                 Severity::warning, "closed_yarns", where + yarn + ".packing_factor",

@@ -12,9 +12,9 @@ YarnClass yarn_class_of(const Design& design, const Yarn& yarn)
 {
     constexpr double flat_from = 0.6;
     if (yarn.yarn_class) return *yarn.yarn_class;
-    if (is_filament(design, yarn))
-        return yarn.packing_factor.value_or(info_of(YarnClass::flat).packing) < flat_from ? YarnClass::textured : YarnClass::flat;
-    return yarn.plies > 1 ? YarnClass::plied : YarnClass::ring;
+    if (!is_filament(design, yarn)) return yarn.plies > 1 ? YarnClass::plied : YarnClass::ring;
+    const double by_count = yarn.diameter_mm ? default_packing_factor : info_of(YarnClass::flat).packing;
+    return yarn.packing_factor.value_or(by_count) < flat_from ? YarnClass::textured : YarnClass::flat;
 }
 
 namespace {

@@ -26,8 +26,8 @@ constexpr std::array<YarnClassInfo, yarn_classes> yarn_class_infos{{
 }};
 constexpr const YarnClassInfo& info_of(YarnClass kind) { return yarn_class_infos[static_cast<std::size_t>(kind)]; }
 
-/// As the yarn says; else one of filaments is flat from a given packing of 0.6 on, or of none, and
-/// textured below; of staple yarns several plies make a plied one, and one a ring spun one.
+/// As the yarn says; else one of filaments is flat from a packing of 0.6 on, given or assumed, and textured below; of staple yarns several
+/// plies make a plied one, and one a ring spun one.
 YarnClass yarn_class_of(const Design& design, const Yarn& yarn);
 
 /// As given; of a yarn of given diameter default_packing_factor; else that of its class: of ring spun yarn 0.60 (t/3800)^1/4 from 0.45 to

@@ -309,14 +309,11 @@ FreeYarn free_yarn(const Design& design, const Yarn& yarn)
 double usual_shape(const Design& design, const Yarn& yarn, const FreeYarn& free)
 {
     if (yarn.diameter_mm) return 1;
-    constexpr double flat = 0.30, textured = 0.40, flat_from = 0.65, textured_to = 0.55, plied = 0.80, looser_spun = 0.03;
+    constexpr double flat = 0.30, textured = 0.40, plied = 0.80, looser_spun = 0.03;
     const YarnClass kind = yarn_class_of(design, yarn);
     if (kind == YarnClass::monofilament) return 1;
-    if (kind >= YarnClass::flat) {
-        if (yarn.yarn_class) return kind == YarnClass::flat ? flat : textured;
-        const double loose = std::clamp((flat_from - free.packing_factor) / (flat_from - textured_to), 0.0, 1.0);
-        return flat + loose * (textured - flat);
-    }
+    if (kind == YarnClass::flat) return flat;
+    if (kind == YarnClass::textured) return textured;
     if (kind == YarnClass::plied) return plied;
     constexpr double untwisted = 0.35, hard_twisted = 0.86, hard = 4600, course = 1600; // twist times the root of tex
     const double twist = std::min(hard, yarn.twist_per_m * std::sqrt(free.linear_density_tex));
@@ -398,6 +395,8 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             if (const auto& filaments = yarn_in(fabric, warp, number).filament_count)
                 yarn.fibre.fibre_radius_um =
                     filament_radius_um((1 - yarn.core) * yarn.free.linear_density_tex, *filaments, yarn.fibre.density_kg_m3);
+            if (yarn.yarn_class == YarnClass::monofilament)
+                yarn.fibre.fibre_radius_um = filament_radius_um(yarn.free.linear_density_tex, 1, yarn.fibre.density_kg_m3);
             (warp ? fitted.warp : fitted.weft).push_back(yarn);
         }
     }

@@ -16,8 +16,8 @@ constexpr double widest_share_of_pitch = 0.98;  ///< neighbours leave this much 
 constexpr double loosest_packing = 0.01;        ///< fibre volume / yarn volume of a free yarn, at least
 constexpr double densest_packing = 0.99;        ///< the same at most: fibres that fit each other, or hardly more than one
 constexpr double loosest_in_cloth = 0.45;       ///< the same that a given thickness can loosen a yarn to; an assumption
-constexpr double pressed_height = 0.925;        ///< of its free height that a yarn has in cloth at 1 kPa: 0.9 where two cross, 0.95 beyond
 constexpr double densest_squeezed = 0.85;       ///< the same that a looser yarn can be squeezed to
+constexpr double pressed_height = 0.925;        ///< of its free height that a yarn has in cloth at 1 kPa: 0.9 where two cross, 0.95 beyond
 constexpr double closest_round_fibres = 0.9069; ///< pi / (2 sqrt 3): round fibres of one size that touch all round
 constexpr std::size_t most_yarn_types = 16;     ///< different yarns in one system, colour apart
 
@@ -36,8 +36,7 @@ FreeYarn free_yarn(const Design& design, const Yarn& yarn);
 /// Height over width of a yarn's section in cloth. One that is given by its diameter is round. Spun yarn by its twist times the root of its
 /// tex, t: e = 0.35 + 0.51 (1 - exp(-t/1600)) / (1 - exp(-4600/1600)), whose ends, 0.35 untwisted and 0.86 at 4600, were measured
 /// (Afrashteh, Merati and Jeddi 2013) and whose course between them is an assumption; rotor yarn 0.03 less; plied yarn 0.8, as its plies
-/// keep it round; a monofilament is round. Filaments lie flatter: flat ones 0.3, textured ones 0.4; where the yarn does not say which,
-/// between both from a packing of 0.65 to 0.55; assumptions.
+/// keep it round; a monofilament is round. Filaments lie flatter: flat ones 0.3, textured ones 0.4; assumptions.
 double usual_shape(const Design& design, const Yarn& yarn, const FreeYarn& free);
 
 /// Packing of the fibres in the room that a solid core leaves them, which is so much of a yarn's solids.
@@ -69,7 +68,7 @@ struct FittedYarn {
     double shape = 1;       ///< height over width where nothing but the weave presses it: see usual_shape()
     bool soft = false;      ///< given by its count and of many fibres: the cloth presses it, and a given thickness loosens it
     double loosened = 1;    ///< its area over that of the free yarn, to fill a given thickness
-    double in_floats = 1;   ///< how much wider it lies than that: see widening_by_floats()
+    double in_floats = 1;   ///< how much wider it lies in floats: see widening_by_floats()
     bool flattened = false; ///< by the thickness, the crimp or the neighbours
     bool narrowed = false;  ///< by the neighbours
 

@@ -58,7 +58,7 @@ inline double entry_across_fibres(double packing, double contact_angle, double a
 {
     if (!(apart > 0)) return 1.0;
     constexpr double over = 5.0; // degrees, over which it fades
-    constexpr double packings[] = {0.70, 0.75, 0.80, 0.85}, angles[] = {0.0, 19.0, 30.0, 36.0};
+    constexpr double packings[] = {0.70, 0.75, 0.80, 0.85}, angles[] = {-over, 19.0, 30.0, 36.0};
     double widest = packing < packings[0] ? -over : packing >= packings[3] ? angles[3] : 0.0;
     for (int i = 0; i < 3; ++i)
         if (packing >= packings[i] && packing < packings[i + 1])

@@ -30,6 +30,13 @@ bool told_shape(const Fabric& fabric)
     return told(fabric.warp) && told(fabric.weft) && std::all_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), told);
 }
 
+/// Whether all yarns are spun, of a given diameter: packed and round as that says.
+bool sized_and_spun(const Fabric& fabric)
+{
+    const auto sized = [](const Yarn& yarn) { return yarn.diameter_mm && yarn.yarn_class && *yarn.yarn_class < YarnClass::flat; };
+    return sized(fabric.warp) && sized(fabric.weft) && std::all_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), sized);
+}
+
 struct Row {
     bool idle;
     const char* because;
@@ -52,6 +59,7 @@ std::vector<Row> rows_of(const Fabric& fabric, const Experiment& experiment, con
         {lie_alike && (!by_suction || !meets_liquid(experiment)),
          "sections of filament yarns and of given diameters do not follow it",
          {"yarn.twist_per_m", "yarn.plies"}},
+        {sized_and_spun(fabric), "spun yarns of given diameters are packed as these say, and round", {"yarn.yarn_class"}},
         {by_suction, "the closure pores has radii from fibres and packing", {"fabric.capillary_radius_um"}},
         {by_suction && falling_drops(experiment).empty(),
          "no drop falls, which hairs would hold off",

@@ -32,8 +32,8 @@ DrawnLayer drawn_layer(const Textile& period, int voxels);
 /// Of the cloth, what lies outside yarns that have grown so much; a voxel that a skin cuts counts in part.
 double share_outside(const DrawnLayer& layer, double growth);
 
-/// By how much the yarns must grow evenly, more than 0, or shrink, for this share of the layer to lie outside them: drawn yarns are
-/// squeezed between crossings, where real ones keep their area.
+/// By how much the yarns must grow evenly, more than 0, or shrink, for this share of the layer to lie outside them: voxels and
+/// sections between samples differ a little from the volumes.
 double growth_to_share(const DrawnLayer& layer, double share);
 
 /// What bounds the room at each crossing once the yarns have grown so much, m2: their skin where neither another yarn covers it nor it lies

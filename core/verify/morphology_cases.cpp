@@ -67,8 +67,7 @@ struct Reason {
 const Reason of_yarns{"Drawn fibres crowd at the axis and leave wide pores between; a disc leaves out how menisci bend across a pore.", 6,
                       4.5, 5.5, 3};
 const Reason of_plies{"Plies are drawn into half of the outline, through each other; most of the pores lie between plies.", 80, 45, 5.5, 3};
-const Reason of_room{"Hollows of both faces empty first, air comes from both, and drawn yarns are squeezed between crossings.", 1, 7.5, 1,
-                     1};
+const Reason of_room{"Hollows of both faces empty first, and air comes from both.", 1, 7.5, 1, 1};
 
 VerifyResult compared(const std::string& name, double closure, double geometry, double tolerance, double most, const std::string& why)
 {

@@ -5,6 +5,7 @@
 #include "core/design/yarn_sections.h"
 #include "core/verify/verify.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hygroloom {
@@ -24,7 +25,7 @@ std::vector<VerifyResult> section(const VerifyValues& v, Backend&)
     const double straight = untwisted + (twisted - untwisted) * std::min(1.0, factor / hard), rounder = std::min(1.0, straight + 0.2);
     const double round = std::sqrt(4 * area / pi), racetrack = area / height + (1 - 0.25 * pi) * height;
     return {{"height_over_width", shape, 0.5 * (straight + rounder), 0.5 * (rounder - straight) + 1e-9},
-            {"width_mm", flattened_section(round, height).width, height < round ? racetrack : round, 1e-9 * round}};
+            {"width_mm", flattened_section(round, std::min(height, round)).width, height < round ? racetrack : round, 1e-9 * round}};
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The shape of a stain, which neither a step's length nor the order of warp and weft may give.
+// The shape of a stain, which a step's length may not give.
 #include "core/base/error.h"
 #include "core/plan/fidelity.h"
 #include "core/verify/set_ups.h"
@@ -11,9 +11,10 @@
 namespace hygroloom {
 namespace {
 
-StainShape shape_of(const Design& design, Backend& backend, double error)
+/// change: of saturation, that steps aim at.
+StainShape shape_of(const Design& design, Backend& backend, double change)
 {
-    const WholeRun run = run_whole(design, Fidelity::draft, backend, {{"step_error", error}});
+    const WholeRun run = run_whole(design, Fidelity::draft, backend, {{"saturation_change", change}});
     if (!run.metrics.shape) throw Error("stain_shape: fewer than 12 crossings are wet, which have no shape. A larger volume_ul wets more.");
     return *run.metrics.shape;
 }
@@ -27,7 +28,7 @@ std::vector<VerifyResult> drop_stain(const VerifyValues& v, Backend& backend)
     experiment.droplets[0].volume_ul = volume;
     experiment.duration_s = value(v, "time_s");
     const Design design = design_of(of_even_yarns(library_fabric(v.at("fabric").word)), experiment);
-    const double usual = knobs_of(Fidelity::draft).step_error;
+    const double usual = knobs_of(Fidelity::draft).saturation_change;
     const StainShape coarse = shape_of(design, backend, usual), fine = shape_of(design, backend, 0.5 * usual);
     return {{"aspect", coarse.aspect, fine.aspect, 0.02 * fine.aspect},
             {"armness", coarse.armness, fine.armness, 0.01},
@@ -39,7 +40,7 @@ std::vector<VerifyResult> drop_stain(const VerifyValues& v, Backend& backend)
 std::vector<VerifyCase> stain_cases()
 {
     return {{"stain_shape",
-             "The stain of a drop: how long it is, how far from an ellipse, and how full, against half the error a step.",
+             "The stain of a drop: how long it is, how far from an ellipse, and how full, against steps half as long.",
              {{"fabric", 0, 0, 0, "Poplin shirting"}, {"volume_ul", 6, 1, 500, ""}, {"time_s", 10, 0.1, 600, ""}},
              drop_stain}};
 }

@@ -10445,7 +10445,7 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Packungsdichte</translation>
     </message>
     <message>
-        <source>Fibre volume divided by yarn volume: 0.5 to 0.65 for spun yarns.</source>
+        <source>Fibre volume divided by yarn volume: 0.45 to 0.68 for spun yarns.</source>
         <translation>Faservolumen geteilt durch Garnvolumen: 0.5 bis 0.65 bei Spinnfasergarnen.</translation>
     </message>
     <message>

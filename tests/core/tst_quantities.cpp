@@ -102,6 +102,11 @@ private Q_SLOTS:
         filament.yarn_class.reset();
         filament.packing_factor = 0.5;
         QVERIFY(kind(filament) == YarnClass::textured);
+        filament.packing_factor.reset();
+        filament.diameter_mm = 0.1;
+        QVERIFY2(kind(filament) == YarnClass::textured, "as the packing of 0.5 says that its diameter assumes");
+        filament.diameter_mm.reset();
+        filament.packing_factor = 0.5;
         filament.yarn_class = YarnClass::monofilament;
         QCOMPARE(usual_shape({}, filament, free_yarn({}, filament)), 1.0);
         filament.yarn_class = YarnClass::ring; // of staple, though hardly twisted

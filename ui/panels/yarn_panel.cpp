@@ -139,7 +139,7 @@ void YarnPanel::addSizes()
                                          y.packing_factor = v;
                                          if (v && y.diameter_mm && y.linear_density_tex) { y.diameter_mm.reset(); }
                                      },
-                                     tr("Fibre volume divided by yarn volume: 0.5 to 0.65 for spun yarns.")),
+                                     tr("Fibre volume divided by yarn volume: 0.45 to 0.68 for spun yarns.")),
                                  true);
 }
 
