@@ -78,9 +78,11 @@ UnknownInput packing(const Design& design, const Fabric& fabric, const Yarn& yar
 {
     const std::string size =
         yarn.linear_density_tex ? fmt::format("{:g} tex", *yarn.linear_density_tex) : fmt::format("{:g} mm", yarn.diameter_mm.value_or(0));
+    const YarnClass kind = yarn_class_of(design, yarn);
+    const std::string made = kind == YarnClass::ring ? "" : fmt::format("{} ", info_of(kind).title);
     const std::string plies = yarn.plies > 1 ? fmt::format(" x {}", yarn.plies) : std::string();
-    const std::string name = fmt::format("packing of the {} yarn of {}, {}{}, {:g} turns/m", info_of(yarn_class_of(design, yarn)).title,
-                                         fibres_of(yarn), size, plies, yarn.twist_per_m);
+    const std::string name =
+        fmt::format("packing of the {}yarn of {}, {}{}, {:g} turns/m", made, fibres_of(yarn), size, plies, yarn.twist_per_m);
     const double given = packing_of(design, yarn);
     if (fabric.uncertainty.packing_factor)
         return either_way(name, given, *fabric.uncertainty.packing_factor, loosest_packing, densest_packing, "", given_by_user);

@@ -224,7 +224,7 @@ double step_of(const ModelPlan& plan, double spacing)
     return plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
 }
 
-/// Drops that fall one after the other, are absorbed as they lie, and sleep for most of that time. Shares were set on drops-pores.csv;
+/// Drops that fall one after the other, are absorbed as they lie, and sleep for most of that time. Shares were set on 59 such drops;
 /// swings and flowing time are 0.4 of that, so that measured times of drops and of yarns are alike multiples of their counts. Of the steps
 /// that the shipped scenes took 0.24 to 1.09 are counted, which a measured run near by makes up for.
 LiquidCount count_by_suction(const ModelPlan& plan, double stays)

@@ -70,8 +70,7 @@ inline double swing_of(const SceneCounts& scene, double volume)
 }
 
 /// Until cloth with the closure pores has absorbed a drop, s: some swings, and longer where the cloth under it must hand liquid on that it
-/// cannot hold. Set on the absorbency times of the 54 drops of tests/data/liquid_counts/drops-pores.csv that were absorbed, of which half
-/// come out within a factor of 1.5. Steps depend less on it.
+/// cannot hold. Set on the absorbency times of 54 drops, of which half come out within a factor of 1.5. Steps depend less on it.
 inline double absorbed_by_suction_in(const SceneCounts& scene)
 {
     constexpr double swings = 9.8, uptakes = 0.155, power = 1.5;

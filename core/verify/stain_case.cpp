@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The shape of a stain, which a step's length may not give.
 #include "core/base/error.h"
-#include "core/plan/fidelity.h"
+#include "core/run/plan_run.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
 
