@@ -195,8 +195,8 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
     for (bool warp_up : {false, true}) {
         const std::optional<double>&of_warp = warp_up ? textile.face_angle : textile.back_angle,
               &of_weft = warp_up ? textile.back_angle : textile.face_angle;
-        const double by_warp = attraction(warp_type, textile, room.warp_skin, of_warp),
-                     by_weft = attraction(weft_type, textile, room.weft_skin, of_weft);
+        const double by_warp = std::max(0.0, attraction(warp_type, textile, room.warp_skin, of_warp)),
+                     by_weft = std::max(0.0, attraction(weft_type, textile, room.weft_skin, of_weft));
         if (by_warp + by_weft > 0) between.on_warp[warp_up] = by_warp / (by_warp + by_weft);
     }
     return between;
