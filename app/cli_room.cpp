@@ -5,6 +5,7 @@
 
 #include "core/base/units.h"
 #include "core/physics/water.h"
+#include "core/plan/fidelity.h"
 #include "core/scene/suction.h"
 
 #include <nlohmann/json.hpp>
@@ -16,7 +17,8 @@
 namespace hygroloom {
 namespace {
 
-constexpr int voxels_per_pitch = 16, coarser_voxels = 11;
+/// As a draft has them, and fewer to tell the error by.
+const int voxels_per_pitch = static_cast<int>(knobs_of(Fidelity::draft).room_voxels), coarser_voxels = voxels_per_pitch * 11 / 16;
 
 struct Room {
     double seconds = 0; ///< that it took, less where it was found before

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/base/units.h"
 #include "core/design/fitted_fabric.h"
+#include "core/design/validate.h"
 #include "core/design/yarn_class.h"
 #include "core/project/project_file.h"
 
@@ -109,6 +110,14 @@ private Q_SLOTS:
         filament.packing_factor = 0.5;
         filament.yarn_class = YarnClass::monofilament;
         QCOMPARE(usual_shape({}, filament, free_yarn({}, filament)), 1.0);
+        Design nets;
+        nets.fabrics.resize(1);
+        nets.fabrics[0].warp = filament;
+        const FittedYarn one = fit_yarns(nets, nets.fabrics[0]).warp[0];
+        QVERIFY2(near(one.fibre.fibre_radius_um, 500 * one.free.diameter * std::sqrt(one.free.packing_factor), 1e-6), "one fibre");
+        nets.fabrics[0].warp.plies = 3;
+        const std::vector<Issue> issues = validate(nets);
+        QVERIFY(std::any_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.where == "fabrics[0].warp.plies"; }));
         filament.yarn_class = YarnClass::ring; // of staple, though hardly twisted
         QVERIFY(!is_filament({}, filament) && typical_unevenness({}, filament).cv > 0.05);
 
