@@ -39,15 +39,15 @@ hid_t single()
     return space;
 }
 
-/// Of arrays that are compressed.
-Handle packed_properties(const std::vector<hsize_t>& sizes)
+/// Of arrays that are compressed, so many rows in one, to this of zlib's levels.
+Handle packed_properties(const std::vector<hsize_t>& sizes, hsize_t most_rows, unsigned level)
 {
     Handle properties(H5Pcopy(untimed()), H5Pclose, "the recording cannot be written");
     std::vector<hsize_t> chunk = sizes;
-    chunk[0] = std::min<hsize_t>(chunk[0], 65536);
+    chunk[0] = std::min(chunk[0], most_rows);
     H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
     H5Pset_shuffle(properties.get());
-    H5Pset_deflate(properties.get(), 4);
+    H5Pset_deflate(properties.get(), level);
     return properties;
 }
 
@@ -56,7 +56,7 @@ void write_array(hid_t parent, const std::string& name, hid_t type, const void* 
     const Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose,
                        "the recording cannot be written");
     constexpr hsize_t least_packed = 1024;
-    const Handle packed = sizes[0] >= least_packed ? packed_properties(sizes) : Handle();
+    const Handle packed = sizes[0] >= least_packed ? packed_properties(sizes, 65536, 4) : Handle();
     const Handle set(
         H5Dcreate2(parent, name.c_str(), type, space.get(), H5P_DEFAULT, packed.get() >= 0 ? packed.get() : untimed(), H5P_DEFAULT),
         H5Dclose, "the recording cannot be written: no room for \"" + name + "\"");
@@ -127,6 +127,16 @@ void write_floats(hid_t parent, const std::string& name, const float* values, hs
 void write_doubles(hid_t parent, const std::string& name, const std::vector<double>& values, const char* unit)
 {
     write_array(parent, name, H5T_NATIVE_DOUBLE, values.data(), {values.size()}, unit);
+}
+
+void write_rows(hid_t parent, const std::string& name, const std::vector<std::uint32_t>& values, hsize_t rows)
+{
+    const std::vector<hsize_t> sizes{rows, values.size() / rows};
+    const Handle space(H5Screate_simple(2, sizes.data(), nullptr), H5Sclose, "the recording cannot be written");
+    const Handle set(
+        H5Dcreate2(parent, name.c_str(), H5T_STD_U32LE, space.get(), H5P_DEFAULT, packed_properties(sizes, 1, 5).get(), H5P_DEFAULT),
+        H5Dclose, "the recording cannot be written: no room for \"" + name + "\"");
+    check(H5Dwrite(set.get(), H5T_NATIVE_UINT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "the recording cannot be written");
 }
 
 void write_ints(hid_t parent, const std::string& name, const std::vector<int>& values)

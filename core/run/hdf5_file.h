@@ -4,6 +4,7 @@
 
 #include <hdf5.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,8 @@ void write_number(hid_t parent, const std::string& name, double value);         
 /// Compressed where that pays.
 void write_floats(hid_t parent, const std::string& name, const float* values, hsize_t rows, hsize_t columns, const char* unit);
 void write_doubles(hid_t parent, const std::string& name, const std::vector<double>& values, const char* unit);
+/// Row after row, each packed alone. Preconditions: some rows, of as many values each; at least one.
+void write_rows(hid_t parent, const std::string& name, const std::vector<std::uint32_t>& values, hsize_t rows);
 void write_ints(hid_t parent, const std::string& name, const std::vector<int>& values);
 
 /// A table of doubles that grows by rows.

@@ -44,6 +44,12 @@ void unshuffle(std::vector<unsigned char>& bytes, std::size_t size)
 {
     const std::vector<unsigned char> shuffled = bytes;
     const std::size_t count = bytes.size() / size;
+    if (size == 4) { // twice as quick
+        const unsigned char* const from = shuffled.data();
+        for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t k = 0; k < 4; ++k) bytes[4 * i + k] = from[k * count + i];
+        return;
+    }
     for (std::size_t k = 0; k < size; ++k)
         for (std::size_t i = 0; i < count; ++i) bytes[i * size + k] = shuffled[k * count + i];
 }
@@ -78,6 +84,7 @@ void read_packed_rows(hid_t set, hid_t properties, const PackedRows& of, const T
     const Filters filters = filters_of(properties, place);
     std::vector<unsigned char> plain;
     std::vector<hsize_t> offset(of.dimensions, 0);
+    offset[0] = of.first;
     for (hsize_t& row = offset[0]; row < of.rows; row += of.rows_of_chunk) {
         plain.resize(of.rows_of_chunk * of.row_bytes);
         read_chunk(set, offset.data(), filters, of.value_bytes, plain, place);

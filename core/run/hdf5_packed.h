@@ -13,6 +13,7 @@ struct PackedRows {
     hsize_t rows, rows_of_chunk;
     std::size_t dimensions; ///< of the set
     std::size_t row_bytes, value_bytes;
+    hsize_t first = 0; ///< that is read, at a chunk's beginning
 };
 
 using TakeRows = std::function<void(hsize_t first, hsize_t count, const unsigned char* bytes)>;

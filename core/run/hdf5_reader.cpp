@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace hygroloom::hdf5 {
 namespace {
@@ -44,6 +45,8 @@ bool is_plain_float(hid_t type)
     return H5Tequal(type, H5T_IEEE_F64LE) > 0 || H5Tequal(type, H5T_IEEE_F32LE) > 0 || H5Tequal(type, H5T_IEEE_F64BE) > 0 ||
            H5Tequal(type, H5T_IEEE_F32BE) > 0;
 }
+
+bool is_whole_number(hid_t type) { return H5Tequal(type, H5T_STD_U32LE) > 0; }
 
 bool is_fixed_text(hid_t type) { return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0; }
 
@@ -199,6 +202,17 @@ std::vector<float> read_triples(hid_t parent, const std::string& name, hsize_t m
     const Checked of = checked(parent, name, is_plain_float, "a set of numbers", {any, 3});
     if (of.sizes[0] > most_rows) refuse(of.place, fmt::format("has {}; a file of this size cannot hold them.", text_of(of.sizes)));
     return floats_of(of);
+}
+
+std::vector<std::uint32_t> read_row(hid_t parent, const std::string& name, hsize_t rows, hsize_t columns, hsize_t row)
+{
+    const Checked of = checked(parent, name, is_whole_number, "a set of whole numbers", {rows, columns});
+    if (!of.is_packed || of.chunk != std::vector<hsize_t>{1, columns}) refuse(of.place, "is not packed row by row.");
+    std::vector<std::uint32_t> values(columns);
+    const std::size_t bytes = columns * sizeof values[0];
+    const TakeRows take = [&](hsize_t, hsize_t, const unsigned char* from) { std::memcpy(values.data(), from, bytes); };
+    read_packed_rows(of.set.get(), of.properties.get(), {row + 1, 1, of.sizes.size(), bytes, sizeof values[0], row}, take, of.place);
+    return values;
 }
 
 Table::Table(hid_t parent, const std::string& name, hsize_t least_columns, hsize_t most_columns)

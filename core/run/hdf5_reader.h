@@ -24,6 +24,9 @@ std::vector<float> read_floats(hid_t parent, const std::string& name, hsize_t ex
 /// Any number of rows of 3, up to a limit; x, y and z of one after those of another.
 std::vector<float> read_triples(hid_t parent, const std::string& name, hsize_t most_rows);
 
+/// One row of so many whole numbers, of a set that holds so many of these, each packed alone. Precondition: row < rows.
+std::vector<std::uint32_t> read_row(hid_t parent, const std::string& name, hsize_t rows, hsize_t columns, hsize_t row);
+
 /// A table of doubles, read by rows. It must outlive no file that it is of.
 class Table {
 public:

@@ -6,6 +6,7 @@
 #include "core/plan/bundles.h"
 #include "core/plan/plan_json.h"
 #include "core/project/project_file.h"
+#include "core/run/frame_changes.h"
 #include "core/run/hdf5_reader.h"
 #include "core/run/recording_layout.h"
 #include "core/run/recording_source.h"
@@ -171,6 +172,7 @@ struct Recording::File {
     bool finished = false;
     bool in_bundles = false;                  ///< its frames' values
     std::optional<YarnsOfBundles> of_bundles; ///< of these, from the first frame that is read
+    std::optional<ChangesReader> changes;     ///< where some frames hold these
     std::vector<StoredFrame> frames;
     std::vector<Ledger> ledgers; ///< of the frames
     std::vector<std::string> problems;
@@ -183,6 +185,7 @@ struct Recording::File {
     void require_order();
     /// Bytes that the values of one frame may take.
     std::uint64_t room() const { return base_frame_bytes + 3 * source.size(); }
+    std::vector<float> values_of(const StoredFrame& stored, const FrameField& field, std::size_t count);
     Frame values_of(const StoredFrame& stored, std::span<const FrameField> fields);
 };
 
@@ -244,6 +247,16 @@ std::vector<WetEnd> read_wet(hid_t group, int ends, int picks)
     return wet;
 }
 
+std::vector<float> Recording::File::values_of(const StoredFrame& stored, const FrameField& field, std::size_t count)
+{
+    if (changes) {
+        const h5::Handle all = h5::open_group(file.get(), "frames");
+        if (auto values = changes->values(all.get(), stored.number, field.name, count)) return std::move(*values);
+    }
+    const bool is_older = field.absent && !h5::exists(stored.group.get(), field.name);
+    return is_older ? std::vector<float>(count, *field.absent) : h5::read_floats(stored.group.get(), field.name, count);
+}
+
 Frame Recording::File::values_of(const StoredFrame& stored, std::span<const FrameField> fields)
 {
     const hid_t g = stored.group.get();
@@ -253,14 +266,14 @@ Frame Recording::File::values_of(const StoredFrame& stored, std::span<const Fram
     frame.water_bottom = h5::read_number(g, "water_bottom_kg");
     if (in_bundles && !of_bundles) of_bundles.emplace(run.textile, run.plan.crossings_per_cell);
     const std::size_t n = of_bundles ? of_bundles->segments() : static_cast<std::size_t>(run.textile.segments());
-    for (const FrameField& field : fields) {
-        const bool is_older = field.absent && !h5::exists(g, field.name);
-        field.in(frame) = is_older ? std::vector<float>(n, *field.absent) : h5::read_floats(g, field.name, n);
-    }
+    for (const FrameField& field : fields) field.in(frame) = values_of(stored, field, n);
     frame.ledger = stored.ledger;
     const std::uint64_t left = room() - sizeof(float) * std::size(frame_fields) * n; // the constructor saw that they fit
     const hsize_t most = left / (4 * sizeof frame.positions[0]);
-    const std::vector<float> x = h5::read_triples(g, "particle_position", most), v = h5::read_triples(g, "particle_velocity", most);
+    const auto triples = [&](const char* name) {
+        return changes && !h5::exists(g, name) ? std::vector<float>() : h5::read_triples(g, name, most);
+    };
+    const std::vector<float> x = triples("particle_position"), v = triples("particle_velocity");
     if (x.size() != v.size()) throw FileError(fmt::format("it has {} particles, and velocities of {}.", x.size() / 3, v.size() / 3));
     for (std::size_t i = 0; i < x.size(); i += 3) {
         frame.positions.push_back({x[i], x[i + 1], x[i + 2]});
@@ -302,7 +315,8 @@ try : file_(std::make_unique<File>(path)) {
     f.source.release_index();
     f.require_order();
     rebuild_textile(f.run, project);
-    f.in_bundles = version >= recording_version;
+    if (version > recording_version_bundles) f.changes.emplace(f.file.get());
+    f.in_bundles = f.changes ? f.changes->in_bundles() : version == recording_version_bundles;
     if (sizeof(float) * std::size(frame_fields) * static_cast<std::uint64_t>(f.run.textile.segments()) > f.room())
         throw FileError(
             fmt::format("the recording's cloth has {} segments; a file of this size cannot hold their values.", f.run.textile.segments()));

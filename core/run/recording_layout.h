@@ -10,9 +10,10 @@
 
 namespace hygroloom {
 
-constexpr int recording_version = 3;       ///< of recordings whose frames are those of bundles
-constexpr int recording_version_cells = 2; ///< of recordings whose frames show cells
-constexpr int recording_version_plain = 1; ///< of others, which older programs read, too
+constexpr int recording_version = 4;         ///< of recordings with frames that hold changes
+constexpr int recording_version_bundles = 3; ///< of others whose frames are those of bundles
+constexpr int recording_version_cells = 2;   ///< of others whose frames show cells
+constexpr int recording_version_plain = 1;   ///< of others, which older programs read, too
 constexpr const char* recording_format = "hygroloom-recording";
 
 /// Of the acts of a RunRecord: name in the provenance, and time.

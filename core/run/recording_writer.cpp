@@ -3,8 +3,10 @@
 // writes the names of all frames and the last rows anew, however small a frame is: several frames share one.
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/plan/bundles.h"
 #include "core/plan/plan_json.h"
 #include "core/project/project_file.h"
+#include "core/run/frame_changes.h"
 #include "core/run/hdf5_reader.h"
 #include "core/run/recording.h"
 #include "core/run/recording_layout.h"
@@ -12,8 +14,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <malloc.h>
 #include <mutex>
+#include <optional>
 
 namespace hygroloom {
 
@@ -53,6 +57,7 @@ void write_textile(hid_t file, const Textile& textile)
     std::vector<int> yarn(n), kind(n), end_of(n), pick_of(n);
     std::vector<double> length(n);
     std::vector<float> position(3 * n);
+    const auto shown = [](double m) { return static_cast<float>(std::round(0x1p26 * m) * 0x1p-26); }; // to 15 nm: half the bytes
     for (YarnKind k : {YarnKind::warp, YarnKind::weft})
         for (int end = 0; end < textile.ends(); ++end)
             for (int pick = 0; pick < textile.picks(); ++pick) {
@@ -62,9 +67,9 @@ void write_textile(hid_t file, const Textile& textile)
                 end_of[i] = end;
                 pick_of[i] = pick;
                 length[i] = textile.segment_length(k, end, pick);
-                position[3 * i] = static_cast<float>(textile.x_of_end(end));
-                position[3 * i + 1] = static_cast<float>(textile.y_of_pick(pick));
-                position[3 * i + 2] = static_cast<float>(textile.height_at_crossing(k, end, pick));
+                position[3 * i] = shown(textile.x_of_end(end));
+                position[3 * i + 1] = shown(textile.y_of_pick(pick));
+                position[3 * i + 2] = shown(textile.height_at_crossing(k, end, pick));
             }
     h5::write_ints(group.get(), "yarn", yarn);
     h5::write_ints(group.get(), "kind", kind); // 0 warp, 1 weft
@@ -105,18 +110,30 @@ void write_caps(hid_t group, const std::vector<FrameCap>& caps)
     h5::write_floats(group, "cap_size", size.data(), caps.size(), 3, "m, m, m3");
 }
 
-void write_frame(hid_t group, const Frame& frame)
+/// changes: of the frames before; none where all are whole.
+void write_frame(hid_t group, const Frame& frame, ChangesWriter* changes)
 {
     h5::write_number(group, "time_s", frame.time);
     h5::write_number(group, "water_top_kg", frame.water_top);
     h5::write_number(group, "water_bottom_kg", frame.water_bottom);
     const auto n = frame.saturation.size();
-    for (const FrameField& field : frame_fields) h5::write_floats(group, field.name, field.in(frame).data(), n, 1, field.unit);
+    if (!changes || !changes->write(group, frame))
+        for (const FrameField& field : frame_fields) h5::write_floats(group, field.name, field.in(frame).data(), n, 1, field.unit);
     const auto particles = frame.positions.size();
-    h5::write_floats(group, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
-    h5::write_floats(group, "particle_velocity", particles ? frame.velocities[0].data() : nullptr, particles, 3, "m/s");
+    if (!changes || particles > 0) { // of no other recordings readers take a frame without
+        h5::write_floats(group, "particle_position", particles ? frame.positions[0].data() : nullptr, particles, 3, "m");
+        h5::write_floats(group, "particle_velocity", particles ? frame.velocities[0].data() : nullptr, particles, 3, "m/s");
+    }
     if (!frame.caps.empty()) write_caps(group, frame.caps);
     if (!frame.wet.empty()) h5::write_floats(group, "wet", frame.wet[0].first, wet_numbers * frame.wet.size(), 1, "1");
+}
+
+/// Of each field of a frame.
+std::size_t values_of(const RunRecord& run, bool in_bundles)
+{
+    if (!in_bundles) return static_cast<std::size_t>(run.textile.segments());
+    const auto yarns = [&](int single) { return static_cast<std::size_t>(bundles_of(single, run.plan.crossings_per_cell).count); };
+    return 2 * yarns(run.plan.region.ends) * yarns(run.plan.region.picks);
 }
 
 } // namespace
@@ -128,6 +145,7 @@ struct RecordingWriter::File {
     RecordingTarget target; // outlives what the library has open in it
     h5::Handle file;
     h5::Handle ledger;
+    std::optional<ChangesWriter> changes; ///< of frames, where some hold these
     std::mutex adding;
     int frames = 0;
     double end = 0;      ///< s, of the last frame
@@ -180,14 +198,17 @@ RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RunRec
         file_->file = h5::create_file(file_->target, "the recording cannot be created");
         const hid_t file = file_->id();
         h5::write_text(file, "format", recording_format);
+        const bool shows_cells = run.plan.shown_ends > 0, changes = keeps_changes(values_of(run, in_bundles), shows_cells);
         h5::write_number(file, "version",
-                         in_bundles                ? recording_version
-                         : run.plan.shown_ends > 0 ? recording_version_cells
-                                                   : recording_version_plain);
+                         changes       ? recording_version
+                         : in_bundles  ? recording_version_bundles
+                         : shows_cells ? recording_version_cells
+                                       : recording_version_plain);
         h5::write_text(file, "design", format_project(run.design));
         write_provenance(file, run);
         write_textile(file, run.textile);
         h5::create_group(file, "frames");
+        if (changes) file_->changes.emplace(file, in_bundles);
         file_->ledger = h5::create_table(file, "ledger", std::size(ledger_columns), column_names());
     });
 }
@@ -210,7 +231,7 @@ void RecordingWriter::append(const Frame& frame)
         {
             const h5::Handle frames = h5::open_group(file_->id(), "frames");
             const h5::Handle group = h5::create_group(frames.get(), frame_name(file_->frames));
-            write_frame(group.get(), frame);
+            write_frame(group.get(), frame, file_->changes ? &*file_->changes : nullptr);
         }
         if (frame.unsolved_lines > 0)
             h5::write_number(h5::open_group(file_->id(), "provenance").get(), "unsolved_lines", frame.unsolved_lines);

@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   run/apart.cpp
   run/failover.cpp
+  run/frame_changes.cpp
   run/hdf5_blocks.cpp
   run/hdf5_driver.cpp
   run/hdf5_file.cpp

@@ -149,26 +149,30 @@ struct FrameField {
     bool is_amount;                ///< of a bundle of yarns the sum is shared out among them; of all else each has the bundle's
     const char* shows = nullptr;   ///< the solver's field of segments that it is a copy of; none: its formula stands in frame_of()
     std::optional<float> absent{}; ///< its value in scenes without that field and in recordings made before it; none: all have it
-    float step = 0;                ///< runs show whole multiples of it; 0: 13 significant bits. See rounded()
+    float step = 0;                ///< runs show whole multiples of it; 0: they may show less. See rounded()
+    int bits = 13;                 ///< and so many significant bits; 0: all
 
     std::vector<float>& in(Frame& frame) const { return values ? frame.*values : frame.others[name]; }
     const std::vector<float>& in(const Frame& frame) const { return values ? frame.*values : frame.others.at(name); }
 };
 inline constexpr FrameField frame_fields[] = {
-    {"saturation", &Frame::saturation, "1", false, nullptr, {}, 1.0F / 4096},
-    {"liquid", &Frame::liquid, "kg", true},
-    {"bound_water", &Frame::regain, "kg/kg", false, nullptr, {}, 1.0F / (1 << 18)},
-    {"vapour_concentration", &Frame::vapour, "kg/m3", false},
-    {"temperature", &Frame::temperature, "K", false, nullptr, {}, 1.0F / 2048},
-    {"liquid_between", &Frame::between, "kg", true, nullptr, 0.0F},
+    {"saturation", &Frame::saturation, "1", false, nullptr, {}, 1.0F / 4096, 0},
+    {"liquid", &Frame::liquid, "kg", true, nullptr, {}, 0x1p-54F}, // 6e-17 kg: a ball 0.5 µm wide
+    {"bound_water", &Frame::regain, "kg/kg", false, nullptr, {}, 0, 14},
+    {"vapour_concentration", &Frame::vapour, "kg/m3", false, nullptr, {}, 0, 11},
+    {"temperature", &Frame::temperature, "K", false, nullptr, {}, 1.0F / 512, 0},
+    {"liquid_between", &Frame::between, "kg", true, nullptr, 0.0F, 0, 12},
 };
 
-/// The value as runs show it: to its field's step, or to one part in 8 000. A recording packs such values to half its size, and what is
-/// measured while a run goes on is what is measured from its recording.
+/// The value as runs show it: to its field's step, and to one part in 8 000 with 13 bits. A recording packs such values to half their size,
+/// and what is measured while a run goes on is what is measured from its recording.
 inline float rounded(const FrameField& field, float value)
 {
-    if (field.step > 0) return static_cast<float>(static_cast<int>(value / field.step + 0.5F)) * field.step; // none is less than 0
-    constexpr std::uint32_t dropped = 11; // of a float's 24 significant bits
+    constexpr std::int32_t float_bits = 24; // of which larger multiples have none that are less than a step
+    if (field.step > 0 && (field.bits == 0 || value < field.step * (1 << float_bits)))
+        value = static_cast<float>(static_cast<int>(value / field.step + 0.5F)) * field.step; // none is less than 0
+    if (field.bits == 0) return value;
+    const int dropped = float_bits - field.bits;
     const auto bits = std::bit_cast<std::uint32_t>(value) + (1U << (dropped - 1));
     return std::bit_cast<float>(bits & ~((1U << dropped) - 1));
 }

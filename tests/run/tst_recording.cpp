@@ -78,7 +78,8 @@ private Q_SLOTS:
         for (const FrameField& field : frame_fields)
             for (float value : {0.0F, 1e-30F, 3.7e-12F, 0.0851F, 0.99999F, 293.1537F}) {
                 const float shown = rounded(field, value);
-                QVERIFY2(std::abs(shown - value) <= (field.step > 0 ? field.step / 2 : value / 8192), field.name);
+                const float half_bit = field.bits > 0 ? value / static_cast<float>(1 << field.bits) : 0.0F;
+                QVERIFY2(std::abs(shown - value) <= field.step / 2 + half_bit, field.name);
                 QCOMPARE(rounded(field, shown), shown);
             }
         std::vector<Frame> frames;
