@@ -60,7 +60,7 @@ template <typename Executor> template <typename Whole> bool YarnNetwork<Executor
 {
     constexpr double of_the_first = 0.01;
     Whole w = whole;
-    constexpr int most_rounds = 60, most_trials = 8, sweeps = 2;
+    constexpr int most_rounds = 60, most_trials = 8;
     constexpr double open_alone = 1e-4; // of the capacity
     const PlaceBox& box = w.box;
     const auto ends = [&](const char* name, const auto& stage) { exec_.for_each_line(name, box.ends, box.picks, stage); };
@@ -73,7 +73,7 @@ template <typename Executor> template <typename Whole> bool YarnNetwork<Executor
     w.enough = std::min(open, of_the_first * now.worst);
     for (int round = 0; now.worst > 0; ++round) {
         if (round == most_rounds) return false;
-        for (int turn = 0; turn < 2 * sweeps; ++turn) ends("whole, sweep", WholeSweep{w, turn % 2, open_alone});
+        for (int turn = 0; turn < 2; ++turn) ends("whole, sweep", WholeSweep{w, turn, open_alone});
         now = balance(false);
         if (!(now.worst > 0)) break;
         const double downhill = solve_round(w); // by which the energy falls at first along the change
@@ -94,7 +94,7 @@ template <typename Executor> template <typename Whole> bool YarnNetwork<Executor
 template <typename Executor> template <typename Whole> double YarnNetwork<Executor>::solve_round(const Whole& w)
 {
     constexpr int most_turns = 400;
-    constexpr double left = 0.1; // of what was open before: the next round looks anew
+    constexpr double left = 0.01; // of what was open before: less would cost rounds, which are dear
     const PlaceBox& box = w.box;
     const auto ends = [&](const char* name, const auto& stage) { exec_.for_each_line(name, box.ends, box.picks, stage); };
     const auto sum = [&](SumLines::Of of) { exec_.for_each_line("whole, sum", 1, box.ends, SumLines{w.line_sums, box.ends, of, w.sums}); };
