@@ -328,9 +328,10 @@ void MetricsCollector::add(const Frame& frame)
 /// comes later starts it anew.
 void MetricsCollector::watch_free_water(const Frame& frame)
 {
-    constexpr double some = 1e-9; // of the water; a pool keeps the remainder of its quanta
+    constexpr double some = 1e-9;     // of the water; a pool keeps the remainder of its quanta
+    constexpr double rounding = 1e-9; // of the time: the ledger's is a sum of steps
     const bool free_water = frame.ledger.water_free > some * frame.ledger.water_delivered &&
-                            !(frame.ledger.free_until >= 0 && frame.ledger.free_until < frame.time);
+                            !(frame.ledger.free_until >= 0 && frame.ledger.free_until < frame.time * (1 - rounding));
     had_free_water_ = had_free_water_ || frame.ledger.water_delivered > 0;
     const bool comes = frame.ledger.water_delivered > delivered_;
     delivered_ = frame.ledger.water_delivered;

@@ -6,6 +6,7 @@
 #include "core/analysis/outcomes.h"
 #include "core/base/error.h"
 #include "core/base/version.h"
+#include "core/plan/expectation.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -131,6 +132,7 @@ double error_scale(const std::string& metric, double value, double air_temperatu
 {
     if (metric == "surface_temperature_steady_c") return std::max(1.0, std::abs(value - air_temperature_c));
     if (metric == "one_way_transport_pct") return std::max(100.0, std::abs(value)); // a difference; its grades lie about 100 % apart
+    if (metric == "stain_armness") return 1.0;                                      // a share of the stain's radius already
     return std::abs(value);
 }
 
@@ -236,7 +238,7 @@ TradeoffErrors tradeoff_errors(const TradeoffOutcome& run, const TradeoffOutcome
     compare_contents(run, reference, errors);
     compare_maps(run, reference, errors);
     for (const MetricError& m : errors.metrics) errors.largest = std::max(errors.largest, m.error);
-    if (errors.overlap) errors.largest = std::max(errors.largest, 1 - *errors.overlap);
+    if (errors.overlap && wets_a_part(reference.plan.counts.type)) errors.largest = std::max(errors.largest, 1 - *errors.overlap);
     return errors;
 }
 

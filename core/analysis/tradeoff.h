@@ -79,7 +79,8 @@ struct MetricError {
     double error = 0; ///< relative; 1 when only one of both could be determined
 };
 
-/// What an error of a metric is a share of: its value, a temperature's distance from the air's, of one-way transport 100 % at least.
+/// What an error of a metric is a share of: its value, a temperature's distance from the air's, of one-way transport 100 % at least; what
+/// arms a stain has is a share already.
 double error_scale(const std::string& metric, double value, double air_temperature_c);
 
 /// How far a run lies from the reference.
@@ -87,7 +88,7 @@ struct TradeoffErrors {
     std::vector<MetricError> metrics; ///< then the contents: the largest difference at the kept times over the water at stake
     std::optional<double> map;        ///< relative L2 over cells and times; none: the reference moved no water
     std::optional<double> overlap;    ///< of the wetted areas, intersection over union, over the times; none: nothing got wet in either
-    double largest = 0;               ///< of the metrics, the contents and 1 - overlap
+    double largest = 0;               ///< of the metrics, the contents and, of experiments that wet a part of the cloth, 1 - overlap
 };
 
 /// Metrics are compared relatively to the reference's; a temperature to its distance from the air, or to 1 K where that is less.

@@ -3,12 +3,6 @@
 
 #include "core/base/student.h"
 #include "core/base/text.h"
-#include "core/physics/liquid.h"
-#include "core/physics/particle_steps.h"
-#include "core/plan/bundles.h"
-#include "core/plan/calm_steps.h"
-#include "core/plan/frame_times.h"
-#include "core/plan/held_liquid.h"
 
 #include <fmt/format.h>
 
@@ -18,97 +12,6 @@
 
 namespace hygroloom {
 namespace {
-
-/// Segments that are simulated: bundles', where yarns go in bundles.
-double cells_of(const ModelPlan& plan)
-{
-    const int wanted = plan.crossings_per_cell;
-    return wanted > 1 ? 2.0 * bundles_of(plan.region.ends, wanted).count * bundles_of(plan.region.picks, wanted).count : plan.segments;
-}
-
-bool flows_by_suction(const ModelPlan& plan) { return plan.counts.closure == name_of(Closure::pores); }
-
-constexpr double moving_swings = 7;  // of a drop, until it rests
-constexpr double resting_swings = 5; // of one that no yarn absorbs
-constexpr double least_left = 0.15;  // of the particles, on average while the drop is absorbed
-
-bool has_particles(const ModelPlan& plan) { return plan.on("liquid") && !plan.on("cap"); }
-bool draws_from_drops(const ModelPlan& plan) { return plan.on("wicking") && plan.counts.uptake > 0; }
-/// How often drops fall, one or several at once.
-double landings_of(const SceneCounts& scene) { return std::max(1.0, scene.landings > 0 ? scene.landings : scene.drops); }
-double particles_of(const ModelPlan& plan) { return std::max(1, plan.particles_per_droplet); }
-/// Of particles, m.
-double spacing_of(const ModelPlan& plan) { return std::cbrt(std::max(1e-18, plan.counts.drop_volume) / particles_of(plan)); }
-/// Of all drops' volume; those that stand as caps have room on the sample.
-double share_that_stays(const ModelPlan& plan) { return plan.on("cap") ? 1.0 : share_that_stays(plan.counts, spacing_of(plan)); }
-
-/// Of the yarns, as long as liquid is about that they may absorb: steps are short then. By suction it is not for long, and front places ask
-/// for shorter steps; on full cloth, and by other closures, some of it lies there until the end. What no yarn absorbs sleeps soon. Under a
-/// cap steps follow saturations: the six scenes of tests/data/tradeoff whose cloth draws took 31 to 228 more than frames, the median stands
-/// here.
-double steps_with_drops(const ModelPlan& plan)
-{
-    const SceneCounts& scene = plan.counts;
-    const double limit = plan.knobs.network_step_limit, stays = share_that_stays(plan), landings = landings_of(scene);
-    const auto steps_in = [&](double time) { return std::min(scene.duration, landings * time) / limit; };
-    constexpr double of_a_cap = 114;
-    if (plan.on("cap")) return draws_from_drops(plan) ? landings * of_a_cap : 0.0;
-    if (stays <= 0) return steps_in(plan.on("wicking") ? clings_for(scene) : falls_past_in(scene));
-    if (!plan.on("wicking")) return steps_in(resting_swings * swing_of_largest(scene, stays));
-    if (!flows_by_suction(plan) || scene.uptake <= 0 || share_with_room(scene, stays) < 1) return scene.duration / limit;
-    constexpr double of_the_limit = 0.7;
-    return steps_in(absorbed_by_suction_in(scene)) / of_the_limit;
-}
-
-/// A front asks for a step for each change of saturation on its way, which goes with the root of time; between sensors each drop of the
-/// feed asks for its own. Of the yarns' own, cotton took 310, 870 and 1680 steps at live, draft and standard up a strip in 120 s, and 450,
-/// 930 and 1540 of a feed of 20 s.
-constexpr double front_steps = 175;
-/// How far fronts go, in those; 0: water comes everywhere at once.
-double way_of_fronts(const SceneCounts& scene)
-{
-    const bool is_strip =
-        scene.type == name_of(ExperimentType::vertical_wicking) || scene.type == name_of(ExperimentType::horizontal_wicking);
-    constexpr double strip = 120, fed = 20; // s
-    if (is_strip) return std::sqrt(scene.duration / strip);
-    return scene.type == name_of(ExperimentType::moisture_management) ? std::min(scene.duration, fed) / fed : 0.0;
-}
-
-struct NetworkCount {
-    double steps = 0, exchanges = 0; ///< of the yarns; with fibres and air
-    double segments = 0;             ///< that are visited
-    double touched = 0;              ///< steps times particles that lie at the cloth
-};
-
-NetworkCount count_network(const ModelPlan& plan)
-{
-    NetworkCount count;
-    const SceneCounts& scene = plan.counts;
-    const bool exchanges = plan.on("sorption") || plan.on("vapour");
-    if (!plan.on("wicking") && !exchanges) return count;
-    constexpr double first_visited = 2.0 * 17 * 17; // the area grows by eight threads on each side at least
-    const double cells = cells_of(plan);
-    const double wet = plan.on("wicking") && scene.uptake <= 0 ? 0.0 : cells * scene.wet_share; // or only those under a drop
-    count.segments = plan.on("growth") ? std::min(cells, std::max(first_visited, wet)) : cells;
-    constexpr double standard_error = 5e-4;
-    const double finer =
-        std::max(1.0, std::sqrt(standard_error / std::max(1e-9, plan.knobs.step_error))); // it falls with the step's square
-    // Frames are taken beside steps of the yarns' own, by steps that end there.
-    const double calm = finer * calm_steps(plan.knobs, scene.duration);
-    count.steps = count.exchanges = frames_of(plan) + calm;
-    if (!plan.on("liquid") && plan.on("wicking"))
-        count.steps = frames_of(plan) + std::max(calm, way_of_fronts(scene) * front_steps / plan.knobs.saturation_change);
-    if (plan.on("liquid")) {
-        constexpr double steps_per_exchange = 4;
-        const double more = steps_with_drops(plan);
-        count.steps += more;
-        count.exchanges += more / steps_per_exchange;
-        if (has_particles(plan) && plan.on("wicking"))
-            count.touched = more * least_left * share_that_stays(plan) * particles_of(plan) * scene.drops;
-    }
-    if (!exchanges) count.exchanges = 0;
-    return count;
-}
 
 /// Whether liquid moves by another law.
 bool moves_otherwise(const ModelPlan& a, const ModelPlan& b) { return a.on("wicking") && a.counts.closure != b.counts.closure; }
@@ -211,152 +114,6 @@ std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::v
     return errors;
 }
 
-/// To set up a scene, however small, s.
-double start_on(const std::string& backend) { return backend == "cuda" ? 0.02 : 0.01; }
-
-/// Of a drop's steps.
-double step_of(const ModelPlan& plan, double spacing)
-{
-    constexpr double usual_step = 0.85; // of the longest
-    const SceneCounts& scene = plan.counts;
-    const LiquidSteps longest =
-        longest_steps(scene.capillarity, viscosity_of_particles(scene.viscosity, scene.capillarity, spacing), spacing);
-    return plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
-}
-
-/// Drops that fall one after the other, are absorbed as they lie, and sleep for most of that time. Shares were set on 59 such drops;
-/// swings and flowing time are 0.4 of that, so that measured times of drops and of yarns are alike multiples of their counts. Of the steps
-/// that the shipped scenes took 0.24 to 1.09 are counted, which a measured run near by makes up for.
-LiquidCount count_by_suction(const ModelPlan& plan, double stays)
-{
-    constexpr double absorbed_swings = 5.2, flowing_share = 0.068, left = 0.55; // of the particles, on average
-    const SceneCounts& scene = plan.counts;
-    const bool sleeps = plan.knobs.settle_share > 0;
-    const double until_empty = absorbed_by_suction_in(scene), of_one = stays * particles_of(plan);
-    const double moves = absorbed_swings * swing_of_largest(scene, stays);
-    const double flows = (sleeps ? flowing_share : 1.0) * std::min(until_empty, scene.duration);
-    const double landings = landings_of(scene), at_once = scene.drops / landings * of_one;
-    const bool empties = share_with_room(scene, stays) >= 1 && landings * until_empty < scene.duration;
-    return {std::min(scene.duration, landings * (moves + flows)) / step_of(plan, spacing_of(plan)),
-            empties ? left * at_once : 0.5 * (landings + 1) * at_once};
-}
-
-/// Drops of which some stays: they move as they land, one after the other, and then as they are absorbed.
-LiquidCount count_staying(const ModelPlan& plan, double stays)
-{
-    if (flows_by_suction(plan) && draws_from_drops(plan)) return count_by_suction(plan, stays);
-    const SceneCounts& scene = plan.counts;
-    constexpr double usual_particles = 8000, usual_spacing = 85e-6; // m
-    constexpr double waking_times = 6;                              // swings
-    constexpr double absorption_time = 0.68;                        // times its volume over the cloth's uptake
-    constexpr double scarce_pores = 0.13e-3; // m, of pores times the drop's base: so few leave the usual particles all there
-    constexpr double most_left = 0.97;       // of the particles, on average while the drop is absorbed
-    const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
-    const double spacing = spacing_of(plan), step = step_of(plan, spacing), landings = landings_of(scene);
-    const double on_sample = 0.5 * (landings + 1) / landings * scene.drops * stays * particles_of(plan);
-    const double swings = landings * swing_of_largest(scene, stays);
-    if (!draws_from_drops(plan))
-        return {std::min(scene.duration, settle_share > 0 ? resting_swings * swings : scene.duration) / step, on_sample};
-    const double moves = std::min(moving_swings * swings, scene.duration), rest = scene.duration - moves;
-    const double until_empty = absorption_time * volume / scene.uptake, absorbing = std::min(rest, until_empty);
-    const double gone = std::min(share_with_room(scene, stays), std::sqrt(absorbing / until_empty)); // share of the drop, in the end
-    double flows = absorbing;
-    if (settle_share > 0) {
-        const double awake_share = 0.12 * std::pow(spacing / usual_spacing, 0.3);
-        flows = std::min(awake_share * absorbing, gone / settle_share * waking_times * swing_of(scene, settle_share * volume));
-    }
-    const double under_drop = std::max(1e-12, scene.drop_base * scene.pores);
-    const double left = std::clamp(scarce_pores / under_drop * std::cbrt(usual_particles / particles_of(plan)), least_left, most_left);
-    const double flowing = 1.0 - (1.0 - left) * gone; // share of the particles
-    return {(moves + flows) / step, on_sample * (moves + flows * flowing) / (moves + flows)};
-}
-
-/// Drops that go by, one after the other, as fast as they land.
-LiquidCount count_falling(const ModelPlan& plan)
-{
-    constexpr double courant = 0.4; // spacings in a step
-    const SceneCounts& scene = plan.counts;
-    const double spacing = spacing_of(plan), fast = courant * spacing / std::max(1e-6, scene.landing_speed);
-    const double landings = landings_of(scene);
-    return {std::min(scene.duration, landings * falls_past_in(scene)) / std::min(fast, step_of(plan, spacing)),
-            scene.drops / landings * particles_of(plan)};
-}
-
-} // namespace
-
-LiquidCount count_liquid(const ModelPlan& plan)
-{
-    if (!plan.on("liquid") || plan.counts.drops <= 0) return {}; // forced on where no drop falls
-    const double stays = share_that_stays(plan);
-    const LiquidCount staying = stays > 0 ? count_staying(plan, stays) : LiquidCount{},
-                      falling = stays < 1 ? count_falling(plan) : LiquidCount{};
-    const double steps = staying.steps + falling.steps;
-    return {steps, (staying.steps * staying.particles + falling.steps * falling.particles) / steps};
-}
-
-double rough_work(const ModelPlan& plan, const std::string& backend)
-{
-    const LiquidCount liquid = has_particles(plan) ? count_liquid(plan) : LiquidCount{};
-    const NetworkCount network = count_network(plan);
-    constexpr double shown = 3e-8; // s, for a segment in a frame and its metrics
-    constexpr double built =
-        1e-6; // s, for a segment, from its textile to the solver's arrays: 1.19 million took 1.2 s more than 0.01 million
-    const double frames = shown * shown_segments(plan) * frames_of(plan) + built * plan.segments;
-    if (backend == "cuda") {
-        // Seconds on an H100: a step takes a while however little there is to do. Start and network step are the best of eight pairs on
-        // the GPU's runs of tests/data/tradeoff, which test them no more. A step of the liquid is 2.5 times what one took there, as
-        // count_by_suction() counts so few.
-        constexpr double liquid_step = 3e-4, particle = 7.5e-9, network_step = 4e-4, segment = 1e-9;
-        return start_on(backend) + frames + liquid.steps * (liquid_step + particle * liquid.particles) +
-               network.steps * (network_step + segment * network.segments);
-    }
-    // Seconds on one core of an AMD EPYC, medians of the stages' times in 47 runs of random designs: a step of the liquid lists neighbours
-    // in a grid of many cells, however few its particles are; a step of the yarns touches the particles that lie on them.
-    constexpr double listing = 5e-5, particle = 1.35e-6, offered = 4e-8, touched = 1.4e-7;
-    constexpr double network_step = 3e-6, flows = 5e-7, wicks = 1.5e-7, conducts = 6e-8, exchange = 2e-7, shell = 1.2e-7; // for a segment
-    const bool wicking = plan.on("wicking"), by_suction = wicking && flows_by_suction(plan);
-    const double wider = plan.knobs.double_precision != 0 ? 2.6 : 1.0; // measured with 2 000 particles
-    const bool flowing = !plan.on("liquid") || plan.counts.uptake > 0;
-    const double segment = by_suction && flowing ? flows : wicking && flowing ? wicks : conducts;
-    return start_on(backend) + frames + liquid.steps * (listing + liquid.particles * particle * wider) +
-           network.steps * (network_step + network.segments * segment) +
-           network.exchanges * network.segments * (exchange + shell * plan.fibre_shells) +
-           network.touched * (by_suction ? offered : touched);
-}
-
-namespace {
-
-double shells_of(const ModelPlan& plan)
-{
-    return plan.watches("sorption") ? plan.knobs.fibre_shells : plan.fibre_shells; // it may come on
-}
-double particle_bytes(const ModelPlan& plan)
-{
-    const double wider = plan.knobs.double_precision != 0 ? 1.5 : 1.0;
-    return wider * plan.particles_per_droplet * plan.counts.drops * (8.0 * most_near + 4.0 * most_distant + 250.0);
-}
-/// Of what is kept aside for frames.
-double kept_bytes(const ModelPlan& plan) { return cells_of(plan) * (170.0 + 8.0 * shells_of(plan)) + particle_bytes(plan); }
-
-/// Of the equations of warp and weft at once, where liquid spreads by suction from a spot.
-double whole_flow_bytes(const ModelPlan& plan)
-{
-    const bool poured = way_of_fronts(plan.counts) > 0 && plan.counts.type != name_of(ExperimentType::vertical_wicking);
-    const bool whole = flows_by_suction(plan) && plan.on("wicking") && (plan.on("liquid") || poured);
-    return whole ? 380.0 * count_network(plan).segments : 0.0; // 76 numbers of a crossing, and a quarter more
-}
-
-} // namespace
-
-double rough_bytes(const ModelPlan& plan)
-{
-    const double shape = plan.on("liquid") ? 24.0 : 0.0; // of a cell, as particles meet it
-    return 180.0 * plan.segments + cells_of(plan) * (220.0 + shape + 8.0 * shells_of(plan)) + particle_bytes(plan) + kept_bytes(plan) +
-           whole_flow_bytes(plan);
-}
-
-namespace {
-
 /// Where nothing of the kind was measured on the plan's backend at its fidelity: the errors that were found on another.
 void take_errors_from(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const std::vector<MeasuredScene>& elsewhere)
 {
@@ -382,18 +139,17 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const s
         plan.expected_seconds = rough_work(plan, backend);
         plan.expected_bytes = 40e6 + rough_bytes(plan);
         plan.expectation_source = fmt::format("A rough guess from unit costs of {}: no scene of this kind was measured at this fidelity.",
-                                              backend == "cuda" ? "an NVIDIA H100" : "a core of an AMD EPYC");
+                                              backend == "cuda" ? "an NVIDIA H200" : "a core of a Xeon");
         take_errors_from(plan, measured, elsewhere);
         return;
     }
     const MeasuredRun& run = *nearest.run;
     const MeasuredScene& scene = *nearest.scene;
-    const double start = start_on(scene.backend); // which no work makes longer
-    plan.expected_seconds = start + std::max(0.0, run.seconds - start) * (rough_work(plan, scene.backend) - start) /
-                                        (rough_work(run.plan, scene.backend) - start);
-    // What was measured kept nothing aside, and solved warp and weft in turn.
-    const double without = rough_bytes(run.plan) - kept_bytes(run.plan) - whole_flow_bytes(run.plan);
-    plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - without);
+    const double start = set_up_seconds(plan, scene.backend),
+                 started = set_up_seconds(run.plan, scene.backend); // which steps make no longer
+    plan.expected_seconds = start + std::max(0.0, run.seconds - started) * (rough_work(plan, scene.backend) - start) /
+                                        (rough_work(run.plan, scene.backend) - started);
+    plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
     const bool is_reference = run.plan.fidelity == Fidelity::reference;
     const bool otherwise = moves_otherwise(plan, run.plan) && !is_reference,
                as_set = set_alike(run.plan, plan) && !is_cut(plan) && !otherwise;

@@ -31,6 +31,10 @@ struct MeasuredScene {
     bool is_of(const MeasuredScene& other) const { return fabric == other.fabric && experiment == other.experiment; }
 };
 
+/// Whether an experiment of this type leaves a wetted area with an edge. Where all of the cloth is wet alike, segments dry or get wet all
+/// at about the same time, and how many of them at a moment says nothing.
+bool wets_a_part(const std::string& type);
+
 /// What a file of tradeoff holds of it. Throws Error with the name of the file.
 MeasuredScene measured_scene(const std::string& json, const std::string& file);
 
@@ -52,6 +56,8 @@ struct LiquidCount {
 /// of what 43 drops of 2 to 15 ul took at draft and at standard: tests/data/liquid_counts, core/plan/DECISIONS.md.
 LiquidCount count_liquid(const ModelPlan& plan);
 
+/// What comes before the first step, s: the start of the scene, and the rooms between yarns, which are drawn.
+double set_up_seconds(const ModelPlan& plan, const std::string& backend);
 /// Work of a run in seconds of one measured machine, a rough guess that only its ratio to that of a run of the same kind makes useful.
 double rough_work(const ModelPlan& plan, const std::string& backend);
 /// Memory that grows with the scene, bytes: its arrays, its geometry and its frames, without the program.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace hygroloom {
 
@@ -27,12 +28,14 @@ std::map<std::string, double> metric_errors(const Json& errors)
 }
 
 /// The largest error of what is meant for use. When a stain comes to rest is not: the last segment that gets wet decides it, and its error
-/// of up to 77 % would stand for that of all others.
-double largest_used(const Json& errors)
+/// of up to 77 % would stand for that of all others. Nor are what fell through holes and what lies between yarns in the end, of which there
+/// may be next to nothing: contents in kg are shares of all water.
+double largest_used(const Json& errors, bool has_edge)
 {
-    double largest = errors.at("wetted_overlap").is_null() ? 0 : 1 - errors.at("wetted_overlap").get<double>();
+    const std::set<std::string> unused{"time_of_arrest_s", "water_shed_below_g", "water_between_yarns_g"};
+    double largest = !has_edge || errors.at("wetted_overlap").is_null() ? 0 : 1 - errors.at("wetted_overlap").get<double>();
     for (const auto& [metric, value] : errors.at("metrics").items())
-        if (metric != "time_of_arrest_s") largest = std::max(largest, value.at("error").get<double>());
+        if (!unused.contains(metric)) largest = std::max(largest, value.at("error").get<double>());
     return largest;
 }
 
@@ -48,6 +51,7 @@ MeasuredScene scene_from(const Json& json)
     if (!load.is_null()) scene.load = load;
     for (const Json& step : json.at("convergence"))
         for (const auto& [metric, error] : metric_errors(step.at("errors"))) scene.reference_errors[metric] += error;
+    const bool has_edge = wets_a_part(json.at("scene").at("type"));
     for (const Json& p : json.at("points")) {
         const bool timed = !p.at("wall_s").is_null() && !p.at("peak_bytes").is_null();
         if (!timed && p.at("errors").is_null()) continue;
@@ -60,7 +64,7 @@ MeasuredScene scene_from(const Json& json)
         if (run.plan.on("liquid") && !(counts.capillarity > 0 && counts.drop_base > 0))
             throw Error("It is older than the program: the liquid's capillarity or the drop's base is missing.");
         if (!p.at("errors").is_null()) {
-            run.error = largest_used(p.at("errors"));
+            run.error = largest_used(p.at("errors"), has_edge);
             run.errors = metric_errors(p.at("errors"));
         }
         scene.runs.push_back(std::move(run));
@@ -68,15 +72,29 @@ MeasuredScene scene_from(const Json& json)
     return scene;
 }
 
-/// Both backends compute the same: where a scene's reference was refined on one of them only, its own error holds on the other as well.
-void share_errors_of_references(std::vector<MeasuredScene>& scenes)
+/// Both backends compute the same: where a scene's reference ran, or was refined, on one of them only, errors hold on the other as well.
+void share_errors(std::vector<MeasuredScene>& scenes)
 {
     for (MeasuredScene& scene : scenes)
-        for (const MeasuredScene& other : scenes)
-            if (scene.reference_errors.empty() && scene.is_of(other)) scene.reference_errors = other.reference_errors;
+        for (const MeasuredScene& other : scenes) {
+            if (!scene.is_of(other)) continue;
+            if (scene.reference_errors.empty()) scene.reference_errors = other.reference_errors;
+            for (MeasuredRun& run : scene.runs)
+                for (const MeasuredRun& same : other.runs)
+                    if (!run.error && run.plan.fidelity == same.plan.fidelity && run.settings == same.settings) {
+                        run.error = same.error;
+                        run.errors = same.errors;
+                    }
+        }
 }
 
 } // namespace
+
+bool wets_a_part(const std::string& type)
+{
+    constexpr ExperimentType all_wet[] = {ExperimentType::drying, ExperimentType::conditioning, ExperimentType::sweat};
+    return std::none_of(std::begin(all_wet), std::end(all_wet), [&](ExperimentType each) { return type == name_of(each); });
+}
 
 MeasuredScene measured_scene(const std::string& json, const std::string& file)
 try {
@@ -90,7 +108,7 @@ const std::vector<MeasuredScene>& shipped_measurements()
     static const std::vector<MeasuredScene> scenes = [] {
         std::vector<MeasuredScene> list;
         for (const Json& scene : Json::parse(measured_scenes_json)) list.push_back(scene_from(scene));
-        share_errors_of_references(list);
+        share_errors(list);
         return list;
     }();
     return scenes;

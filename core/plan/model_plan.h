@@ -46,6 +46,7 @@ struct SceneCounts {
     double drop_base = 0;     ///< area that a small drop first stands on, over its volume to the power 2/3: see base_of_drop()
     double capillarity = 0;   ///< m3/s2, surface tension of the liquid over its density
     double viscosity = 0;     ///< m2/s
+    double drawn_cubes = 0;   ///< of the room between yarns, see core/room; 0: not known, as in files of older versions
 };
 
 struct ModelPlan {

@@ -78,7 +78,8 @@ SceneCounts counts_from_json(const Json& json)
             .pores = json.value("pores_m", 0.0),
             .drop_base = json.value("drop_base", 0.0),
             .capillarity = json.value("capillarity_m3_s2", 0.0),
-            .viscosity = json.value("viscosity_m2_s", 0.0)};
+            .viscosity = json.value("viscosity_m2_s", 0.0),
+            .drawn_cubes = json.value("drawn_cubes", 0.0)};
 }
 
 Json json_of(const SceneCounts& counts)
@@ -100,7 +101,8 @@ Json json_of(const SceneCounts& counts)
             {"pores_m", counts.pores},
             {"drop_base", counts.drop_base},
             {"capillarity_m3_s2", counts.capillarity},
-            {"viscosity_m2_s", counts.viscosity}};
+            {"viscosity_m2_s", counts.viscosity},
+            {"drawn_cubes", counts.drawn_cubes}};
 }
 
 PlannedPart part_from_json(const Json& json)

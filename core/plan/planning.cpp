@@ -6,6 +6,7 @@
 #include "core/plan/bundling.h"
 #include "core/plan/frame_times.h"
 #include "core/plan/parts.h"
+#include "core/room/room_tables.h"
 
 #include <fmt/format.h>
 
@@ -141,6 +142,7 @@ ModelPlan plan_model(const Design& design, const Textile& textile, const Experim
     plan.frame_interval = std::clamp(experiment.duration_s / frames, 1e-6, 60.0);
     plan.resolution_reason = resolution_in_words(plan, !settings.empty()) + bundles;
     plan.counts = counts_of(experiment, bounds);
+    plan.counts.drawn_cubes = drawn_cubes(textile);
     plan.counts.frames = static_cast<double>(frame_times(experiment, plan.frame_interval).size());
     return plan;
 }

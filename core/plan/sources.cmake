@@ -26,6 +26,7 @@ target_sources(hygroloom_core PRIVATE
   plan/parts.cpp
   plan/plan_json.cpp
   plan/planning.cpp
+  plan/rough_work.cpp
   plan/supply.cpp
   plan/switched_part.cpp
 )

@@ -70,11 +70,20 @@ template <typename Visit> void each_of_cloth(const DrawnLayer& layer, const Visi
 
 double DrawnLayer::side() const { return std::cbrt(dx * dy * dz); }
 
+double cubes_of_crossing(const Textile& textile)
+{
+    const double area = textile.warp.pitch * textile.weft.pitch, pitch = std::sqrt(area);
+    const double cube = std::min(pitch, layer_share * textile.thickness);
+    return area * (textile.thickness + 2 * reaches * pitch) / (cube * cube * cube);
+}
+
+double voxels_of_period(double cubes, int voxels) { return std::min(std::pow(voxels, 3) * cubes, most_voxels_at(voxels)); }
+
 DrawnLayer drawn_layer(const Textile& period, int voxels)
 {
     const double pitch = std::sqrt(period.warp.pitch * period.weft.pitch), reach = reaches * pitch;
     const double volume = period.warp.pitch * period.weft.pitch * period.crossings() * (period.thickness + 2 * reach);
-    const double voxel = std::max(std::min(pitch, layer_share * period.thickness) / voxels, std::cbrt(volume / most_voxels_at(voxels)));
+    const double voxel = std::cbrt(volume / voxels_of_period(cubes_of_crossing(period) * period.crossings(), voxels));
     const auto whole = [&](double length) { return std::max(2, static_cast<int>(std::lround(length / voxel))); };
     DrawnLayer layer;
     layer.per_end = whole(period.warp.pitch);

@@ -25,6 +25,11 @@ struct DrawnLayer {
     int crossing(int x, int y) const { return x / per_end * picks() + y / per_pick; }
 };
 
+/// What is drawn of a crossing, with air above and below, in cubes of the mean pitch, or of twice the thickness where that is less.
+double cubes_of_crossing(const Textile& textile);
+/// How many voxels so many cubes are drawn in.
+double voxels_of_period(double cubes, int voxels);
+
 /// The textile is one period large. voxels: in the mean pitch at least; a thin layer has more, for half as many from face to face,
 /// and a period of more than a million of them has fewer.
 DrawnLayer drawn_layer(const Textile& period, int voxels);

@@ -15,8 +15,7 @@
 namespace hygroloom {
 namespace {
 
-constexpr int most_pairs = 16;    // of types that are drawn alone; of more, none is
-constexpr int stokes_voxels = 24; // from which on Stokes flow sets the level
+constexpr int most_pairs = 16; // of types that are drawn alone; of more, none is
 
 /// The same cloth, one period large, from its first end and pick on.
 Textile period_of(Textile textile, Weave weave, int ends, int picks)
@@ -164,6 +163,8 @@ void round_all(RoomTables& tables)
         for (float& place : *places) place = static_cast<float>(to_four_digits(static_cast<double>(place)));
 }
 
+Weave drawn_part(const Weave& weave) { return weave.ends() * weave.picks() <= most_drawn_crossings ? weave : part_of(weave); }
+
 RoomTables found_tables(const Textile& textile, int voxels)
 {
     const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
@@ -172,7 +173,7 @@ RoomTables found_tables(const Textile& textile, int voxels)
         return tables_of_period(period_of(textile, textile.weave, ends, picks), voxels);
     RoomTables tables;
     if (warps * wefts > most_pairs) return tables;
-    const Weave part = textile.weave.ends() * textile.weave.picks() <= most_drawn_crossings ? textile.weave : part_of(textile.weave);
+    const Weave part = drawn_part(textile.weave);
     for (std::size_t warp = 0; warp < warps; ++warp)
         for (std::size_t weft = 0; weft < wefts; ++weft) {
             Textile alone = period_of(textile, part, part.ends(), part.picks());
@@ -241,6 +242,16 @@ private:
 };
 
 } // namespace
+
+double drawn_cubes(const Textile& textile)
+{
+    const double of_one = cubes_of_crossing(textile);
+    const int ends = threads_of_period(textile.weave.ends(), textile.warp), picks = threads_of_period(textile.weave.picks(), textile.weft);
+    if (static_cast<long>(ends) * picks <= most_drawn_crossings) return of_one * ends * picks;
+    const auto pairs = static_cast<double>(textile.warp.types.size() * textile.weft.types.size());
+    const Weave part = drawn_part(textile.weave);
+    return pairs > most_pairs ? 0.0 : pairs * of_one * part.ends() * part.picks();
+}
 
 std::shared_ptr<const RoomTables> room_tables(const Textile& textile, int voxels)
 {

@@ -27,6 +27,11 @@ struct RoomTables {
 
 constexpr int most_drawn_crossings = 64; ///< of a period that is drawn as it is; else a part of it, or each pair of types alone
 
+constexpr int stokes_voxels = 24; ///< in the mean pitch, from which on Stokes flow sets the level of permeabilities
+
+/// What is drawn for the tables, of all periods, see cubes_of_crossing().
+double drawn_cubes(const Textile& textile);
+
 /// Of the textile's weave and yarns, wherever its region lies. voxels: in the mean pitch, see drawn_layer(). Found tables are kept for
 /// the next time.
 std::shared_ptr<const RoomTables> room_tables(const Textile& textile, int voxels);

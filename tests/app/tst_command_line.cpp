@@ -184,8 +184,8 @@ private Q_SLOTS:
             const QJsonObject plan = run_cli({"plan", example("textile-F.hygro"), "--json", "--backend", backend}).json();
             return plan["expected"].toObject()["source"].toString();
         };
-        QVERIFY(source("cuda").contains("H100")); // a GPU that need not be there
-        QVERIFY(!source("cpu").contains("H100") && source("cpu").contains(" thread"));
+        QVERIFY(source("cuda").contains("H200")); // a GPU that need not be there
+        QVERIFY(!source("cpu").contains("H200") && source("cpu").contains(" thread"));
     }
     void planNamesTheKeysThatChangeNothing()
     {

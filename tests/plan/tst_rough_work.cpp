@@ -45,8 +45,7 @@ private Q_SLOTS:
     }
     void aStartIsNotMultiplied()
     {
-        // Sweat for 0.7 s on a small sample took 0.05 s longer than a start of 0.01 s, the shipped one 2.0 s. It was expected to take 0.08
-        // s and more.
+        // Sweat for 0.7 s on a small sample takes 0.10 s and the drawing of its rooms another 0.08 s, the shipped one 6 s.
         Design design = drop_design();
         Experiment& sweat = design.experiments[0] = standard_experiment(ExperimentType::sweat);
         sweat.sample_mm = {2, 2};
@@ -54,10 +53,10 @@ private Q_SLOTS:
         ModelPlan plan = plan_run(design, design.fabrics[0], sweat, Fidelity::draft);
         expect(plan, shipped_measurements("cpu"));
         QVERIFY(plan.on("vapour") || plan.on("sorption") || plan.on("wicking"));
-        QVERIFY2(plan.expected_seconds > 0.011 && plan.expected_seconds < 0.06, qPrintable(QString::number(plan.expected_seconds)));
+        QVERIFY2(plan.expected_seconds > 0.06 && plan.expected_seconds < 0.36, qPrintable(QString::number(plan.expected_seconds)));
     }
     // Scaled is the whole of a measured run: where one kind's counts are far off those of another, the smaller part of a run comes out as
-    // far off. Seconds at draft, which were measured while frames ended steps, over rough work lie between 0.13 and 1.8.
+    // far off. Seconds at draft over rough work lie between 0.5 and 4.6: horizontal strips and sweat are counted too short.
     void countsOfAllKindsTakeAlikeLong()
     {
         double least = 1e30, most = 0;
@@ -72,7 +71,7 @@ private Q_SLOTS:
                 most = std::max(most, ratio);
             }
         QVERIFY2(runs > 5, qPrintable(QString::number(runs)));
-        QVERIFY2(most / least < 14, qPrintable(QString("%1 to %2").arg(least).arg(most)));
+        QVERIFY2(most / least < 10, qPrintable(QString("%1 to %2").arg(least).arg(most)));
     }
     void aDropThatFallsPastASmallSampleIsSoonGone()
     {
