@@ -139,16 +139,18 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const s
         plan.expected_seconds = rough_work(plan, backend);
         plan.expected_bytes = 40e6 + rough_bytes(plan);
         plan.expectation_source = fmt::format("A rough guess from unit costs of {}: no scene of this kind was measured at this fidelity.",
-                                              backend == "cuda" ? "an NVIDIA H200" : "a core of a Xeon");
+                                              backend == "cuda" ? "an NVIDIA H100" : "a core of an AMD EPYC");
         take_errors_from(plan, measured, elsewhere);
         return;
     }
     const MeasuredRun& run = *nearest.run;
     const MeasuredScene& scene = *nearest.scene;
-    const double start = set_up_seconds(plan, scene.backend),
-                 started = set_up_seconds(run.plan, scene.backend); // which steps make no longer
-    plan.expected_seconds = start + std::max(0.0, run.seconds - started) * (rough_work(plan, scene.backend) - start) /
-                                        (rough_work(run.plan, scene.backend) - started);
+    // Steps make no set-up longer. A machine may have set up faster than is counted; the rest of a run is what steps took.
+    constexpr double most_set_up = 0.7;
+    const double set_up = set_up_seconds(plan, scene.backend), set_up_there = set_up_seconds(run.plan, scene.backend);
+    const double started = std::min(set_up_there, most_set_up * run.seconds);
+    plan.expected_seconds = set_up * started / set_up_there + (run.seconds - started) * (rough_work(plan, scene.backend) - set_up) /
+                                                                  (rough_work(run.plan, scene.backend) - set_up_there);
     plan.expected_bytes = std::max(0.5 * run.bytes, run.bytes + rough_bytes(plan) - rough_bytes(run.plan));
     const bool is_reference = run.plan.fidelity == Fidelity::reference;
     const bool otherwise = moves_otherwise(plan, run.plan) && !is_reference,
@@ -158,7 +160,8 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const s
     plan.expectation_source =
         fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,
                     scene.experiment, rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,
-                    run.error && as_set ? (*run.error > 0 ? " The numerical error was measured on that run."
+                    run.error && as_set ? (*run.error > 0 ? fmt::format(" The numerical error was measured on {}.",
+                                                                        run.errors_from.empty() ? "that run" : "one on " + run.errors_from)
                                            : is_reference ? ""
                                                           : " On that run no result differed from the reference's.")
                     : as_set            ? " Its numerical error was not measured."

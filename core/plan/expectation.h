@@ -18,6 +18,7 @@ struct MeasuredRun {
     double bytes = 0;                     ///< largest resident set
     std::optional<double> error;          ///< against the reference, relative; none: not measured
     std::map<std::string, double> errors; ///< the same of each metric
+    std::string errors_from;              ///< device on which errors were found; empty: this run's
 };
 
 struct MeasuredScene {

@@ -81,9 +81,10 @@ void share_errors(std::vector<MeasuredScene>& scenes)
             if (scene.reference_errors.empty()) scene.reference_errors = other.reference_errors;
             for (MeasuredRun& run : scene.runs)
                 for (const MeasuredRun& same : other.runs)
-                    if (!run.error && run.plan.fidelity == same.plan.fidelity && run.settings == same.settings) {
+                    if (!run.error && run.plan.fidelity == same.plan.fidelity && run.plan.knobs == same.plan.knobs) {
                         run.error = same.error;
                         run.errors = same.errors;
+                        run.errors_from = other.device;
                     }
         }
 }

@@ -47,6 +47,7 @@ struct SceneCounts {
     double capillarity = 0;   ///< m3/s2, surface tension of the liquid over its density
     double viscosity = 0;     ///< m2/s
     double drawn_cubes = 0;   ///< of the room between yarns, see core/room; 0: not known, as in files of older versions
+    double drawn_periods = 0; ///< of so many each
 };
 
 struct ModelPlan {

@@ -79,7 +79,8 @@ SceneCounts counts_from_json(const Json& json)
             .drop_base = json.value("drop_base", 0.0),
             .capillarity = json.value("capillarity_m3_s2", 0.0),
             .viscosity = json.value("viscosity_m2_s", 0.0),
-            .drawn_cubes = json.value("drawn_cubes", 0.0)};
+            .drawn_cubes = json.value("drawn_cubes", 0.0),
+            .drawn_periods = json.value("drawn_periods", 1.0)};
 }
 
 Json json_of(const SceneCounts& counts)
@@ -102,7 +103,8 @@ Json json_of(const SceneCounts& counts)
             {"drop_base", counts.drop_base},
             {"capillarity_m3_s2", counts.capillarity},
             {"viscosity_m2_s", counts.viscosity},
-            {"drawn_cubes", counts.drawn_cubes}};
+            {"drawn_cubes", counts.drawn_cubes},
+            {"drawn_periods", counts.drawn_periods}};
 }
 
 PlannedPart part_from_json(const Json& json)

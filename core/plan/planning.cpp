@@ -142,7 +142,9 @@ ModelPlan plan_model(const Design& design, const Textile& textile, const Experim
     plan.frame_interval = std::clamp(experiment.duration_s / frames, 1e-6, 60.0);
     plan.resolution_reason = resolution_in_words(plan, !settings.empty()) + bundles;
     plan.counts = counts_of(experiment, bounds);
-    plan.counts.drawn_cubes = drawn_cubes(textile);
+    const DrawnVolume drawn = drawn_volume(textile);
+    plan.counts.drawn_cubes = drawn.cubes;
+    plan.counts.drawn_periods = drawn.periods;
     plan.counts.frames = static_cast<double>(frame_times(experiment, plan.frame_interval).size());
     return plan;
 }

@@ -194,7 +194,7 @@ LiquidCount count_liquid(const ModelPlan& plan)
 
 namespace {
 
-/// Voxels in which the rooms between yarns are drawn.
+/// Voxels in which a period's rooms between yarns are drawn.
 double drawn_voxels(const ModelPlan& plan)
 {
     return draws_rooms(plan) ? voxels_of_period(plan.counts.drawn_cubes, static_cast<int>(plan.knobs.room_voxels)) : 0.0;
@@ -204,7 +204,7 @@ double drawn_voxels(const ModelPlan& plan)
 double room_seconds(const ModelPlan& plan)
 {
     constexpr double of_a_voxel = 5e-6, with_stokes = 1.2e-5;
-    return drawn_voxels(plan) * (plan.knobs.room_voxels < stokes_voxels ? of_a_voxel : with_stokes);
+    return plan.counts.drawn_periods * drawn_voxels(plan) * (plan.knobs.room_voxels < stokes_voxels ? of_a_voxel : with_stokes);
 }
 
 } // namespace
@@ -263,7 +263,7 @@ double whole_flow_bytes(const ModelPlan& plan)
     return whole ? 380.0 * count_network(plan).segments : 0.0; // 76 numbers of a crossing, and a quarter more
 }
 
-/// While rooms are drawn; given back before the first step.
+/// While a period's rooms are drawn; given back before the first step.
 double room_bytes(const ModelPlan& plan) { return 70.0 * drawn_voxels(plan); }
 
 } // namespace

@@ -243,14 +243,14 @@ private:
 
 } // namespace
 
-double drawn_cubes(const Textile& textile)
+DrawnVolume drawn_volume(const Textile& textile)
 {
     const double of_one = cubes_of_crossing(textile);
     const int ends = threads_of_period(textile.weave.ends(), textile.warp), picks = threads_of_period(textile.weave.picks(), textile.weft);
-    if (static_cast<long>(ends) * picks <= most_drawn_crossings) return of_one * ends * picks;
-    const auto pairs = static_cast<double>(textile.warp.types.size() * textile.weft.types.size());
+    if (static_cast<long>(ends) * picks <= most_drawn_crossings) return {of_one * ends * picks, 1};
+    const auto pairs = static_cast<int>(textile.warp.types.size() * textile.weft.types.size());
     const Weave part = drawn_part(textile.weave);
-    return pairs > most_pairs ? 0.0 : pairs * of_one * part.ends() * part.picks();
+    return {of_one * part.ends() * part.picks(), pairs > most_pairs ? 0 : pairs};
 }
 
 std::shared_ptr<const RoomTables> room_tables(const Textile& textile, int voxels)

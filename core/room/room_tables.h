@@ -29,8 +29,12 @@ constexpr int most_drawn_crossings = 64; ///< of a period that is drawn as it is
 
 constexpr int stokes_voxels = 24; ///< in the mean pitch, from which on Stokes flow sets the level of permeabilities
 
-/// What is drawn for the tables, of all periods, see cubes_of_crossing().
-double drawn_cubes(const Textile& textile);
+/// What is drawn for the tables: so many periods one after the other, each of so many cubes, see cubes_of_crossing().
+struct DrawnVolume {
+    double cubes = 0;
+    int periods = 0;
+};
+DrawnVolume drawn_volume(const Textile& textile);
 
 /// Of the textile's weave and yarns, wherever its region lies. voxels: in the mean pitch, see drawn_layer(). Found tables are kept for
 /// the next time.

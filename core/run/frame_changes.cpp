@@ -60,12 +60,14 @@ std::optional<ValueCodes> from_stored(double number)
 bool keeps_changes(std::size_t values, bool shows_cells)
 {
     constexpr std::size_t least = 4096; // fewer take little room, and whoever reads them elsewhere has plain values
-    return values >= least && !shows_cells;
+    constexpr std::size_t most = h5::largest_chunk / sizeof(std::uint32_t); // a row is one piece
+    return values >= least && values <= most && !shows_cells;
 }
 
 std::optional<std::int32_t> ValueCodes::of(float value) const
 {
     const auto as_bits = std::bit_cast<std::uint32_t>(value);
+    if (value == 0) return 0; // whichever sign it has
     if (bits == 0) {
         const float steps = value / step;
         if (!(steps >= 0 && steps <= static_cast<float>(most_steps))) return std::nullopt;
@@ -147,7 +149,7 @@ ChangesReader::ChangesReader(hid_t file)
         const std::optional<ValueCodes> how = from_stored(h5::read_number(all.get(), field));
         if (!how) throw FileError(fmt::format("\"{}/{}\" does not say how values are rounded.", of_file, field));
         if (rows_.size() == most_rows) throw FileError(fmt::format("\"{}/{}\" names too many fields.", of_file, rows_name));
-        rows_.push_back({field, *how, -1, {}});
+        rows_.push_back({field, *how, -1, -1, {}});
         first = last + 1;
     }
 }
@@ -155,14 +157,15 @@ ChangesReader::ChangesReader(hid_t file)
 /// At the last frame up to this one that has the field's values, or at the one that was found last.
 void ChangesReader::begin(Row& row, hid_t frames, int number, std::size_t count)
 {
-    for (int followed = 0; followed <= most_followed && number >= 0; ++followed, --number) {
-        if (row.number == number && row.codes.size() == count) return;
+    const int farthest = number - most_followed; // whatever was found before
+    for (; number >= std::max(0, farthest); --number) {
+        if (row.number == number && row.codes.size() == count && row.whole >= farthest) return;
         const h5::Handle group = h5::open_group(frames, frame_name(number));
         if (h5::exists(group.get(), in_frame)) continue;
         row.number = -1;
         if (!to_codes(row.how, h5::read_floats(group.get(), row.field, count), row.codes))
             throw FileError(fmt::format("\"{}\" of frame {}, from which it follows, has values that no frame shows.", row.field, number));
-        row.number = number;
+        row.number = row.whole = number;
         return;
     }
     throw FileError(fmt::format("the frames from which its \"{}\" follows lead too far back.", row.field));

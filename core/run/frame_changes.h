@@ -59,6 +59,7 @@ private:
         std::string field;
         ValueCodes how;
         int number;                      ///< of the frame that was found last; less than 0: none was
+        int whole;                       ///< of the frame from which that was found, which has its values
         std::vector<std::int32_t> codes; ///< its values
     };
     void begin(Row& row, hid_t frames, int number, std::size_t count);

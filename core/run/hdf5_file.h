@@ -11,6 +11,8 @@
 
 namespace hygroloom::hdf5 {
 
+constexpr hsize_t largest_chunk = 16 << 20; // bytes that readers take in one piece; the library has it in memory as a whole
+
 /// Owns an HDF5 identifier; throws FileError with the given words when the library refused it.
 class Handle {
 public:

@@ -15,7 +15,6 @@ namespace hygroloom::hdf5 {
 namespace {
 
 constexpr hsize_t any = HSIZE_UNDEF;
-constexpr hsize_t largest_chunk = 16 << 20; // bytes; the library has one in memory as a whole
 
 /// As "frames/000001/temperature", for sentences.
 std::string place_of(hid_t parent, const std::string& name)

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int version = 2; // in files of the first, plans do not tell the sample's area, which estimates need
+constexpr int version = 3; // in older files plans do not tell the sample's area or what is drawn of its rooms, which estimates need
 
 constexpr std::size_t most_runs = 60, most_bytes = std::size_t{4} << 20U;
 
@@ -120,6 +120,8 @@ try {
     Kept& all = kept();
     const std::lock_guard lock(all.mutex);
     if (all.file.empty() || !(run.wall > 0) || run.threads != 0 || !run.alone) return;
+    constexpr double most_set_up = 0.5; // of a run: rooms that were drawn before are found at once, which says nothing of the next program
+    if (set_up_seconds(run.plan, run.backend) > most_set_up * run.wall) return;
     std::filesystem::create_directories(all.file.parent_path());
     const ChangeLock only_one(all.file);
     std::vector<Json> list;

@@ -72,6 +72,22 @@ private Q_SLOTS:
         QCOMPARE(*plan.expected_error, 0.02);
         QVERIFY(mentions(plan.expectation_source, "near"));
     }
+    /// However much of a run set-up is counted to be: a hundred times the steps take longer.
+    void moreStepsTakeLongerInEveryShippedScene()
+    {
+        for (const MeasuredScene& scene : shipped_measurements())
+            for (const MeasuredRun& run : scene.runs) {
+                if (run.seconds == 0) continue;
+                ModelPlan longer = run.plan;
+                longer.segments *= 100;
+                longer.region.ends *= 10;
+                longer.region.picks *= 10;
+                longer.shown_ends = longer.shown_picks = 0;
+                expect(longer, {scene});
+                QVERIFY2(longer.expected_seconds > 1.2 * run.seconds,
+                         qPrintable(QString::fromStdString(scene.fabric + ", " + scene.experiment)));
+            }
+    }
     void noRunTakesLessThanItsStart()
     {
         const MeasuredScene measured = scene_of("drop", plan_of(35), 0.1, {});
@@ -432,6 +448,7 @@ private Q_SLOTS:
             QVERIFY2(!mentions(plan.expectation_source, "rough guess"), plan.expectation_source.c_str());
             const bool live = run.plan.fidelity == Fidelity::live;
             (live ? worst_live : worst) = std::max({live ? worst_live : worst, time, 1 / time});
+            QVERIFY2(time > 1 / 2.2, qPrintable(QString::number(time)));
             QVERIFY(memory < 1.5 && memory > 1 / 1.5);
         }
         // Known misses: drops of 0.3 to 0.6 s at live are estimated at up to 2.6 times as long, on viscose in a basket weave at standard at

@@ -230,6 +230,11 @@ private Q_SLOTS:
             QCOMPARE(complaint(path, 2), QString("Frame 2 cannot be read: \"saturation\" changes to what is no value."));
         }
     }
+    void whatIsReadInOnePieceIsKeptSo()
+    {
+        constexpr std::size_t most = hdf5::largest_chunk / 4;
+        QVERIFY(keeps_changes(most, false) && !keeps_changes(most + 1, false) && !keeps_changes(most, true) && !keeps_changes(4095, false));
+    }
     void framesThatLeadTooFarBackAreRefused()
     {
         const std::string path = at("far.hygrorec");
@@ -248,7 +253,9 @@ private Q_SLOTS:
                         0);
             }
         }
-        QVERIFY(are_alike(Recording(path).frame(64), frames[0]));
+        Recording recording(path);
+        for (int k = 0; k <= 64; ++k) QVERIFY(are_alike(recording.frame(k), frames[0]));
+        QVERIFY_THROWS_EXCEPTION(Error, recording.frame(65)); // though the one before was found
         QCOMPARE(complaint(path, 70),
                  QString("Frame 70 cannot be read: the frames from which its \"saturation\" follows lead too far back."));
     }
