@@ -72,22 +72,6 @@ private Q_SLOTS:
         QCOMPARE(*plan.expected_error, 0.02);
         QVERIFY(mentions(plan.expectation_source, "near"));
     }
-    /// However much of a run set-up is counted to be: a hundred times the steps take longer.
-    void moreStepsTakeLongerInEveryShippedScene()
-    {
-        for (const MeasuredScene& scene : shipped_measurements())
-            for (const MeasuredRun& run : scene.runs) {
-                if (run.seconds == 0) continue;
-                ModelPlan longer = run.plan;
-                longer.segments *= 100;
-                longer.region.ends *= 10;
-                longer.region.picks *= 10;
-                longer.shown_ends = longer.shown_picks = 0;
-                expect(longer, {scene});
-                QVERIFY2(longer.expected_seconds > 1.2 * run.seconds,
-                         qPrintable(QString::fromStdString(scene.fabric + ", " + scene.experiment)));
-            }
-    }
     void noRunTakesLessThanItsStart()
     {
         const MeasuredScene measured = scene_of("drop", plan_of(35), 0.1, {});

@@ -55,6 +55,22 @@ private Q_SLOTS:
         QVERIFY(plan.on("vapour") || plan.on("sorption") || plan.on("wicking"));
         QVERIFY2(plan.expected_seconds > 0.06 && plan.expected_seconds < 0.36, qPrintable(QString::number(plan.expected_seconds)));
     }
+    /// However much of a run set-up is counted to be: a hundred times the steps take longer.
+    void moreStepsTakeLongerInEveryShippedScene()
+    {
+        for (const MeasuredScene& scene : shipped_measurements())
+            for (const MeasuredRun& run : scene.runs) {
+                if (run.seconds == 0) continue;
+                ModelPlan longer = run.plan;
+                longer.segments *= 100;
+                longer.region.ends *= 10;
+                longer.region.picks *= 10;
+                longer.shown_ends = longer.shown_picks = 0;
+                expect(longer, {scene});
+                QVERIFY2(longer.expected_seconds > 1.2 * run.seconds,
+                         qPrintable(QString::fromStdString(scene.fabric + ", " + scene.experiment)));
+            }
+    }
     // Scaled is the whole of a measured run: where one kind's counts are far off those of another, the smaller part of a run comes out as
     // far off. Seconds at draft over rough work lie between 0.5 and 4.6: horizontal strips and sweat are counted too short.
     void countsOfAllKindsTakeAlikeLong()
