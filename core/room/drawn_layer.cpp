@@ -16,7 +16,7 @@ constexpr double reaches = 0.55;  // of the mean pitch
 /// Of a layer, at so many in the pitch: a million is some 3 s on one core; fewer where fewer are asked for, so that they can be compared.
 double most_voxels_at(int voxels) { return 1e6 * std::min(1.0, std::pow(voxels / 16.0, 3)); }
 
-/// One yarn among the voxels; what leaves the period comes in on the other side.
+/// One yarn among the voxels; what leaves the cell comes in on the other side.
 class DrawnYarn {
 public:
     DrawnYarn(const Textile& textile, YarnKind kind, int yarn, DrawnLayer& layer)
@@ -46,8 +46,9 @@ private:
         for (int c = static_cast<int>(std::ceil(middle - wide)); c <= static_cast<int>(std::floor(middle + wide)); ++c) {
             const double beside = std::max(0.0, std::abs(c - middle) * voxel - station.flat);
             const auto outside = static_cast<float>(std::hypot(beside, off) - station.half_height);
-            const int inside = ((c % n) + n) % n;
-            float& least = layer_.outside[is_warp_ ? g.at(inside, along, z) : g.at(along, inside, z)];
+            int x = is_warp_ ? c : along, y = is_warp_ ? along : c;
+            g.wrap(x, y);
+            float& least = layer_.outside[g.at(x, y, z)];
             least = std::min(least, outside);
         }
     }
@@ -79,25 +80,26 @@ double cubes_of_crossing(const Textile& textile)
 
 double voxels_of_period(double cubes, int voxels) { return std::min(std::pow(voxels, 3) * cubes, most_voxels_at(voxels)); }
 
-DrawnLayer drawn_layer(const Textile& period, int voxels)
+DrawnLayer drawn_layer(const Textile& cell, int voxels, int shift)
 {
-    const double pitch = std::sqrt(period.warp.pitch * period.weft.pitch), reach = reaches * pitch;
-    const double volume = period.warp.pitch * period.weft.pitch * period.crossings() * (period.thickness + 2 * reach);
-    const double voxel = std::cbrt(volume / voxels_of_period(cubes_of_crossing(period) * period.crossings(), voxels));
+    const double pitch = std::sqrt(cell.warp.pitch * cell.weft.pitch), reach = reaches * pitch;
+    const double volume = cell.warp.pitch * cell.weft.pitch * cell.crossings() * (cell.thickness + 2 * reach);
+    const double voxel = std::cbrt(volume / voxels_of_period(cubes_of_crossing(cell) * cell.crossings(), voxels));
     const auto whole = [&](double length) { return std::max(2, static_cast<int>(std::lround(length / voxel))); };
     DrawnLayer layer;
-    layer.per_end = whole(period.warp.pitch);
-    layer.per_pick = whole(period.weft.pitch);
-    const int layers = whole(period.thickness);
-    layer.dx = period.warp.pitch / layer.per_end;
-    layer.dy = period.weft.pitch / layer.per_pick;
-    layer.dz = period.thickness / layers;
+    layer.per_end = whole(cell.warp.pitch);
+    layer.per_pick = whole(cell.weft.pitch);
+    const int layers = whole(cell.thickness);
+    layer.dx = cell.warp.pitch / layer.per_end;
+    layer.dy = cell.weft.pitch / layer.per_pick;
+    layer.dz = cell.thickness / layers;
     layer.reach = reach;
     layer.margin = static_cast<int>(std::ceil(layer.reach / layer.dz)) + 1;
-    layer.grid = {period.ends() * layer.per_end, period.picks() * layer.per_pick, layers + 2 * layer.margin, true, false};
+    layer.grid = {cell.ends() * layer.per_end, cell.picks() * layer.per_pick, layers + 2 * layer.margin, true, false,
+                  shift * layer.per_pick};
     layer.outside.assign(layer.grid.size(), static_cast<float>(layer.reach));
-    for (int end = 0; end < period.ends(); ++end) DrawnYarn(period, YarnKind::warp, end, layer).draw();
-    for (int pick = 0; pick < period.picks(); ++pick) DrawnYarn(period, YarnKind::weft, pick, layer).draw();
+    for (int end = 0; end < cell.ends(); ++end) DrawnYarn(cell, YarnKind::warp, end, layer).draw();
+    for (int pick = 0; pick < cell.picks(); ++pick) DrawnYarn(cell, YarnKind::weft, pick, layer).draw();
     return layer;
 }
 
@@ -125,22 +127,25 @@ double growth_to_share(const DrawnLayer& layer, double share)
 
 namespace {
 
-/// All yarns of a period, which goes on to all sides.
+/// All yarns of a cell, which goes on to all sides.
 class DrawnYarns {
 public:
-    DrawnYarns(const Textile& period, double spacing) : period_(period)
+    DrawnYarns(const Textile& cell, int shift, double spacing) : cell_(cell), shift_(shift)
     {
         for (YarnKind kind : {YarnKind::warp, YarnKind::weft})
-            for (int yarn = 0; yarn < period.system(kind).count; ++yarn)
-                (kind == YarnKind::warp ? warp_ : weft_).emplace_back(period, kind, yarn, spacing, 2);
+            for (int yarn = 0; yarn < cell.system(kind).count; ++yarn)
+                (kind == YarnKind::warp ? warp_ : weft_).emplace_back(cell, kind, yarn, spacing, 2);
     }
     /// Of any number, from a place along it, across the cloth and up, m; no more than reach.
     double outside(YarnKind kind, int yarn, double along, double across, double up, double reach) const
     {
-        const YarnSystem& system = period_.system(kind);
+        const YarnSystem& system = cell_.system(kind);
         const int inside = ((yarn % system.count) + system.count) % system.count;
         const YarnStations& stations = (kind == YarnKind::warp ? warp_ : weft_)[static_cast<std::size_t>(inside)];
-        const NearStation near = stations.nearest(along, up, reach + 2 * stations.all().front().half_height);
+        if (kind == YarnKind::warp) along = lowered(along, (yarn - inside) / system.count);
+        const double half_height = 0.5 * cell_.type(kind, inside).section.height; // the largest
+        // Of a whole period yarns that are squeezed to less than half of it where they begin hide less than they should.
+        const NearStation near = stations.nearest(along, up, reach + (shift_ ? half_height : 2 * stations.all().front().half_height));
         if (!near.station) return reach;
         const double shift = (yarn - inside) * system.pitch;
         const double beside = std::max(0.0, std::abs(across - near.station->across - shift) - near.station->flat);
@@ -148,17 +153,26 @@ public:
     }
 
 private:
-    const Textile& period_;
+    /// Where along the cell's end a place of that end lies which is so many cells farther.
+    double lowered(double along, int cells) const
+    {
+        if (cells * shift_ == 0) return along;
+        const double length = cell_.picks() * cell_.weft.pitch, down = along - cells * shift_ * cell_.weft.pitch;
+        return down - length * std::round(down / length);
+    }
+
+    const Textile& cell_;
+    int shift_;
     std::vector<YarnStations> warp_, weft_;
 };
 
 /// What one yarn adds to the skin and takes from the openings.
 class YarnSkinInRoom {
 public:
-    YarnSkinInRoom(const Textile& period, const DrawnYarns& yarns, YarnKind kind, int yarn, double growth)
-        : period_(period), yarns_(yarns), kind_(kind), yarn_(yarn), growth_(growth), half_thickness_(0.5 * period.thickness),
-          stations_(period, kind, yarn, period.system(other_kind(kind)).pitch / 24, 0),
-          spacing_(period.system(other_kind(kind)).pitch * period.crossings_along(kind) / static_cast<double>(stations_.all().size()))
+    YarnSkinInRoom(const Textile& textile, const WovenCell& cell, const DrawnYarns& yarns, YarnKind kind, int yarn, double growth)
+        : textile_(textile), cell_(cell), yarns_(yarns), kind_(kind), yarn_(yarn), growth_(growth),
+          half_thickness_(0.5 * textile.thickness), stations_(textile, kind, yarn, textile.system(other_kind(kind)).pitch / 24, 0),
+          spacing_(textile.system(other_kind(kind)).pitch * textile.crossings_along(kind) / static_cast<double>(stations_.all().size()))
     {
     }
     void add_to(RoomSkin& skin) const
@@ -181,14 +195,13 @@ private:
     std::pair<int, int> threads(double along, double across) const
     {
         const double x = is_warp() ? across : along, y = is_warp() ? along : across;
-        return {static_cast<int>(std::floor(x / period_.warp.pitch + 0.5 * period_.ends())),
-                static_cast<int>(std::floor(y / period_.weft.pitch + 0.5 * period_.picks()))};
+        return {static_cast<int>(std::floor(x / textile_.warp.pitch + 0.5 * textile_.ends())),
+                static_cast<int>(std::floor(y / textile_.weft.pitch + 0.5 * textile_.picks()))};
     }
     std::size_t crossing(double along, double across) const
     {
         const auto [end, pick] = threads(along, across);
-        const auto wrapped = [](int i, int n) { return ((i % n) + n) % n; };
-        return static_cast<std::size_t>(wrapped(end, period_.ends()) * period_.picks() + wrapped(pick, period_.picks()));
+        return cell_.crossing(end, pick);
     }
     void add_outline(const YarnStation& s, std::vector<double>& skin) const
     {
@@ -225,7 +238,8 @@ private:
         return true;
     }
 
-    const Textile& period_;
+    const Textile& textile_;
+    const WovenCell& cell_;
     const DrawnYarns& yarns_;
     YarnKind kind_;
     int yarn_;
@@ -236,15 +250,16 @@ private:
 
 } // namespace
 
-RoomSkin skin_of_room(const Textile& period, double growth)
+RoomSkin skin_of_room(const Textile& cell, double growth, int shift)
 {
-    const DrawnYarns yarns(period, std::min(period.warp.pitch, period.weft.pitch) / 40);
+    const WovenCell woven{cell.ends(), cell.picks(), shift};
+    const DrawnYarns yarns(cell, shift, std::min(cell.warp.pitch, cell.weft.pitch) / 40);
     RoomSkin skin;
-    skin.warp.assign(static_cast<std::size_t>(period.crossings()), 0);
+    skin.warp.assign(static_cast<std::size_t>(cell.crossings()), 0);
     skin.weft = skin.warp;
-    skin.faces.assign(skin.warp.size(), 2 * period.warp.pitch * period.weft.pitch);
-    for (int end = 0; end < period.ends(); ++end) YarnSkinInRoom(period, yarns, YarnKind::warp, end, growth).add_to(skin);
-    for (int pick = 0; pick < period.picks(); ++pick) YarnSkinInRoom(period, yarns, YarnKind::weft, pick, growth).add_to(skin);
+    skin.faces.assign(skin.warp.size(), 2 * cell.warp.pitch * cell.weft.pitch);
+    for (int end = 0; end < cell.ends(); ++end) YarnSkinInRoom(cell, woven, yarns, YarnKind::warp, end, growth).add_to(skin);
+    for (int pick = 0; pick < cell.picks(); ++pick) YarnSkinInRoom(cell, woven, yarns, YarnKind::weft, pick, growth).add_to(skin);
     for (double& face : skin.faces) face = std::max(0.0, face);
     return skin;
 }

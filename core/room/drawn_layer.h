@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// One period of a woven layer as it is drawn, in voxels: how far each lies outside the yarns. Lengths in m.
+// One cell of a woven layer as it is drawn, in voxels: how far each lies outside the yarns. Lengths in m.
 #pragma once
 
 #include "core/geometry/textile.h"
 #include "core/room/voxels.h"
+#include "core/room/woven_cell.h"
 
 namespace hygroloom {
 
@@ -18,6 +19,7 @@ struct DrawnLayer {
 
     int ends() const { return grid.nx / per_end; }
     int picks() const { return grid.ny / per_pick; }
+    WovenCell cell() const { return {ends(), picks(), grid.skew / per_pick}; }
     int first() const { return margin; } ///< layer of voxels of the cloth
     int last() const { return grid.nz - margin - 1; }
     double side() const; ///< of a voxel, the mean of its three
@@ -30,9 +32,9 @@ double cubes_of_crossing(const Textile& textile);
 /// How many voxels so many cubes are drawn in.
 double voxels_of_period(double cubes, int voxels);
 
-/// The textile is one period large. voxels: in the mean pitch at least; a thin layer has more, for half as many from face to face,
-/// and a period of more than a million of them has fewer.
-DrawnLayer drawn_layer(const Textile& period, int voxels);
+/// The textile is one cell large, with such a shift. voxels: in the mean pitch at least; a thin layer has more, for half as many from face
+/// to face, and a cell of more than a million of them has fewer.
+DrawnLayer drawn_layer(const Textile& cell, int voxels, int shift = 0);
 
 /// Of the cloth, what lies outside yarns that have grown so much; a voxel that a skin cuts counts in part.
 double share_outside(const DrawnLayer& layer, double growth);
@@ -46,7 +48,7 @@ double growth_to_share(const DrawnLayer& layer, double share);
 struct RoomSkin {
     std::vector<double> warp, weft, faces;
 };
-RoomSkin skin_of_room(const Textile& period, double growth);
+RoomSkin skin_of_room(const Textile& cell, double growth, int shift = 0);
 
 /// A room that air has come into from both faces, as far as balls of one size do, until it is about half full.
 struct HalfFull {

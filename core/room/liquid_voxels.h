@@ -37,10 +37,8 @@ public:
     /// On its lower or upper side along x, y or z (0, 1, 2); nothing beyond the faces.
     std::optional<Place> beside(Place p, int axis, int step) const
     {
-        const auto round = [](int i, int n) { return i < 0 ? i + n : i >= n ? i - n : i; };
-        if (axis == 0) p.x = round(p.x + step, layer_.grid.nx);
-        if (axis == 1) p.y = round(p.y + step, layer_.grid.ny);
-        if (axis == 2) p.z += step;
+        (axis == 0 ? p.x : axis == 1 ? p.y : p.z) += step;
+        layer_.grid.wrap(p.x, p.y);
         if (p.z < layer_.first() || p.z > layer_.last()) return {};
         return p;
     }

@@ -102,10 +102,11 @@ void MobileLiquid::find_mobility(const std::vector<std::uint8_t>& air)
     mobility_ = solved(rows.matrix(places.size()), Numbers::Ones(static_cast<Eigen::Index>(places.size())));
 }
 
-/// A period of crossings in a mean gradient of 1 along one system: the permeability that those of its crossings come to.
+/// A cell of crossings in a mean gradient of 1 along one system: the permeability that those of its crossings come to.
 double joined(const DrawnLayer& layer, const std::vector<double>& along_warp, const std::vector<double>& along_weft, bool warp)
 {
-    const int ends = layer.ends(), picks = layer.picks(), n = ends * picks;
+    const WovenCell cell = layer.cell();
+    const int n = cell.crossings();
     const double shape = layer.per_end * layer.dx / (layer.per_pick * layer.dy); // joint along an end: permeability x width / length
     const auto in_series = [](double a, double b) { return a > 0 && b > 0 ? 2 * a * b / (a + b) : 0.0; };
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
@@ -121,10 +122,9 @@ double joined(const DrawnLayer& layer, const std::vector<double>& along_warp, co
         right(to) -= conducts;
         direct += conducts;
     };
-    for (int end = 0; end < ends; ++end)
-        for (int pick = 0; pick < picks; ++pick) {
-            const auto here = static_cast<std::size_t>(end * picks + pick), up = static_cast<std::size_t>(end * picks + (pick + 1) % picks),
-                       beside = static_cast<std::size_t>((end + 1) % ends * picks + pick);
+    for (int end = 0; end < cell.ends; ++end)
+        for (int pick = 0; pick < cell.picks; ++pick) {
+            const std::size_t here = cell.crossing(end, pick), up = cell.crossing(end, pick + 1), beside = cell.crossing(end + 1, pick);
             join(static_cast<int>(here), static_cast<int>(up), shape * in_series(along_warp[here], along_warp[up]), warp);
             join(static_cast<int>(here), static_cast<int>(beside), in_series(along_weft[here], along_weft[beside]) / shape, !warp);
         }
@@ -162,7 +162,7 @@ AlongRoom MobileLiquid::along(bool warp) const
         double flows = 0, gradient = 0, faces = 0;
     };
     const int slices = warp ? layer_.per_pick : layer_.per_end, across = warp ? layer_.per_end : layer_.per_pick;
-    const std::size_t crossings = static_cast<std::size_t>(layer_.ends() * layer_.picks());
+    const std::size_t crossings = static_cast<std::size_t>(layer_.cell().crossings());
     std::vector<Slice> of_slice(crossings * static_cast<std::size_t>(slices));
     for (std::size_t k = 0; k < places.size(); ++k) {
         const auto next = liquid_.beside(places[k], axis, 1);
@@ -198,7 +198,7 @@ AlongRoom MobileLiquid::along(bool warp) const
 
 RoomPermeability room_permeability(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air)
 {
-    const auto crossings = static_cast<std::size_t>(layer.ends() * layer.picks());
+    const auto crossings = static_cast<std::size_t>(layer.cell().crossings());
     const MobileLiquid liquid(layer, growth, air);
     if (liquid.none()) return {{0, std::vector<double>(crossings, 0.0)}, {0, std::vector<double>(crossings, 0.0)}};
     RoomPermeability found{liquid.along(true), liquid.along(false)};

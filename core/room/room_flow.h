@@ -8,7 +8,7 @@ namespace hygroloom {
 
 /// What a layer lets through along one system of yarns, m2.
 struct AlongRoom {
-    double mean = 0;            ///< of the whole period: flow per area of the layer's section, yarns included
+    double mean = 0;            ///< of the whole cell: flow per area of the layer's section, yarns included
     std::vector<double> places; ///< of each crossing, end x picks + pick: joined in series and side by side they come to the mean
 };
 struct RoomPermeability {

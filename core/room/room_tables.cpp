@@ -17,16 +17,16 @@ namespace {
 
 constexpr int most_pairs = 16; // of types that are drawn alone; of more, none is
 
-/// The same cloth, one period large, from its first end and pick on.
-Textile period_of(Textile textile, Weave weave, int ends, int picks)
+/// The same cloth, so large, from its first end and pick on.
+Textile part_of(Textile textile, int ends, int picks)
 {
-    textile.weave = std::move(weave);
     textile.first_end = textile.first_pick = 0;
     textile.warp.count = ends;
     textile.weft.count = picks;
     return textile;
 }
 
+bool is_of_one_type(const YarnSystem& system) { return system.types.size() == 1 || system.order.size() == 1; }
 int threads_of_period(int weave, const YarnSystem& system)
 {
     return system.types.size() == 1 ? weave : std::lcm(weave, static_cast<int>(system.order.size()));
@@ -47,19 +47,19 @@ Weave part_of(const Weave& weave)
 void of_one_type(YarnSystem& system, std::size_t type) { system.order.assign(1, static_cast<std::uint8_t>(type)); }
 
 /// Of the layer, what the volume of yarns leaves.
-double share_of_room(const Textile& period)
+double share_of_room(const Textile& cell)
 {
     double sum = 0;
-    for (int end = 0; end < period.ends(); ++end)
-        for (int pick = 0; pick < period.picks(); ++pick) {
-            const auto a = static_cast<std::size_t>(period.type_of(YarnKind::warp, end)),
-                       b = static_cast<std::size_t>(period.type_of(YarnKind::weft, pick));
-            const YarnType &warp = period.warp.types[a], &weft = period.weft.types[b];
+    for (int end = 0; end < cell.ends(); ++end)
+        for (int pick = 0; pick < cell.picks(); ++pick) {
+            const auto a = static_cast<std::size_t>(cell.type_of(YarnKind::warp, end)),
+                       b = static_cast<std::size_t>(cell.type_of(YarnKind::weft, pick));
+            const YarnType &warp = cell.warp.types[a], &weft = cell.weft.types[b];
             const double yarns =
-                warp.area * warp.length_per_pitch[b] / period.warp.pitch + weft.area * weft.length_per_pitch[a] / period.weft.pitch;
-            sum += std::max(least_share_of_room, 1 - yarns / period.thickness);
+                warp.area * warp.length_per_pitch[b] / cell.warp.pitch + weft.area * weft.length_per_pitch[a] / cell.weft.pitch;
+            sum += std::max(least_share_of_room, 1 - yarns / cell.thickness);
         }
-    return sum / period.crossings();
+    return sum / cell.crossings();
 }
 
 /// Of all places, those of one pair of types.
@@ -79,10 +79,10 @@ struct Level {
     double warp = 0.81, weft = 0.81;
 };
 /// On a coarser grid: it depends little on that.
-Level level_of_stokes(const Textile& period, int voxels)
+Level level_of_stokes(const Textile& cell, int shift, int voxels)
 {
-    const DrawnLayer layer = drawn_layer(period, voxels);
-    const double growth = growth_to_share(layer, share_of_room(period));
+    const DrawnLayer layer = drawn_layer(cell, voxels, shift);
+    const double growth = growth_to_share(layer, share_of_room(cell));
     const RoomPermeability full = room_permeability(layer, growth);
     const auto level = [&](bool warp, double mobile) { return mobile > 0 ? stokes_permeability(layer, growth, warp) / mobile : 1.0; };
     return {level(true, full.warp.mean), level(false, full.weft.mean)};
@@ -93,38 +93,25 @@ void scale(AlongRoom& along, double by)
     for (double& place : along.places) place *= by;
 }
 
-RoomTables tables_of_period(const Textile& period, int voxels)
+double falls(double of_half, double of_full, double saturation)
 {
-    const DrawnLayer layer = drawn_layer(period, voxels);
-    RoomTables tables;
-    tables.ends = period.ends();
-    tables.picks = period.picks();
-    tables.growth = growth_to_share(layer, share_of_room(period));
-    const RoomSkin skin = skin_of_room(period, tables.growth);
-    RoomPermeability full = room_permeability(layer, tables.growth);
-    const Level level = voxels >= stokes_voxels ? level_of_stokes(period, voxels / 2) : Level{};
-    scale(full.warp, level.warp);
-    scale(full.weft, level.weft);
-    const HalfFull state = half_full(layer, tables.growth);
-    const RoomPermeability half = room_permeability(layer, tables.growth, state.air);
-    const auto falls = [&](double of_half, double of_full) {
-        constexpr double least = 1, most = 4;
-        if (!(of_half > 0 && of_full > 0 && state.saturation < 0.95)) return most;
-        return std::clamp(std::log(of_half / of_full) / std::log(state.saturation), least, most);
-    };
-    tables.falls_along_warp = falls(half.warp.mean, full.warp.mean);
-    tables.falls_along_weft = falls(half.weft.mean, full.weft.mean);
+    constexpr double least = 1, most = 4;
+    if (!(of_half > 0 && of_full > 0 && saturation < 0.95)) return most;
+    return std::clamp(std::log(of_half / of_full) / std::log(saturation), least, most);
+}
 
-    const std::size_t wefts = period.weft.types.size(), pairs = period.warp.types.size() * wefts;
+/// Tables by pairs of types and by place, of what is known of each crossing of a cell.
+void fill(RoomTables& tables, const Textile& drawn, const WovenCell& cell, const RoomSkin& skin, const RoomPermeability& full)
+{
+    const std::size_t wefts = drawn.weft.types.size(), pairs = drawn.warp.types.size() * wefts;
     const auto types_at = [&](int end, int pick) {
-        return static_cast<std::size_t>(period.type_of(YarnKind::warp, end)) * wefts +
-               static_cast<std::size_t>(period.type_of(YarnKind::weft, pick));
+        return static_cast<std::size_t>(drawn.type_of(YarnKind::warp, end)) * wefts +
+               static_cast<std::size_t>(drawn.type_of(YarnKind::weft, pick));
     };
     const auto by_types = [&](const std::vector<double>& places) {
         std::vector<Mean> means(pairs);
-        for (int end = 0; end < tables.ends; ++end)
-            for (int pick = 0; pick < tables.picks; ++pick)
-                means[types_at(end, pick)].add(places[static_cast<std::size_t>(end * tables.picks + pick)]);
+        for (int end = 0; end < cell.ends; ++end)
+            for (int pick = 0; pick < cell.picks; ++pick) means[types_at(end, pick)].add(places[cell.crossing(end, pick)]);
         return means;
     };
     const std::vector<Mean> warp_skin = by_types(skin.warp), weft_skin = by_types(skin.weft), faces = by_types(skin.faces),
@@ -136,15 +123,16 @@ RoomTables tables_of_period(const Textile& period, int voxels)
         tables.types[0].along_warp = full.warp.mean;
         tables.types[0].along_weft = full.weft.mean;
     }
+    tables.ends = cell.ends_of_period();
+    tables.picks = cell.picks;
     for (int end = 0; end < tables.ends; ++end)
         for (int pick = 0; pick < tables.picks; ++pick) {
-            const auto at = static_cast<std::size_t>(end * tables.picks + pick);
+            const std::size_t at = cell.crossing(end, pick);
             const DrawnRoom& mean = tables.types[types_at(end, pick)];
             const auto over = [](double place, double of_types) { return static_cast<float>(of_types > 0 ? place / of_types : 1); };
             tables.warp_places.push_back(over(full.warp.places[at], mean.along_warp));
             tables.weft_places.push_back(over(full.weft.places[at], mean.along_weft));
         }
-    return tables;
 }
 
 /// To four digits: what is left of equations that are solved by rounds does not show, and cloth turned over has the same tables.
@@ -165,21 +153,33 @@ void round_all(RoomTables& tables)
 
 Weave drawn_part(const Weave& weave) { return weave.ends() * weave.picks() <= most_drawn_crossings ? weave : part_of(weave); }
 
+/// What of a cloth is drawn together; none: each pair of its types alone. Plain, ribs and baskets, of whose cells two make a period, are
+/// drawn as a period.
+std::optional<WovenCell> drawn_cell(const Textile& textile)
+{
+    constexpr int makes_period = 3; // so many cells or more
+    const int ends = threads_of_period(textile.weave.ends(), textile.warp), picks = threads_of_period(textile.weave.picks(), textile.weft);
+    const long period = static_cast<long>(ends) * picks, most = std::min<long>(most_drawn_crossings, period / makes_period);
+    if (is_of_one_type(textile.warp) && is_of_one_type(textile.weft))
+        if (const auto cell = smallest_cell(textile.weave, static_cast<int>(most))) return cell;
+    if (period <= most_drawn_crossings) return WovenCell{ends, picks};
+    return {};
+}
+
 RoomTables found_tables(const Textile& textile, int voxels)
 {
     const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
-    const int ends = threads_of_period(textile.weave.ends(), textile.warp), picks = threads_of_period(textile.weave.picks(), textile.weft);
-    if (static_cast<long>(ends) * picks <= most_drawn_crossings)
-        return tables_of_period(period_of(textile, textile.weave, ends, picks), voxels);
+    if (const auto cell = drawn_cell(textile)) return tables_of_cell(textile, *cell, voxels);
     RoomTables tables;
     if (warps * wefts > most_pairs) return tables;
     const Weave part = drawn_part(textile.weave);
     for (std::size_t warp = 0; warp < warps; ++warp)
         for (std::size_t weft = 0; weft < wefts; ++weft) {
-            Textile alone = period_of(textile, part, part.ends(), part.picks());
+            Textile alone = textile;
+            alone.weave = part;
             of_one_type(alone.warp, warp);
             of_one_type(alone.weft, weft);
-            const RoomTables found = tables_of_period(alone, voxels);
+            const RoomTables found = tables_of_cell(alone, {part.ends(), part.picks()}, voxels);
             tables.types.push_back(found.types[warp * wefts + weft]);
             tables.growth += found.growth / static_cast<double>(warps * wefts);
             tables.falls_along_warp += found.falls_along_warp / static_cast<double>(warps * wefts);
@@ -246,11 +246,29 @@ private:
 DrawnVolume drawn_volume(const Textile& textile)
 {
     const double of_one = cubes_of_crossing(textile);
-    const int ends = threads_of_period(textile.weave.ends(), textile.warp), picks = threads_of_period(textile.weave.picks(), textile.weft);
-    if (static_cast<long>(ends) * picks <= most_drawn_crossings) return {of_one * ends * picks, 1};
+    if (const auto cell = drawn_cell(textile)) return {of_one * cell->crossings(), 1};
     const auto pairs = static_cast<int>(textile.warp.types.size() * textile.weft.types.size());
     const Weave part = drawn_part(textile.weave);
     return {of_one * part.ends() * part.picks(), pairs > most_pairs ? 0 : pairs};
+}
+
+RoomTables tables_of_cell(const Textile& textile, const WovenCell& cell, int voxels)
+{
+    const Textile drawn = part_of(textile, cell.ends, cell.picks);
+    const DrawnLayer layer = drawn_layer(drawn, voxels, cell.shift);
+    RoomTables tables;
+    tables.growth = growth_to_share(layer, share_of_room(drawn));
+    const RoomSkin skin = skin_of_room(drawn, tables.growth, cell.shift);
+    RoomPermeability full = room_permeability(layer, tables.growth);
+    const Level level = voxels >= stokes_voxels ? level_of_stokes(drawn, cell.shift, voxels / 2) : Level{};
+    scale(full.warp, level.warp);
+    scale(full.weft, level.weft);
+    const HalfFull half = half_full(layer, tables.growth);
+    const RoomPermeability left = room_permeability(layer, tables.growth, half.air);
+    tables.falls_along_warp = falls(left.warp.mean, full.warp.mean, half.saturation);
+    tables.falls_along_weft = falls(left.weft.mean, full.weft.mean, half.saturation);
+    fill(tables, drawn, cell, skin, full);
+    return tables;
 }
 
 std::shared_ptr<const RoomTables> room_tables(const Textile& textile, int voxels)

@@ -3,7 +3,7 @@
 // angles have no part in it.
 #pragma once
 
-#include "core/geometry/textile.h"
+#include "core/room/woven_cell.h"
 
 #include <memory>
 #include <vector>
@@ -25,11 +25,14 @@ struct RoomTables {
     double growth = 0;                                 ///< m, see growth_to_share()
 };
 
-constexpr int most_drawn_crossings = 64; ///< of a period that is drawn as it is; else a part of it, or each pair of types alone
+constexpr int most_drawn_crossings = 64; ///< of a cell or period that is drawn as it is; else a part of it, or each pair of types alone
+
+/// Of the cloth, drawn as this cell of its weave, from its first end and pick on.
+RoomTables tables_of_cell(const Textile& textile, const WovenCell& cell, int voxels);
 
 constexpr int stokes_voxels = 24; ///< in the mean pitch, from which on Stokes flow sets the level of permeabilities
 
-/// What is drawn for the tables: so many periods one after the other, each of so many cubes, see cubes_of_crossing().
+/// What is drawn for the tables: so many cells or periods one after the other, each of so many cubes, see cubes_of_crossing().
 struct DrawnVolume {
     double cubes = 0;
     int periods = 0;

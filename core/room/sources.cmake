@@ -5,6 +5,7 @@ target_sources(hygroloom_core PRIVATE
   room/room_tables.cpp
   room/stokes.cpp
   room/voxels.cpp
+  room/woven_cell.cpp
   room/yarn_stations.cpp
 )
 

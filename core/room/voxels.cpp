@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <numeric>
 
 namespace hygroloom {
 namespace {
@@ -60,23 +61,52 @@ std::array<Axis, 3> axes_of(const VoxelGrid& g)
     return {{{1, g.nx, g.repeats}, {row, g.ny, g.repeats}, {row * static_cast<std::size_t>(g.ny), g.sections ? 1 : g.nz, false}}};
 }
 
+/// Lines of voxels of one length.
+class Lines {
+public:
+    Lines(std::size_t length, bool repeat) : n_(length), reach_(repeat ? (n_ + 1) / 2 : 0), line_(n_ + 2 * reach_) {}
+    /// at: number of each of its voxels.
+    template <typename At> void transform(std::vector<int>& squared, const At& at)
+    {
+        for (std::size_t i = 0; i < n_; ++i) line_[reach_ + i] = squared[at(i)];
+        for (std::size_t i = 0; i < reach_; ++i) {
+            line_[i] = line_[i + n_];
+            line_[reach_ + n_ + i] = line_[reach_ + i];
+        }
+        envelope_.lower(line_, static_cast<int>(reach_));
+        for (std::size_t i = 0; i < n_; ++i) squared[at(i)] = line_[reach_ + i];
+    }
+
+private:
+    std::size_t n_, reach_; // no nearest lies farther
+    std::vector<int> line_;
+    Envelope envelope_;
+};
+
 void transform_along(const VoxelGrid& grid, const Axis& axis, std::vector<int>& squared)
 {
     if (axis.length < 2) return;
-    Envelope envelope;
-    const auto n = static_cast<std::size_t>(axis.length), reach = axis.repeats ? (n + 1) / 2 : 0; // no nearest lies farther
-    std::vector<int> line(n + 2 * reach);
-    const std::size_t block = axis.stride * n;
+    Lines lines(static_cast<std::size_t>(axis.length), axis.repeats);
+    const std::size_t block = axis.stride * static_cast<std::size_t>(axis.length);
     for (std::size_t first = 0; first < grid.size(); first += block)
-        for (std::size_t start = first; start < first + axis.stride; ++start) {
-            for (std::size_t i = 0; i < n; ++i) line[reach + i] = squared[start + i * axis.stride];
-            for (std::size_t i = 0; i < reach; ++i) {
-                line[i] = line[i + n];
-                line[reach + n + i] = line[reach + i];
-            }
-            envelope.lower(line, static_cast<int>(reach));
-            for (std::size_t i = 0; i < n; ++i) squared[start + i * axis.stride] = line[reach + i];
+        for (std::size_t start = first; start < first + axis.stride; ++start)
+            lines.transform(squared, [&](std::size_t i) { return start + i * axis.stride; });
+}
+
+/// Rows along x that go on in each other, until they come back to the first.
+void transform_skewed(const VoxelGrid& grid, std::vector<int>& squared)
+{
+    const int apart = std::gcd(grid.skew, grid.ny), rows = grid.ny / apart;
+    std::vector<std::size_t> at(static_cast<std::size_t>(rows) * static_cast<std::size_t>(grid.nx));
+    Lines lines(at.size(), true);
+    for (int first = 0; first < apart; ++first) {
+        for (std::size_t i = 0; i < at.size(); ++i) {
+            int x = static_cast<int>(i), y = first;
+            grid.wrap(x, y);
+            at[i] = grid.at(x, y, 0);
         }
+        for (int z = 0; z < grid.nz; ++z) lines.transform(squared, [&, layer = grid.at(0, 0, z)](std::size_t i) { return layer + at[i]; });
+    }
 }
 
 } // namespace
@@ -85,7 +115,13 @@ std::vector<int> squared_distances(const VoxelGrid& grid, const std::vector<std:
 {
     std::vector<int> squared(grid.size());
     for (std::size_t i = 0; i < squared.size(); ++i) squared[i] = marked[i] ? 0 : far_away;
-    for (const Axis& axis : axes_of(grid)) transform_along(grid, axis, squared);
+    const auto [x, y, z] = axes_of(grid);
+    if (grid.repeats && grid.skew > 0)
+        transform_skewed(grid, squared);
+    else
+        transform_along(grid, x, squared);
+    transform_along(grid, y, squared);
+    transform_along(grid, z, squared);
     return squared;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hygroloom {
 
@@ -19,17 +20,41 @@ YarnStations::YarnStations(const Textile& textile, YarnKind kind, int yarn, doub
         }
 }
 
+namespace {
+
+bool alike(double a, double b, double of)
+{
+    constexpr double rounding = 1e-9;
+    return std::abs(a - b) <= rounding * of;
+}
+/// Half-way between both; the first where they have the same section.
+YarnStation between(const YarnStation& a, const YarnStation& b)
+{
+    const double height = a.half_height;
+    if (alike(a.across, b.across, height) && alike(b.half_height, height, height) && alike(a.flat, b.flat, height)) return a;
+    const auto mean = [&](double YarnStation::*of) { return 0.5 * (a.*of + b.*of); };
+    return {mean(&YarnStation::along),       mean(&YarnStation::across), mean(&YarnStation::up),
+            mean(&YarnStation::half_height), mean(&YarnStation::flat),   mean(&YarnStation::rise)};
+}
+
+} // namespace
+
 NearStation YarnStations::nearest(double along, double up, double reach) const
 {
-    NearStation best{nullptr, reach * reach};
+    const YarnStation *best = nullptr, *as_near = nullptr;
+    double least = reach * reach;
     auto s =
         std::lower_bound(stations_.begin(), stations_.end(), along - reach, [](const YarnStation& a, double b) { return a.along < b; });
     for (; s != stations_.end() && s->along < along + reach; ++s) {
         const double off = (s->along - along) * (s->along - along) + (s->up - up) * (s->up - up);
-        if (off < best.off) best = {&*s, off};
+        if (best && alike(off, least, least))
+            as_near = off < least ? std::exchange(best, &*s) : &*s;
+        else if (off < least)
+            best = &*s, as_near = nullptr;
+        least = std::min(least, off);
     }
-    best.off = std::sqrt(best.off);
-    return best;
+    if (!best) return {{}, reach};
+    return {as_near ? between(*best, *as_near) : *best, std::sqrt(least)};
 }
 
 } // namespace hygroloom

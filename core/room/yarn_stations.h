@@ -4,6 +4,7 @@
 
 #include "core/geometry/textile.h"
 
+#include <optional>
 #include <vector>
 
 namespace hygroloom {
@@ -15,9 +16,10 @@ struct YarnStation {
     double rise = 0;                  ///< of the centreline, over its way along the fabric
 };
 
-/// The station nearest to a place of the plane along the yarn and up, and its distance; none within reach: null.
+/// The station nearest to a place of the plane along the yarn and up, and its distance; none within reach: none. Half-way between two, what
+/// lies half-way: so the same cloth is the same wherever its region begins, and turned over.
 struct NearStation {
-    const YarnStation* station = nullptr;
+    std::optional<YarnStation> station;
     double off = 0;
 };
 
