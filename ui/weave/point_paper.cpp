@@ -14,7 +14,7 @@ namespace hygroloom {
 
 namespace {
 
-constexpr double smallest_cell = 1, largest_cell = 48;
+constexpr double least_cell = 1, largest_cell = 48;
 constexpr double least_lined_cell = 4; // smaller squares have no lines between them
 
 } // namespace
@@ -135,9 +135,9 @@ void PointPaper::zoomToFit()
 void PointPaper::zoomAt(double cell, const QPointF& at)
 {
     const QPointF before = (at - origin()) / this->cell();
-    const double size = std::clamp(std::round(cell), smallest_cell, largest_cell);
+    const double size = std::clamp(std::round(cell), least_cell, largest_cell);
     zoom_ = size == this->cell() ? this->cell() + (cell > size ? 1 : cell < size ? -1 : 0) : size;
-    zoom_ = std::clamp(zoom_, smallest_cell, largest_cell);
+    zoom_ = std::clamp(zoom_, least_cell, largest_cell);
     updateScrollBars();
     const QPointF off = origin() + before * zoom_ - at;
     horizontalScrollBar()->setValue(horizontalScrollBar()->value() + qRound(off.x()));
