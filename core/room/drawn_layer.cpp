@@ -144,8 +144,7 @@ public:
         const YarnStations& stations = (kind == YarnKind::warp ? warp_ : weft_)[static_cast<std::size_t>(inside)];
         if (kind == YarnKind::warp) along = lowered(along, (yarn - inside) / system.count);
         const double half_height = 0.5 * cell_.type(kind, inside).section.height; // the largest
-        // Of a whole period yarns that are squeezed to less than half of it where they begin hide less than they should.
-        const NearStation near = stations.nearest(along, up, reach + (shift_ ? half_height : 2 * stations.all().front().half_height));
+        const NearStation near = stations.nearest(along, up, reach + half_height);
         if (!near.station) return reach;
         const double shift = (yarn - inside) * system.pitch;
         const double beside = std::max(0.0, std::abs(across - near.station->across - shift) - near.station->flat);
