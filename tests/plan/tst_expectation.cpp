@@ -30,7 +30,7 @@ MeasuredScene scene_of(const char* name, const ModelPlan& plan, double seconds, 
     MeasuredScene scene;
     scene.fabric = "cloth";
     scene.experiment = name;
-    scene.runs.push_back({plan, {}, seconds, 30e6, error, {}});
+    scene.runs.push_back({plan, {}, seconds, 30e6, error, {}, {}});
     return scene;
 }
 
