@@ -67,7 +67,6 @@ bool keeps_changes(std::size_t values, bool shows_cells)
 std::optional<std::int32_t> ValueCodes::of(float value) const
 {
     const auto as_bits = std::bit_cast<std::uint32_t>(value);
-    if (value == 0) return 0; // whichever sign it has
     if (bits == 0) {
         const float steps = value / step;
         if (!(steps >= 0 && steps <= static_cast<float>(most_steps))) return std::nullopt;

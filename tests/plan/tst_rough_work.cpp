@@ -60,7 +60,7 @@ private Q_SLOTS:
     {
         for (const MeasuredScene& scene : shipped_measurements())
             for (const MeasuredRun& run : scene.runs) {
-                if (run.seconds == 0) continue;
+                if (run.seconds == 0 || (run.plan.on("liquid") && !run.plan.on("cap"))) continue; // particles are as many as before
                 ModelPlan longer = run.plan;
                 longer.segments *= 100;
                 longer.region.ends *= 10;

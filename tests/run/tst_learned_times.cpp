@@ -139,9 +139,9 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("content");
         QTest::newRow("text") << QByteArray("times");
-        QTest::newRow("other") << QByteArray(R"({"format": "hygroloom-times", "version": 3, "runs": [1]})");
-        QTest::newRow("entries") << QByteArray(R"({"format": "hygroloom-times", "version": 2, "runs": [1, {}, {"machine": 3}]})");
-        QTest::newRow("runs") << QByteArray(R"({"format": "hygroloom-times", "version": 2, "runs": 7})");
+        QTest::newRow("other") << QByteArray(R"({"format": "hygroloom-times", "version": 4, "runs": [1]})");
+        QTest::newRow("entries") << QByteArray(R"({"format": "hygroloom-times", "version": 3, "runs": [1, {}, {"machine": 3}]})");
+        QTest::newRow("runs") << QByteArray(R"({"format": "hygroloom-times", "version": 3, "runs": 7})");
     }
     void aDamagedFileCountsAsEmpty()
     {
@@ -165,10 +165,10 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::ReadOnly));
         QByteArray content = file.readAll();
         file.close();
-        QVERIFY(content.contains("\"version\":2"));
+        QVERIFY(content.contains("\"version\":3"));
         keep_learned_times(path);
         QVERIFY(plan_of(15).expected_seconds != before.expected_seconds); // it is read
-        content.replace("\"version\":2", "\"version\":1");
+        content.replace("\"version\":3", "\"version\":1");
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
         file.close();
         keep_learned_times(path);
