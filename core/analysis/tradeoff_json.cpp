@@ -23,9 +23,8 @@ constexpr const char* how_memory =
     "libraries; memory of a GPU is not in it.";
 constexpr const char* how_error =
     "The largest of: each metric's difference over the reference's value (a temperature's over its distance from "
-    "the air, one-way transport's over 100 % at least, a stain's arms as they are), each content's over all water that moved, 1 - overlap "
-    "where a "
-    "part of the cloth is wetted. Map: relative L2 over cells "
+    "the air, one-way transport's over 100 % at least, a stain's arms as they are), each content's over all water that moved, "
+    "1 - overlap where a part of the cloth is wetted. Map: relative L2 over cells "
     "of 2 x 2 crossings. Overlap of the wetted segments: intersection over union. Contents, map and overlap are compared "
     "at a quarter, a half, three quarters and the end.";
 constexpr const char* how_closed_forms =

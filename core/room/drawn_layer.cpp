@@ -13,7 +13,7 @@ namespace {
 
 constexpr double layer_share = 2; // a layer has at least half as many voxels from face to face as the mean pitch
 constexpr double reaches = 0.55;  // of the mean pitch
-/// Of a layer, at so many in the pitch: a million is some 3 s on one core; fewer where fewer are asked for, so that they can be compared.
+/// Of a layer, at so many in the pitch: a million take 3 to 10 s of a core; fewer where fewer are asked for, so that they can be compared.
 double most_voxels_at(int voxels) { return 1e6 * std::min(1.0, std::pow(voxels / 16.0, 3)); }
 
 /// One yarn among the voxels; what leaves the cell comes in on the other side.

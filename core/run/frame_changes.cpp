@@ -43,6 +43,8 @@ bool to_codes(const ValueCodes& how, const std::vector<float>& values, std::vect
     return all;
 }
 
+static_assert(std::all_of(std::begin(frame_fields), std::end(frame_fields), [](const FrameField& f) { return f.bits > 0 || f.step > 0; }),
+              "a field that is not rounded has no codes");
 ValueCodes codes_of(const FrameField& field) { return field.bits > 0 ? ValueCodes{0, field.bits} : ValueCodes{field.step, 0}; }
 
 /// The file has one number for either: a step is a power of two up to 1, what is more are bits.

@@ -76,11 +76,6 @@ class Runs:
         return json.loads(done.stdout)["metrics"]
 
 
-def value(metrics, name):
-    found = metrics[name]
-    return found["value"] if isinstance(found, dict) else found
-
-
 CLIMATE = {"temperature_c": 21, "relative_humidity": 0.65, "air_speed_m_s": 1.0}
 
 
@@ -100,20 +95,20 @@ def drying(water=100, **climate):
 
 
 def rise(runs, fabric, direction="warp", seconds=60, **climate):
-    return value(runs.metrics(fabric, strip(direction, seconds, **climate)), "wick_height_mm")
+    return runs.metrics(fabric, strip(direction, seconds, **climate))["wick_height_mm"]
 
 
 def absorbed(runs, fabric, volume=15, **climate):
-    found = value(runs.metrics(fabric, drop(volume, **climate)), "absorbency_time_s")
+    found = runs.metrics(fabric, drop(volume, **climate))["absorbency_time_s"]
     return 1e9 if found is None else found
 
 
 def radius(runs, fabric, volume=15):
-    return value(runs.metrics(fabric, drop(volume)), "equal_area_radius_mm")
+    return runs.metrics(fabric, drop(volume))["equal_area_radius_mm"]
 
 
 def dry_time(runs, fabric, water=100, **climate):
-    return value(runs.metrics(fabric, drying(water, **climate)), "time_to_dry_s")
+    return runs.metrics(fabric, drying(water, **climate))["time_to_dry_s"]
 
 
 def sign(base, changed, expected, least=0.005, wanted=0.0):
