@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "core/physics/water.h"
 #include "core/plan/fidelity.h"
+#include "core/room/room_details.h"
 #include "core/scene/suction.h"
 
 #include <nlohmann/json.hpp>
@@ -26,7 +27,8 @@ struct Room {
     double open = 0;              ///< share of the layer
     double filling = 0, half = 0; ///< Pa
     double growth = 0;            ///< m, see RoomTables
-    double error = 0;             ///< of the permeabilities: the larger change that coarser voxels make, as a share
+    std::optional<RoomDetails> details;
+    double error = 0; ///< of the permeabilities: the larger change that coarser voxels make, as a share
 };
 
 /// None where the cloth is not drawn: see room_tables().
@@ -46,6 +48,7 @@ std::optional<Room> room_of(const Fabric& fabric, const FittedFabric& fitted)
     room.open = between.volume / (textile.thickness * textile.warp.pitch * textile.weft.pitch);
     room.filling = suction_filling(between.retention[both_wet], 0.5);
     room.half = suction_emptying(between.retention[both_wet], 0.5);
+    room.details = room_details(textile, *tables, voxels_per_pitch);
     const DrawnRoom coarse = room_tables(textile, coarser_voxels)->types[0];
     const auto changes = [](double fine, double other) { return fine > 0 ? std::abs(other / fine - 1) : 0.0; };
     room.error = std::max(changes(room.drawn.along_warp, coarse.along_warp), changes(room.drawn.along_weft, coarse.along_weft));
@@ -57,15 +60,23 @@ std::optional<Room> room_of(const Fabric& fabric, const FittedFabric& fitted)
 void add_room_json(nlohmann::ordered_json& json, const Fabric& fabric, const FittedFabric& fitted)
 {
     json["room"] = nullptr;
-    if (const auto room = room_of(fabric, fitted))
-        json["room"] = {{"voxels_per_pitch", voxels_per_pitch},
-                        {"seconds", room->seconds},
-                        {"void", room->open},
-                        {"permeability_m2", {{"warp", room->drawn.along_warp}, {"weft", room->drawn.along_weft}}},
-                        {"filling_suction_pa", room->filling},
-                        {"half_suction_pa", room->half},
-                        {"yarns_grown_um", um_from_metre(room->growth)},
-                        {"error", room->error}};
+    const auto room = room_of(fabric, fitted);
+    if (!room) return;
+    json["room"] = {{"voxels_per_pitch", voxels_per_pitch},
+                    {"seconds", room->seconds},
+                    {"void", room->open},
+                    {"permeability_m2", {{"warp", room->drawn.along_warp}, {"weft", room->drawn.along_weft}}},
+                    {"filling_suction_pa", room->filling},
+                    {"half_suction_pa", room->half},
+                    {"yarns_grown_um", um_from_metre(room->growth)},
+                    {"error", room->error}};
+    if (!room->details) return;
+    const auto half = [](const RoomHalf& side) {
+        return nlohmann::ordered_json{{"void", side.open}, {"permeability_m2", {{"warp", side.along_warp}, {"weft", side.along_weft}}}};
+    };
+    json["room"]["permeability_m2"]["through"] = room->details->through;
+    json["room"]["threshold"] = {{"warp", room->details->connected_along_warp}, {"weft", room->details->connected_along_weft}};
+    json["room"]["faces"] = {half(room->details->upper), half(room->details->lower)}; // the top first
 }
 
 void print_room(const Fabric& fabric, const FittedFabric& fitted)
@@ -74,6 +85,10 @@ void print_room(const Fabric& fabric, const FittedFabric& fitted)
     if (!room) return;
     print_result("  room between yarns         {:.3g} of the layer; permeability {:.2g} m2 along the warp, {:.2g} along the weft\n",
                  room->open, room->drawn.along_warp, room->drawn.along_weft);
+    if (room->details)
+        print_result("                             {:.2g} m2 through the cloth; liquid runs on along the warp down to {:.2g} of it, along "
+                     "the weft to {:.2g}\n",
+                     room->details->through, room->details->connected_along_warp, room->details->connected_along_weft);
     print_result("                             {} voxels from yarn to yarn change these by {:.0f} %\n", coarser_voxels, 100 * room->error);
     print_result("                             water fills it at a suction of {:.0f} Pa; at {:.0f} Pa it has emptied to a half\n",
                  room->filling, room->half);

@@ -263,33 +263,34 @@ RoomSkin skin_of_room(const Textile& cell, double growth, int shift)
     return skin;
 }
 
-HalfFull half_full(const DrawnLayer& layer, double growth)
+PartlyFull emptied_by_balls(const DrawnLayer& layer, double growth, double radius)
+{
+    PartlyFull state;
+    std::vector<std::uint8_t> middles(layer.grid.size());
+    for (std::size_t i = 0; i < middles.size(); ++i) middles[i] = static_cast<double>(layer.outside[i]) - growth >= radius;
+    const std::vector<int> to_middle = squared_distances(layer.grid, middles);
+    const double in_voxels = (radius / layer.side()) * (radius / layer.side());
+    state.air.assign(middles.size(), 0);
+    for (std::size_t i = 0; i < middles.size(); ++i) state.air[i] = static_cast<double>(to_middle[i]) <= in_voxels;
+    double room = 0, liquid = 0;
+    each_of_cloth(layer, [&](std::size_t i) {
+        if (static_cast<double>(layer.outside[i]) <= growth) return;
+        room += 1;
+        liquid += state.air[i] ? 0 : 1;
+    });
+    state.saturation = room > 0 ? liquid / room : 1;
+    return state;
+}
+
+PartlyFull half_full(const DrawnLayer& layer, double growth)
 {
     constexpr int rounds = 7;
     constexpr double near_enough = 0.02;
-    const double side = layer.side();
-    const auto with_balls = [&](double radius) {
-        HalfFull state;
-        std::vector<std::uint8_t> middles(layer.grid.size());
-        for (std::size_t i = 0; i < middles.size(); ++i) middles[i] = static_cast<double>(layer.outside[i]) - growth >= radius;
-        const std::vector<int> to_middle = squared_distances(layer.grid, middles);
-        const double in_voxels = (radius / side) * (radius / side);
-        state.air.assign(middles.size(), 0);
-        for (std::size_t i = 0; i < middles.size(); ++i) state.air[i] = static_cast<double>(to_middle[i]) <= in_voxels;
-        double room = 0, liquid = 0;
-        each_of_cloth(layer, [&](std::size_t i) {
-            if (static_cast<double>(layer.outside[i]) <= growth) return;
-            room += 1;
-            liquid += state.air[i] ? 0 : 1;
-        });
-        state.saturation = room > 0 ? liquid / room : 1;
-        return state;
-    };
-    double low = side, high = layer.reach - growth;
-    HalfFull state = with_balls(high);
+    double low = layer.side(), high = layer.reach - growth;
+    PartlyFull state = emptied_by_balls(layer, growth, high);
     for (int i = 0; i < rounds && std::abs(state.saturation - 0.5) > near_enough; ++i) {
         const double middle = std::sqrt(low * high);
-        state = with_balls(middle);
+        state = emptied_by_balls(layer, growth, middle);
         (state.saturation > 0.5 ? high : low) = middle;
     }
     return state;

@@ -50,11 +50,14 @@ struct RoomSkin {
 };
 RoomSkin skin_of_room(const Textile& cell, double growth, int shift = 0);
 
-/// A room that air has come into from both faces, as far as balls of one size do, until it is about half full.
-struct HalfFull {
+/// A room that air has come into.
+struct PartlyFull {
     std::vector<std::uint8_t> air; ///< of each voxel
     double saturation = 1;         ///< of the room
 };
-HalfFull half_full(const DrawnLayer& layer, double growth);
+/// As far as balls of this radius, m, find room between the yarns.
+PartlyFull emptied_by_balls(const DrawnLayer& layer, double growth, double radius);
+/// By balls of such a size that it is about half full.
+PartlyFull half_full(const DrawnLayer& layer, double growth);
 
 } // namespace hygroloom

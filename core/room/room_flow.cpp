@@ -39,11 +39,16 @@ public:
     bool none() const { return liquid_.places().empty(); }
 
     AlongRoom along(bool warp) const;
+    double through() const;
 
 private:
     using Place = LiquidVoxels::Place;
+    /// m2, where the liquid of two voxels meets.
+    double between(int a, int b) const { return 2 * mobility_[a] * mobility_[b] / (mobility_[a] + mobility_[b]); }
     double side(int axis) const { return axis == 0 ? layer_.dx : axis == 1 ? layer_.dy : layer_.dz; }
     void find_mobility(const std::vector<std::uint8_t>& air);
+    /// In a mean gradient of 1 along x or y: what it is beyond that gradient's own.
+    Numbers pressure_along(int axis) const;
 
     const DrawnLayer& layer_;
     LiquidVoxels liquid_;
@@ -135,12 +140,10 @@ double joined(const DrawnLayer& layer, const std::vector<double>& along_warp, co
     return warp ? flow / (shape * n) : flow * shape / n;
 }
 
-AlongRoom MobileLiquid::along(bool warp) const
+Numbers MobileLiquid::pressure_along(int axis) const
 {
     const std::vector<Place>& places = liquid_.places();
-    const int axis = warp ? 1 : 0;
     const double h = side(axis);
-    const auto face = [&](int a, int b) { return 2 * mobility_[a] * mobility_[b] / (mobility_[a] + mobility_[b]); };
     Rows rows(places.size());
     Numbers right = Numbers::Zero(static_cast<Eigen::Index>(places.size()));
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -149,13 +152,21 @@ AlongRoom MobileLiquid::along(bool warp) const
             for (int step : {-1, 1}) {
                 const auto next = liquid_.beside(places[k], a, step);
                 if (!next || liquid_.number(*next) < 0) continue;
-                const double conducts = face(own, liquid_.number(*next));
+                const double conducts = between(own, liquid_.number(*next));
                 rows.beside(own, liquid_.number(*next), conducts / (side(a) * side(a)));
                 if (a == axis) right[own] += step * conducts / h;
             }
         rows.close(own, mobility_[own] / (h * h));
     }
-    const Numbers pressure = solved(rows.matrix(places.size()), right);
+    return solved(rows.matrix(places.size()), right);
+}
+
+AlongRoom MobileLiquid::along(bool warp) const
+{
+    const std::vector<Place>& places = liquid_.places();
+    const int axis = warp ? 1 : 0;
+    const double h = side(axis);
+    const Numbers pressure = pressure_along(axis);
 
     // Of each slice of each crossing across the flow: what flows, and the mean gradient.
     struct Slice {
@@ -164,6 +175,7 @@ AlongRoom MobileLiquid::along(bool warp) const
     const int slices = warp ? layer_.per_pick : layer_.per_end, across = warp ? layer_.per_end : layer_.per_pick;
     const std::size_t crossings = static_cast<std::size_t>(layer_.cell().crossings());
     std::vector<Slice> of_slice(crossings * static_cast<std::size_t>(slices));
+    double lower = 0, upper = 0;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const auto next = liquid_.beside(places[k], axis, 1);
         if (!next || liquid_.number(*next) < 0) continue;
@@ -171,7 +183,13 @@ AlongRoom MobileLiquid::along(bool warp) const
         const double gradient = 1 + (pressure[liquid_.number(*next)] - pressure[own]) / h;
         const int at = (warp ? places[k].y : places[k].x) % slices;
         Slice& slice = of_slice[static_cast<std::size_t>(layer_.crossing(places[k].x, places[k].y) * slices + at)];
-        slice.flows += face(own, liquid_.number(*next)) * gradient;
+        const double flows = between(own, liquid_.number(*next)) * gradient;
+        slice.flows += flows;
+        (2 * places[k].z < layer_.first() + layer_.last() ? lower : upper) += flows;
+        if (2 * places[k].z == layer_.first() + layer_.last()) { // the layer in the middle is of both
+            upper -= 0.5 * flows;
+            lower += 0.5 * flows;
+        }
         slice.gradient += gradient;
         slice.faces += 1;
     }
@@ -189,18 +207,58 @@ AlongRoom MobileLiquid::along(bool warp) const
         found.mean += flows / static_cast<double>(crossings);
         found.places.push_back(gradient > 0 ? flows * open / gradient : 0.0);
     }
+    const double half_sections = 0.5 * section * slices * static_cast<double>(crossings);
+    found.lower = lower / half_sections;
+    found.upper = upper / half_sections;
     constexpr double least = 1e-3; // of the mean: where flow turns back it is no measure of what conducts it
     for (double& place : found.places) place = std::max(place, least * found.mean);
     return found;
 }
 
+double MobileLiquid::through() const
+{
+    const std::vector<Place>& places = liquid_.places();
+    const double h = side(2);
+    Rows rows(places.size());
+    Numbers right = Numbers::Zero(static_cast<Eigen::Index>(places.size()));
+    const auto to_face = [&](int own) { return 2 * mobility_[own] / (h * h); }; // half a voxel away; the pressure is 1 on the upper one
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const auto own = static_cast<int>(k);
+        for (int a = 0; a < 3; ++a)
+            for (int step : {-1, 1})
+                if (const auto next = liquid_.beside(places[k], a, step); next && liquid_.number(*next) >= 0)
+                    rows.beside(own, liquid_.number(*next), between(own, liquid_.number(*next)) / (side(a) * side(a)));
+        if (places[k].z == layer_.first()) rows.wall(to_face(own));
+        if (places[k].z == layer_.last()) {
+            rows.wall(to_face(own));
+            right[own] = to_face(own);
+        }
+        rows.close(own, mobility_[own] / (h * h));
+    }
+    const Numbers pressure = solved(rows.matrix(places.size()), right);
+    double flows = 0; // out of the lower face, per area of a voxel
+    for (std::size_t k = 0; k < places.size(); ++k)
+        if (places[k].z == layer_.first()) flows += to_face(static_cast<int>(k)) * h * pressure[static_cast<Eigen::Index>(k)];
+    const double thickness = h * (layer_.last() - layer_.first() + 1.0);
+    return flows * thickness / (static_cast<double>(layer_.grid.nx) * layer_.grid.ny);
+}
+
 } // namespace
+
+double permeability_through(const DrawnLayer& layer, double growth)
+{
+    const MobileLiquid liquid(layer, growth, {});
+    return liquid.none() ? 0 : liquid.through();
+}
 
 RoomPermeability room_permeability(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air)
 {
     const auto crossings = static_cast<std::size_t>(layer.cell().crossings());
     const MobileLiquid liquid(layer, growth, air);
-    if (liquid.none()) return {{0, std::vector<double>(crossings, 0.0)}, {0, std::vector<double>(crossings, 0.0)}};
+    if (liquid.none()) {
+        const AlongRoom nothing{0, 0, 0, std::vector<double>(crossings, 0.0)};
+        return {nothing, nothing};
+    }
     RoomPermeability found{liquid.along(true), liquid.along(false)};
     for (int round = 0; round < 3; ++round) // each system's joints carry some of the other's flow
         for (bool warp : {true, false}) {

@@ -8,8 +8,9 @@ namespace hygroloom {
 
 /// What a layer lets through along one system of yarns, m2.
 struct AlongRoom {
-    double mean = 0;            ///< of the whole cell: flow per area of the layer's section, yarns included
-    std::vector<double> places; ///< of each crossing, end x picks + pick: joined in series and side by side they come to the mean
+    double mean = 0;             ///< of the whole cell: flow per area of the layer's section, yarns included
+    double lower = 0, upper = 0; ///< the same of its lower half alone and of its upper one
+    std::vector<double> places;  ///< of each crossing, end x picks + pick: joined in series and side by side they come to the mean
 };
 struct RoomPermeability {
     AlongRoom warp, weft;
@@ -20,5 +21,8 @@ struct RoomPermeability {
 /// mobility times pressure gradient. Exact in slots and ducts; in drawn weaves 7 to 41 % above Stokes flow when full; half full, a
 /// prototype had it within 5 % of that.
 RoomPermeability room_permeability(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air = {});
+
+/// The same of the full room from one face through the layer to the other, m2.
+double permeability_through(const DrawnLayer& layer, double growth);
 
 } // namespace hygroloom

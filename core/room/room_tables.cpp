@@ -153,19 +153,6 @@ void round_all(RoomTables& tables)
 
 Weave drawn_part(const Weave& weave) { return weave.ends() * weave.picks() <= most_drawn_crossings ? weave : part_of(weave); }
 
-/// What of a cloth is drawn together; none: each pair of its types alone. Plain, ribs and baskets, of whose cells two make a period, are
-/// drawn as a period.
-std::optional<WovenCell> drawn_cell(const Textile& textile)
-{
-    constexpr int makes_period = 3; // so many cells or more
-    const int ends = threads_of_period(textile.weave.ends(), textile.warp), picks = threads_of_period(textile.weave.picks(), textile.weft);
-    const long period = static_cast<long>(ends) * picks, most = std::min<long>(most_drawn_crossings, period / makes_period);
-    if (is_of_one_type(textile.warp) && is_of_one_type(textile.weft))
-        if (const auto cell = smallest_cell(textile.weave, static_cast<int>(most))) return cell;
-    if (period <= most_drawn_crossings) return WovenCell{ends, picks};
-    return {};
-}
-
 RoomTables found_tables(const Textile& textile, int voxels)
 {
     const std::size_t warps = textile.warp.types.size(), wefts = textile.weft.types.size();
@@ -243,6 +230,22 @@ private:
 
 } // namespace
 
+std::optional<WovenCell> drawn_cell(const Textile& textile)
+{
+    constexpr int makes_period = 3; // so many cells or more
+    const int ends = threads_of_period(textile.weave.ends(), textile.warp), picks = threads_of_period(textile.weave.picks(), textile.weft);
+    const long period = static_cast<long>(ends) * picks, most = std::min<long>(most_drawn_crossings, period / makes_period);
+    if (is_of_one_type(textile.warp) && is_of_one_type(textile.weft))
+        if (const auto cell = smallest_cell(textile.weave, static_cast<int>(most))) return cell;
+    if (period <= most_drawn_crossings) return WovenCell{ends, picks};
+    return {};
+}
+
+DrawnLayer layer_of_cell(const Textile& textile, const WovenCell& cell, int voxels)
+{
+    return drawn_layer(part_of(textile, cell.ends, cell.picks), voxels, cell.shift);
+}
+
 DrawnVolume drawn_volume(const Textile& textile)
 {
     const double of_one = cubes_of_crossing(textile);
@@ -261,9 +264,11 @@ RoomTables tables_of_cell(const Textile& textile, const WovenCell& cell, int vox
     const RoomSkin skin = skin_of_room(drawn, tables.growth, cell.shift);
     RoomPermeability full = room_permeability(layer, tables.growth);
     const Level level = voxels >= stokes_voxels ? level_of_stokes(drawn, cell.shift, voxels / 2) : Level{};
+    tables.level_along_warp = level.warp;
+    tables.level_along_weft = level.weft;
     scale(full.warp, level.warp);
     scale(full.weft, level.weft);
-    const HalfFull half = half_full(layer, tables.growth);
+    const PartlyFull half = half_full(layer, tables.growth);
     const RoomPermeability left = room_permeability(layer, tables.growth, half.air);
     tables.falls_along_warp = falls(left.warp.mean, full.warp.mean, half.saturation);
     tables.falls_along_weft = falls(left.weft.mean, full.weft.mean, half.saturation);

@@ -3,9 +3,10 @@
 // angles have no part in it.
 #pragma once
 
-#include "core/room/woven_cell.h"
+#include "core/room/drawn_layer.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace hygroloom {
@@ -22,10 +23,17 @@ struct RoomTables {
     std::vector<float> warp_places, weft_places; ///< permeability of each crossing of a period, end x picks + pick, over that of its types
     int ends = 0, picks = 0;                     ///< of the period that the places are of
     double falls_along_warp = 0, falls_along_weft = 0; ///< power of its saturation that a room's permeability goes with
+    double level_along_warp = 1, level_along_weft = 1; ///< what the permeabilities are over those by mobility, see room_permeability()
     double growth = 0;                                 ///< m, see growth_to_share()
 };
 
 constexpr int most_drawn_crossings = 64; ///< of a cell or period that is drawn as it is; else a part of it, or each pair of types alone
+
+/// What of a cloth is drawn together; none: each pair of its types alone. Plain, ribs and baskets, of whose cells two make a period, are
+/// drawn as a period.
+std::optional<WovenCell> drawn_cell(const Textile& textile);
+/// As the tables see it, from the cloth's first end and pick on.
+DrawnLayer layer_of_cell(const Textile& textile, const WovenCell& cell, int voxels);
 
 /// Of the cloth, drawn as this cell of its weave, from its first end and pick on.
 RoomTables tables_of_cell(const Textile& textile, const WovenCell& cell, int voxels);

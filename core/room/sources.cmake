@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
   room/drawn_layer.cpp
+  room/room_details.cpp
   room/room_flow.cpp
   room/room_tables.cpp
   room/stokes.cpp

@@ -7,6 +7,8 @@
 #include "core/room/stokes.h"
 #include "core/verify/pore_set_ups.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace hygroloom {
@@ -141,6 +143,66 @@ std::vector<VerifyResult> stokes_array(const VerifyValues& v, Backend&)
     return {near_known("permeability", found, expected, 1.5 / voxels)};
 }
 
+/// A film on an incline across the grid's cubes, a wall under it and air over it: both are steps. It runs along the picks, whose period
+/// goes so many voxels up.
+std::vector<VerifyResult> stokes_film(const VerifyValues& v, Backend&)
+{
+    const double rise = value(v, "rise"), run = value(v, "run"), height = value(v, "voxels"), slant = std::hypot(rise, run);
+    const int periods = static_cast<int>(std::ceil(4 / run)); // of a few voxels at least
+    DrawnLayer layer;
+    layer.per_end = periods * static_cast<int>(run);
+    layer.per_pick = static_cast<int>(std::ceil((height + 2 * margin) * slant / run)) + 1;
+    layer.dx = layer.dy = layer.dz = 1;
+    layer.grid = {layer.per_end, layer.per_pick, 2, true, false, periods * static_cast<int>(rise) % layer.per_pick};
+    layer.reach = 2 * height;
+    layer.outside.resize(layer.grid.size());
+    std::vector<std::uint8_t> air(layer.grid.size());
+    for (int z = 0; z < 2; ++z)
+        for (int y = 0; y < layer.grid.ny; ++y)
+            for (int x = 0; x < layer.grid.nx; ++x) {
+                const double up = y + 0.5 - rise / run * (x + 0.5),
+                             above = (up - layer.grid.ny * std::floor(up / layer.grid.ny)) * run / slant;
+                const double next = layer.grid.ny * run / slant; // to the wall of the film above
+                const std::size_t i = layer.grid.at(x, y, z);
+                layer.outside[i] = static_cast<float>(std::min(above - margin, next - above));
+                air[i] = above - margin > height;
+            }
+    // Along the film the gradient is the period's over the longer way.
+    const double flow = room_permeability(layer, 0, air).weft.mean * layer.grid.ny * slant / run;
+    return {near_known("permeability_ratio", flow / (std::pow(height, 3) / 3), 1, 1 / height)};
+}
+
+/// Air comes between two rods from both sides by discs of the meniscus' radius, which at the nearest meet a rod's skin at the contact
+/// angle. Expected: the balance of forces.
+std::vector<VerifyResult> rod_morphology(const VerifyValues& v, Backend&)
+{
+    const double radius = metre_from_um(value(v, "radius_um")), half_gap = metre_from_um(value(v, "half_gap_um")),
+                 side = metre_from_um(value(v, "voxel_um")), angle = radian_from_degree(value(v, "contact_angle_deg"));
+    const double tension = water_surface_tension(pore_temperature), meniscus = tension / value(v, "pressure_pa");
+    const RodColumn column = rod_column(radius, half_gap, angle, tension, value(v, "pressure_pa"));
+    if (!(column.area > 0)) throw Error("half_gap_um: At this suction no water stands between the rods. Take a smaller gap.");
+    const double wide = 2 * (radius + half_gap) / side, high = 2 * (radius + 2 * meniscus) / side;
+    constexpr double most = 2000; // voxels along a side
+    if (wide > most || high > most) throw Error(fmt::format("voxel_um: Takes more than {:g} voxels along a side. Take larger ones.", most));
+    VoxelGrid grid;
+    grid.nx = static_cast<int>(std::ceil(wide));
+    grid.ny = static_cast<int>(std::ceil(high));
+    const double keeps_off = std::sqrt(radius * radius + meniscus * meniscus + 2 * radius * meniscus * std::cos(angle)) - radius;
+    std::vector<std::uint8_t> liquid(grid.size()), middles(grid.size());
+    for (int y = 0; y < grid.ny; ++y)
+        for (int x = 0; x < grid.nx; ++x) {
+            const double across = std::abs(x + 0.5 - 0.5 * grid.nx) * side, along = (y + 0.5 - 0.5 * grid.ny) * side;
+            const double outside = std::hypot(radius + half_gap - across, along) - radius;
+            liquid[grid.at(x, y, 0)] = outside > 0;
+            middles[grid.at(x, y, 0)] = outside >= keeps_off - 0.5 * side; // whose voxel reaches there
+        }
+    const std::vector<int> to_middle = squared_distances(grid, middles);
+    double voxels = 0;
+    for (std::size_t i = 0; i < liquid.size(); ++i) voxels += liquid[i] && to_middle[i] * side * side > meniscus * meniscus ? 1 : 0;
+    const double um2 = 1e12;
+    return {near_known("area_um2", voxels * side * side * um2, column.area * um2, 0.02 + side / (half_gap + 0.1 * radius))};
+}
+
 std::vector<VerifyResult> room(const VerifyValues& v, Backend&)
 {
     const Fabric& fabric = library_fabric(v.at("fabric").word);
@@ -200,6 +262,18 @@ std::vector<VerifyCase> room_cases()
          "The same along parallel rods or across them, in a square array or a hexagonal one: permeability over side^2 of its cell.",
          {{"solid_share", 0.3, 0.05, 0.6, ""}, on_or_off("across", true), on_or_off("hexagonal", false), whole_number("voxels", 40, 8, 80)},
          stokes_array},
+        {"stokes_film",
+         "A film of liquid on an incline through the cubes, whose free face is steps as its wall is: flow over that of the formula.",
+         {whole_number("rise", 1, 0, 4), whole_number("run", 2, 1, 4), voxels(20)},
+         stokes_film},
+        {"rod_morphology",
+         "Water between two rods, as far as balls of air do not come, in voxels: its cross-section against the balance of forces.",
+         {{"radius_um", 100, 1, 1e4, ""},
+          {"half_gap_um", 30, 0.1, 1e4, ""},
+          {"contact_angle_deg", 0, 0, 80, ""},
+          {"pressure_pa", 1000, 1, 1e6, ""},
+          {"voxel_um", 1, 0.01, 1e3, ""}},
+         rod_morphology},
         {"room",
          "The room between a fabric's yarns as it is drawn, against the same in voxels two thirds as large.",
          {{"fabric", 0, 0, 0, "Textile F"}, whole_number("voxels_per_pitch", 16, 8, 32)},
