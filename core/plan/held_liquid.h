@@ -79,6 +79,13 @@ inline double absorbed_by_suction_in(const SceneCounts& scene)
     return swings * swing_of(scene, drop) + uptakes * drop / scene.uptake * std::pow(times_its_room, power);
 }
 
+/// Until cloth of the older closures has absorbed a drop, s.
+inline double absorbed_by_diffusion_in(const SceneCounts& scene)
+{
+    constexpr double uptakes = 0.68; // of its volume over the cloth's uptake
+    return uptakes * std::max(1e-18, scene.drop_volume) / scene.uptake;
+}
+
 /// In which the largest swings once, as far as it stays, s.
 inline double swing_of_largest(const SceneCounts& scene, double stays)
 {

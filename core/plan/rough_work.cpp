@@ -41,10 +41,9 @@ double spacing_of(const ModelPlan& plan) { return std::cbrt(std::max(1e-18, plan
 /// Of all drops' volume; those that stand as caps have room on the sample.
 double share_that_stays(const ModelPlan& plan) { return plan.on("cap") ? 1.0 : share_that_stays(plan.counts, spacing_of(plan)); }
 
-/// Of the yarns, as long as liquid is about that they may absorb: steps are short then. By suction it is not for long, and front places ask
-/// for shorter steps; on full cloth, and by other closures, some of it lies there until the end. What no yarn absorbs sleeps soon. Under a
-/// cap steps follow saturations: the six scenes of tests/data/tradeoff whose cloth draws took 31 to 228 more than frames, the median stands
-/// here.
+/// Of the yarns, as long as liquid is about that they may absorb: steps are short then. By suction front places ask for shorter steps; on
+/// full cloth some of it lies there until the end. What no yarn absorbs sleeps soon. Under a cap steps follow saturations: the six scenes
+/// of tests/data/tradeoff whose cloth draws took 31 to 228 more than frames, the median stands here.
 double steps_with_drops(const ModelPlan& plan)
 {
     const SceneCounts& scene = plan.counts;
@@ -54,7 +53,8 @@ double steps_with_drops(const ModelPlan& plan)
     if (plan.on("cap")) return draws_from_drops(plan) ? landings * of_a_cap : 0.0;
     if (stays <= 0) return steps_in(plan.on("wicking") ? clings_for(scene) : falls_past_in(scene));
     if (!plan.on("wicking")) return steps_in(resting_swings * swing_of_largest(scene, stays));
-    if (!flows_by_suction(plan) || scene.uptake <= 0 || share_with_room(scene, stays) < 1) return scene.duration / limit;
+    if (scene.uptake <= 0 || share_with_room(scene, stays) < 1) return scene.duration / limit;
+    if (!flows_by_suction(plan)) return steps_in(absorbed_by_diffusion_in(scene));
     constexpr double of_the_limit = 0.7;
     return steps_in(absorbed_by_suction_in(scene)) / of_the_limit;
 }
@@ -146,7 +146,6 @@ LiquidCount count_staying(const ModelPlan& plan, double stays)
     const SceneCounts& scene = plan.counts;
     constexpr double usual_particles = 8000, usual_spacing = 85e-6; // m
     constexpr double waking_times = 6;                              // swings
-    constexpr double absorption_time = 0.68;                        // times its volume over the cloth's uptake
     constexpr double scarce_pores = 0.13e-3; // m, of pores times the drop's base: so few leave the usual particles all there
     constexpr double most_left = 0.97;       // of the particles, on average while the drop is absorbed
     const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
@@ -156,7 +155,7 @@ LiquidCount count_staying(const ModelPlan& plan, double stays)
     if (!draws_from_drops(plan))
         return {std::min(scene.duration, settle_share > 0 ? resting_swings * swings : scene.duration) / step, on_sample};
     const double moves = std::min(moving_swings * swings, scene.duration), rest = scene.duration - moves;
-    const double until_empty = absorption_time * volume / scene.uptake, absorbing = std::min(rest, until_empty);
+    const double until_empty = absorbed_by_diffusion_in(scene), absorbing = std::min(rest, until_empty);
     const double gone = std::min(share_with_room(scene, stays), std::sqrt(absorbing / until_empty)); // share of the drop, in the end
     double flows = absorbing;
     if (settle_share > 0) {
