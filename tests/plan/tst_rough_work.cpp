@@ -179,6 +179,19 @@ private Q_SLOTS:
             QVERIFY2(work(6000) < 2 * work(600), qPrintable(QString("%1 %2").arg(work(6000)).arg(work(600))));
         }
     }
+    /// Not for as long as a run takes: a strip of ten crossings is soon full, and up one that draws nothing no front goes.
+    void aFrontTakesStepsForTheCrossingsThatItPasses()
+    {
+        Design design = drop_design();
+        Experiment& strip = design.experiments[0] = standard_experiment(ExperimentType::vertical_wicking);
+        ModelPlan plan = plan_run(design, design.fabrics[0], strip, Fidelity::draft);
+        const auto steps = [&] { return rough_work(plan, "cpu") - set_up_seconds(plan, "cpu"); };
+        const double usual = steps();
+        plan.counts.uptake *= 100; // the strip is full long before the end
+        QVERIFY2(steps() < 2 * usual, qPrintable(QString("%1 %2").arg(steps()).arg(usual)));
+        plan.counts.uptake = 0;
+        QVERIFY2(steps() < 0.7 * usual, qPrintable(QString("%1 %2").arg(steps()).arg(usual)));
+    }
     void dropsThatFallAtOnceTakeTheStepsOfOne()
     {
         for (const Closure closure : {Closure::pores, Closure::kissa}) {
