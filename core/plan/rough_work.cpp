@@ -139,21 +139,45 @@ double step_of(const ModelPlan& plan, double spacing)
     return plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
 }
 
-/// Drops that fall one after the other, are absorbed as they lie, and sleep for most of that time. Shares were set on 59 such drops;
-/// swings and flowing time are 0.4 of that, so that measured times of drops and of yarns are alike multiples of their counts. Of the steps
-/// that the shipped scenes took 0.24 to 1.09 are counted, which a measured run near by makes up for.
+/// s, that drops are awake while so large a share of them goes: each time that as much has gone as may while they sleep, they wake, and
+/// settle in some swings of what is gone.
+double awake_while_it_goes(const ModelPlan& plan, double gone)
+{
+    constexpr double waking_times = 6; // swings
+    const double each = plan.knobs.settle_share, volume = std::max(1e-18, plan.counts.drop_volume);
+    return gone / each * waking_times * swing_of(plan.counts, each * volume);
+}
+
+/// Drops that fall one after the other, are absorbed as they lie, and sleep for most of that time; where they are absorbed slowly they wake
+/// seldom. Shares were set on 59 such drops; swings and flowing time are 0.4 of that, so that measured times of drops and of yarns are
+/// alike multiples of their counts. Of the steps that the shipped scenes took 0.24 to 1.09 are counted, which a measured run near by makes
+/// up for.
 LiquidCount count_by_suction(const ModelPlan& plan, double stays)
 {
-    constexpr double absorbed_swings = 5.2, flowing_share = 0.068, left = 0.55; // of the particles, on average
+    constexpr double absorbed_swings = 5.2, flowing_share = 0.068, counted = 0.4;
+    constexpr double left = 0.55; // of the particles, on average
     const SceneCounts& scene = plan.counts;
-    const bool sleeps = plan.knobs.settle_share > 0;
     const double until_empty = absorbed_by_suction_in(scene), of_one = stays * particles_of(plan);
     const double moves = absorbed_swings * swing_of_largest(scene, stays);
-    const double flows = (sleeps ? flowing_share : 1.0) * std::min(until_empty, scene.duration);
+    const double absorbing = std::min(until_empty, scene.duration);
+    const double gone = std::min(share_with_room(scene, stays), std::sqrt(absorbing / until_empty));
+    const double flows =
+        plan.knobs.settle_share > 0 ? std::min(flowing_share * absorbing, counted * awake_while_it_goes(plan, gone)) : absorbing;
     const double landings = landings_of(scene), at_once = scene.drops / landings * of_one;
     const bool empties = share_with_room(scene, stays) >= 1 && landings * until_empty < scene.duration;
     return {std::min(scene.duration, landings * (moves + flows)) / step_of(plan, spacing_of(plan)),
             empties ? left * at_once : 0.5 * (landings + 1) * at_once};
+}
+
+/// Of drops that no yarn absorbs, what the air takes from the face that they cover. What the plan tells is of both faces of all that can
+/// get wet; 0 where it tells nothing.
+double share_that_dries(const ModelPlan& plan)
+{
+    const SceneCounts& scene = plan.counts;
+    const auto vapour = std::find_if(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.name == "vapour"; });
+    if (vapour == plan.parts.end() || !vapour->on || !vapour->share || scene.sample_area <= 0) return 0;
+    const double covered = scene.drops * scene.drop_base * std::pow(scene.drop_volume, 2.0 / 3.0);
+    return std::min(1.0, *vapour->share * covered / std::max(1e-18, 2.0 * scene.wet_share * scene.sample_area));
 }
 
 /// Drops of which some stays: they move as they land, one after the other, and then as they are absorbed.
@@ -162,22 +186,24 @@ LiquidCount count_staying(const ModelPlan& plan, double stays)
     if (flows_by_suction(plan) && draws_from_drops(plan)) return count_by_suction(plan, stays);
     const SceneCounts& scene = plan.counts;
     constexpr double usual_particles = 8000, usual_spacing = 85e-6; // m
-    constexpr double waking_times = 6;                              // swings
     constexpr double scarce_pores = 0.13e-3; // m, of pores times the drop's base: so few leave the usual particles all there
     constexpr double most_left = 0.97;       // of the particles, on average while the drop is absorbed
     const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
     const double spacing = spacing_of(plan), step = step_of(plan, spacing), landings = landings_of(scene);
     const double on_sample = 0.5 * (landings + 1) / landings * scene.drops * stays * particles_of(plan);
     const double swings = landings * swing_of_largest(scene, stays);
-    if (!draws_from_drops(plan))
-        return {std::min(scene.duration, settle_share > 0 ? resting_swings * swings : scene.duration) / step, on_sample};
+    if (!draws_from_drops(plan)) {
+        const double moves =
+            settle_share > 0 ? resting_swings * swings + awake_while_it_goes(plan, share_that_dries(plan)) : scene.duration;
+        return {std::min(scene.duration, moves) / step, on_sample};
+    }
     const double moves = std::min(moving_swings * swings, scene.duration), rest = scene.duration - moves;
     const double until_empty = absorbed_by_diffusion_in(scene), absorbing = std::min(rest, until_empty);
     const double gone = std::min(share_with_room(scene, stays), std::sqrt(absorbing / until_empty)); // share of the drop, in the end
     double flows = absorbing;
     if (settle_share > 0) {
         const double awake_share = 0.12 * std::pow(spacing / usual_spacing, 0.3);
-        flows = std::min(awake_share * absorbing, gone / settle_share * waking_times * swing_of(scene, settle_share * volume));
+        flows = std::min(awake_share * absorbing, awake_while_it_goes(plan, gone));
     }
     const double under_drop = std::max(1e-12, scene.drop_base * scene.pores);
     const double left = std::clamp(scarce_pores / under_drop * std::cbrt(usual_particles / particles_of(plan)), least_left, most_left);

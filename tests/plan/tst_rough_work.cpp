@@ -179,6 +179,31 @@ private Q_SLOTS:
             QVERIFY2(work(6000) < 2 * work(600), qPrintable(QString("%1 %2").arg(work(6000)).arg(work(600))));
         }
     }
+    void aDropThatIsHardlyAbsorbedSeldomWakes()
+    {
+        Design design = drop_design();
+        design.experiments[0].closure = Closure::pores;
+        design.experiments[0].duration_s = 400;
+        ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {}, {{"free_liquid", 2}});
+        const double absorbed = count_liquid(plan).steps;
+        plan.counts.uptake *= 1e-6;
+        const double lies = count_liquid(plan).steps;
+        QVERIFY2(lies < 3 * absorbed, qPrintable(QString("%1 %2").arg(lies).arg(absorbed)));
+        plan.knobs.settle_share = 0; // it never sleeps
+        QVERIFY(count_liquid(plan).steps > 100 * lies);
+    }
+    void aDropThatDriesWakes()
+    {
+        Design design = drop_design(120);
+        ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft, {{"vapour", true}});
+        const auto vapour = std::find_if(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& p) { return p.name == "vapour"; });
+        vapour->share = 0;
+        const double stays = count_liquid(plan).steps;
+        vapour->share = 1e6;
+        QVERIFY(count_liquid(plan).steps > 3 * stays);
+        plan.counts.duration = 1e-3 * design.experiments[0].duration_s;
+        QVERIFY(count_liquid(plan).steps < stays);
+    }
     /// Not for as long as a run takes: a strip of ten crossings is soon full, and up one that draws nothing no front goes.
     void aFrontTakesStepsForTheCrossingsThatItPasses()
     {
