@@ -48,6 +48,7 @@ struct SceneCounts {
     double viscosity = 0;     ///< m2/s
     double drawn_cubes = 0;   ///< of the room between yarns, see core/room; 0: not known, as in files of older versions
     double drawn_periods = 0; ///< of so many each
+    double drawn_longest = 0; ///< side of one, in those of a cube; 0: not known, as in files of older versions
 };
 
 struct ModelPlan {

@@ -80,7 +80,8 @@ SceneCounts counts_from_json(const Json& json)
             .capillarity = json.value("capillarity_m3_s2", 0.0),
             .viscosity = json.value("viscosity_m2_s", 0.0),
             .drawn_cubes = json.value("drawn_cubes", 0.0),
-            .drawn_periods = json.value("drawn_periods", 1.0)};
+            .drawn_periods = json.value("drawn_periods", 1.0),
+            .drawn_longest = json.value("drawn_longest", 0.0)};
 }
 
 Json json_of(const SceneCounts& counts)
@@ -104,7 +105,8 @@ Json json_of(const SceneCounts& counts)
             {"capillarity_m3_s2", counts.capillarity},
             {"viscosity_m2_s", counts.viscosity},
             {"drawn_cubes", counts.drawn_cubes},
-            {"drawn_periods", counts.drawn_periods}};
+            {"drawn_periods", counts.drawn_periods},
+            {"drawn_longest", counts.drawn_longest}};
 }
 
 PlannedPart part_from_json(const Json& json)

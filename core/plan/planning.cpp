@@ -145,6 +145,7 @@ ModelPlan plan_model(const Design& design, const Textile& textile, const Experim
     const DrawnVolume drawn = drawn_volume(textile);
     plan.counts.drawn_cubes = drawn.cubes;
     plan.counts.drawn_periods = drawn.periods;
+    plan.counts.drawn_longest = drawn.longest;
     plan.counts.frames = static_cast<double>(frame_times(experiment, plan.frame_interval).size());
     return plan;
 }

@@ -71,10 +71,14 @@ template <typename Visit> void each_of_cloth(const DrawnLayer& layer, const Visi
 
 double DrawnLayer::side() const { return std::cbrt(dx * dy * dz); }
 
+double side_of_cube(const Textile& textile)
+{
+    return std::min(std::sqrt(textile.warp.pitch * textile.weft.pitch), layer_share * textile.thickness);
+}
+
 double cubes_of_crossing(const Textile& textile)
 {
-    const double area = textile.warp.pitch * textile.weft.pitch, pitch = std::sqrt(area);
-    const double cube = std::min(pitch, layer_share * textile.thickness);
+    const double area = textile.warp.pitch * textile.weft.pitch, pitch = std::sqrt(area), cube = side_of_cube(textile);
     return area * (textile.thickness + 2 * reaches * pitch) / (cube * cube * cube);
 }
 

@@ -27,7 +27,9 @@ struct DrawnLayer {
     int crossing(int x, int y) const { return x / per_end * picks() + y / per_pick; }
 };
 
-/// What is drawn of a crossing, with air above and below, in cubes of the mean pitch, or of twice the thickness where that is less.
+/// m, of the cubes in which what is drawn is counted: the mean pitch, or twice the thickness where that is less.
+double side_of_cube(const Textile& textile);
+/// What is drawn of a crossing, with air above and below, in those.
 double cubes_of_crossing(const Textile& textile);
 /// How many voxels so many cubes are drawn in.
 double voxels_of_period(double cubes, int voxels);

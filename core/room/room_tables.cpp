@@ -248,11 +248,14 @@ DrawnLayer layer_of_cell(const Textile& textile, const WovenCell& cell, int voxe
 
 DrawnVolume drawn_volume(const Textile& textile)
 {
-    const double of_one = cubes_of_crossing(textile);
-    if (const auto cell = drawn_cell(textile)) return {of_one * cell->crossings(), 1};
+    const double of_one = cubes_of_crossing(textile), cube = side_of_cube(textile);
+    const auto drawn = [&](int ends, int picks, int periods) {
+        return DrawnVolume{of_one * ends * picks, periods, std::max(ends * textile.warp.pitch, picks * textile.weft.pitch) / cube};
+    };
+    if (const auto cell = drawn_cell(textile)) return drawn(cell->ends, cell->picks, 1);
     const auto pairs = static_cast<int>(textile.warp.types.size() * textile.weft.types.size());
     const Weave part = drawn_part(textile.weave);
-    return {of_one * part.ends() * part.picks(), pairs > most_pairs ? 0 : pairs};
+    return drawn(part.ends(), part.picks(), pairs > most_pairs ? 0 : pairs);
 }
 
 RoomTables tables_of_cell(const Textile& textile, const WovenCell& cell, int voxels)

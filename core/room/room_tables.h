@@ -44,6 +44,7 @@ constexpr int stokes_voxels = 24; ///< in the mean pitch, from which on Stokes f
 struct DrawnVolume {
     double cubes = 0;
     int periods = 0;
+    double longest = 0; ///< side, in those of a cube
 };
 DrawnVolume drawn_volume(const Textile& textile);
 

@@ -217,6 +217,19 @@ private Q_SLOTS:
         plan.counts.uptake = 0;
         QVERIFY2(steps() < 0.7 * usual, qPrintable(QString("%1 %2").arg(steps()).arg(usual)));
     }
+    /// Flow along a period of one wide and one narrow pitch is found in many rounds: 66 000 voxels took 2.2 s, not 0.3.
+    void longPeriodsTakeLongerToDraw()
+    {
+        Design design = drop_design();
+        design.experiments[0].closure = Closure::pores;
+        ModelPlan plan = plan_run(design, design.fabrics[0], design.experiments[0], Fidelity::draft);
+        QVERIFY(plan.counts.drawn_longest >= 2);
+        const double before = set_up_seconds(plan, "cpu");
+        plan.counts.drawn_longest *= 10;
+        QVERIFY(set_up_seconds(plan, "cpu") > 2 * before);
+        plan.counts.drawn_longest = 0; // not known
+        QVERIFY(set_up_seconds(plan, "cpu") > 0.3 * before && set_up_seconds(plan, "cpu") < 3 * before);
+    }
     void dropsThatFallAtOnceTakeTheStepsOfOne()
     {
         for (const Closure closure : {Closure::pores, Closure::kissa}) {
