@@ -4,7 +4,12 @@
 #include "core/study/openturns/module.h"
 
 #include <nlohmann/json.hpp>
-#include <openturns/OT.hxx>
+#include <openturns/ConstantBasisFactory.hxx>
+#include <openturns/Exception.hxx>
+#include <openturns/KrigingAlgorithm.hxx>
+#include <openturns/Log.hxx>
+#include <openturns/MartinezSensitivityAlgorithm.hxx>
+#include <openturns/MaternModel.hxx>
 
 #include <algorithm>
 #include <cmath>
