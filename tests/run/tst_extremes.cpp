@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// More than two hundred designs from the corners of what validate() accepts: whatever they are, nothing is made, lost or out of its
-// bounds.
+// More than a hundred designs from the corners of what validate() accepts: whatever they are, nothing is made, lost or out of its bounds.
 #include "core/base/units.h"
 #include "core/design/design.h"
 #include "core/design/validate.h"
@@ -29,7 +28,7 @@ constexpr int chunk_size = 10;
 int designs()
 {
     const int asked = qEnvironmentVariableIntValue("HYGROLOOM_EXTREMES");
-    return asked > 0 ? asked : 280;
+    return asked > 0 ? asked : 130;
 }
 // Steps get longer and cheaper with fewer particles; with those of a draft some drops would take millions of steps.
 const KnobSettings few_particles{{"particles_per_droplet", 100}};
