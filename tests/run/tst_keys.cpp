@@ -352,11 +352,15 @@ private Q_SLOTS:
             QTest::addRow("%s, %s %s", name_of(static_cast<ExperimentType>(type)), name_of(static_cast<Closure>(closure)), forced)
                 << type << closure << forced;
         };
-        for (int closure = 0; closure < closures; ++closure)
+        constexpr int droplet = static_cast<int>(ExperimentType::droplet);
+        for (const Closure by : {Closure::kissa, Closure::pores}) { // one by saturation, one by suction
+            const int closure = static_cast<int>(by);
             for (int type = 0; type < experiment_types; ++type) row(type, closure, "");
-        for (const Closure closure : {Closure::kissa, Closure::pores}) // one by saturation, one by suction
-            for (const char* forced : {"sorption=off", "vapour=off", "heat=off"})
-                row(static_cast<int>(ExperimentType::droplet), static_cast<int>(closure), forced);
+            for (const char* forced : {"sorption=off", "vapour=off", "heat=off"}) row(droplet, closure, forced);
+        }
+        row(droplet, static_cast<int>(Closure::li_zhu), "");
+        for (const ExperimentType type : {ExperimentType::droplet, ExperimentType::vertical_wicking})
+            row(static_cast<int>(type), static_cast<int>(Closure::paper), ""); // which leaves some keys of its own without effect
     }
     void eachKeyMovesTheWaterOrIsNamedIdle()
     {
