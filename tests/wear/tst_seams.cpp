@@ -11,7 +11,7 @@ using namespace hygroloom;
 namespace tst_seams {
 namespace {
 
-constexpr double width = 0.128, height = 0.128, seam_at = 0.064; // m: 224 ends beside the seam, whole cells of 8, 14 and 16
+constexpr double width = 0.128, height = 0.128, seam_at = 0.064; // m: 224 ends beside the seam, whole cells of 8 and 14
 constexpr double rate = 3000, seconds = 300;                     // g/m2 h: 250 g/m2, of which cloth that is fed keeps about 150
 
 /// Cells of so many crossings.
@@ -109,7 +109,7 @@ private Q_SLOTS:
         static std::map<double, double> uncut;
         if (!uncut.contains(left)) uncut[left] = passed(8, left, left, false);
         const double whole = uncut[left];
-        for (int crossings : {8, 14, 16}) {
+        for (int crossings : {8, 14}) {
             const double cut = passed(crossings, left, right, true);
             qInfo("%d crossings a cell: %.4f of the sweat pass the seam, uncut %.4f", crossings, cut, whole);
             QVERIFY(cut > least * whole && cut < 1.08 * whole);

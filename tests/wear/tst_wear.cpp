@@ -113,7 +113,7 @@ private Q_SLOTS:
     /// What is shown in larger cells is the sum of what smaller ones hold, and the ledger is the same.
     void shown_cells_are_sums()
     {
-        Tee tee(120);
+        Tee tee(60);
         Finished fine, coarse;
         go(tee, tee.scene(10e-3, true, true), fine);
         const GarmentScene summed = tee.scene(10e-3, true, true, {40e-3, {"front"}});
