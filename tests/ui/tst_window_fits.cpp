@@ -60,14 +60,14 @@ private Q_SLOTS:
         QTest::addColumn<QString>("language");
         QTest::addColumn<double>("letters");
         QTest::addColumn<QSize>("screen");
+        const auto row = [](const QString& language, double letters, const QSize& screen) {
+            QTest::addRow("%s, letters x %g, %d x %d", qPrintable(language), letters, screen.width(), screen.height())
+                << language << letters << screen;
+        };
         for (const QString& language : {QString("en"), QString("de")}) {
-            for (const double letters : {1.0, 2.0}) {
-                for (const QSize screen : {smallest_screen, QSize(1440, 900), QSize(2560, 1600)}) {
-                    QTest::addRow("%s, letters x %g, %d x %d", qPrintable(language), letters, screen.width(), screen.height())
-                        << language << letters << screen;
-                }
-            }
+            for (const double letters : {1.0, 2.0}) { row(language, letters, smallest_screen); }
         }
+        for (const QSize screen : {QSize(1440, 900), QSize(2560, 1600)}) { row("de", 2, screen); } // what asks for most room
     }
     void everyWorkspaceFits()
     {
