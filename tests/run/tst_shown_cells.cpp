@@ -13,6 +13,7 @@
 #include <QTest>
 
 #include <filesystem>
+#include <map>
 #include <numeric>
 
 using namespace hygroloom;
@@ -44,6 +45,23 @@ RunOptions shown(double yarns, const Design& design, const RunOptions& options)
     const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
     how.shown_side = yarns * std::sqrt(textile.warp.pitch * textile.weft.pitch);
     return how;
+}
+
+/// Of one experiment: shown in single yarns, and in cells of so many.
+struct Both {
+    Run all, cells;
+};
+
+/// Run once, for all tests that ask.
+const Both& both_of(ExperimentType type, double duration, double yarns)
+{
+    static std::map<ExperimentType, Both> known;
+    if (!known.contains(type)) {
+        const Design design = design_of(type, duration);
+        const RunOptions options = draft(all_parts, {{"particles_per_droplet", 300}, {"crossings_per_even_cell", 1}});
+        known.insert({type, {run(design, options), run(design, shown(yarns, design, options))}});
+    }
+    return known.at(type);
 }
 
 /// Part of a yarn that lies in a cell, both laid out along one length.
@@ -119,9 +137,7 @@ void TestShownCells::cells_hold_what_segments_hold()
     QFETCH(ExperimentType, type);
     QFETCH(double, duration);
     QFETCH(double, yarns);
-    const Design design = design_of(type, duration);
-    const RunOptions options = draft(all_parts, {{"particles_per_droplet", 300}, {"crossings_per_even_cell", 1}});
-    const Run all = run(design, options), cells = run(design, shown(yarns, design, options));
+    const auto& [all, cells] = both_of(type, duration, yarns);
     const Textile &fine = all.record.textile, &coarse = cells.record.textile;
     QCOMPARE(coarse.ends(), static_cast<int>(std::lround(fine.ends() / std::round(yarns))));
     QVERIFY(coarse.crossings() < fine.crossings());
@@ -155,9 +171,7 @@ void TestShownCells::numbers_stay_those_of_single_yarns()
     QFETCH(ExperimentType, type);
     QFETCH(double, duration);
     QFETCH(double, yarns);
-    const Design design = design_of(type, duration);
-    const RunOptions options = draft(all_parts, {{"particles_per_droplet", 300}, {"crossings_per_even_cell", 1}});
-    const Run all = run(design, options), cells = run(design, shown(yarns, design, options));
+    const auto& [all, cells] = both_of(type, duration, yarns);
     const Metrics &a = all.metrics, &b = cells.metrics;
     for (std::size_t k = 0; k < a.series.time.size(); ++k) {
         QVERIFY(near_to(a.series.radius_top[k], b.series.radius_top[k], 1e-6));
@@ -178,7 +192,7 @@ void TestShownCells::a_recording_holds_cells()
 {
     QTemporaryDir folder;
     Design design = design_of(ExperimentType::horizontal_wicking, 0.5);
-    design.experiments[0].sample_mm = {32, 32};
+    design.experiments[0].sample_mm = {16, 16};
     RunOptions options = draft(all_parts);
     options.recording = folder.filePath("all.hygrorec").toStdString();
     const Run all = run(design, options);
