@@ -28,7 +28,7 @@ class TestCommandLineCalibrate : public QObject {
                 "--fidelity",   "draft",
                 "--backend",    "cpu",
                 "--set",        "experiments[vertical wicking].duration_s=4",
-                "--set",        "experiments[vertical wicking].strip_mm=[3,40]"};
+                "--set",        "experiments[vertical wicking].strip_mm=[1,40]"};
     }
 
 private Q_SLOTS:

@@ -39,14 +39,14 @@ class TestCommandLineRuns : public QObject {
                 example("one-drop-on-cotton.hygro"),
                 "--backend",
                 "cpu",
-                "--repeats",
-                "2",
+                "--repeats=2",
                 "--set",
                 QString("experiments[0].duration_s=") + duration,
                 QString("experiments[0].sample_mm=") + size,
                 QString("experiments[0].droplets[0].volume_ul=") + volume,
                 "experiments[0].droplets[0].height_mm=0",
                 "fidelity.particles_per_droplet=100",
+                "experiments[0].closure=kissa", // which needs no flow through rooms between yarns
                 "-o",
                 folder_.filePath("tradeoff")};
     }

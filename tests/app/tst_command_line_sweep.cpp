@@ -146,12 +146,12 @@ private Q_SLOTS:
         const QByteArray two =
             R"({ "path": "fabrics[0].ends_per_cm", "low": 26, "high": 36 }, { "path": "fabrics[0].contact_angle_deg", "low": 20, "high": 40 })";
         const QString study = study_in(folder, two, R"({ "type": "latin_hypercube", "points": 12 })");
-        QCOMPARE(run_cli({"sweep", drop, "--study", study, "-o", out, "--quiet"}).code, 0);
+        QCOMPARE(run_cli({"sweep", drop, "--study", study, "-o", out, "--set", soon, "--quiet"}).code, 0);
         Answer answer = run_cli({"sweep", "-o", out, "--analyse", "--json"});
         if (answer.err.contains("OpenTURNS, which is missing")) QSKIP("OpenTURNS is missing");
         QVERIFY2(answer.code == 0 && !answer.err.contains("runs have ended"), answer.err);
         const QString part = folder.filePath("part");
-        QCOMPARE(run_cli({"sweep", drop, "--study", study, "-o", part, "--task", "1/2", "--quiet"}).code, 0);
+        QCOMPARE(run_cli({"sweep", drop, "--study", study, "-o", part, "--task", "1/2", "--set", soon, "--quiet"}).code, 0);
         run_cli({"sweep", "-o", part, "--merge"});
         const Answer early = run_cli({"sweep", "-o", part, "--analyse"});
         QVERIFY2(early.err.contains("6 of 12 runs have ended: shares will change"), early.err);
