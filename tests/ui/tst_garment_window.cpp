@@ -112,7 +112,7 @@ private Q_SLOTS:
         chooseFile(folder);
         trigger("Save Map…");
         for (const char* file : {"front.png", "front_texture.png", "cells.csv", "garment.obj", "garment.glb"}) {
-            QTRY_VERIFY2_WITH_TIMEOUT(QFileInfo(folder + "/tee at 20 s/" + file).size() > 0, file, 20000);
+            QTRY_VERIFY2_WITH_TIMEOUT(QFileInfo(folder + "/tee at 5 s/" + file).size() > 0, file, 20000);
         }
         chooseFile(folder);
         trigger("Save Map…");
@@ -412,13 +412,14 @@ private:
     void showTee()
     {
         window_->setWorkspace(Workspace::garment);
+        window_->garment().runForm().setFidelity(Fidelity::live);
         window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
         editGarment(window_->document(), "a child's", 0, {}, [](Garment& garment) { // few cells
             garment.built_in.chest_mm = 600;
             garment.built_in.length_mm = 400;
             garment.built_in.sleeve_mm = 120;
         });
-        editWear(window_->document(), "shorter", 0, {}, [](WearExperiment& wear) { wear.duration_s = 20; });
+        editWear(window_->document(), "shorter", 0, {}, [](WearExperiment& wear) { wear.duration_s = 5; });
         QTRY_VERIFY(window_->garment().choice().drawing());
         QTest::qWait(200);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The scale of a garment's colours while its run goes on.
+// The scale of a garment's colours while its run goes on, and places of one run in another.
 #include "core/base/round_up.h"
 #include "ui/garment/wear_playback.h"
 
@@ -67,6 +67,24 @@ private Q_SLOTS:
         QVERIFY(!playback.run() && playback.kept() == a);
         playback.clear();
         QVERIFY(!playback.kept());
+    }
+
+    /// Panels of two runs may stand in another order, or be missing.
+    void placesAreFoundByThePanelsName()
+    {
+        WearLayout one, other;
+        one.panels.resize(3);
+        other.panels.resize(2);
+        one.panels[0].name = "front";
+        one.panels[1].name = "back";
+        one.panels[2].name = "sleeve";
+        other.panels[0].name = "back";
+        other.panels[1].name = "front";
+        QCOMPARE(sameSpot(one, other, {0, {0.1, 0.2}}), (GarmentSpot{1, {0.1, 0.2}}));
+        QCOMPARE(sameSpot(other, one, {0, {0.1, 0.2}}), (GarmentSpot{1, {0.1, 0.2}}));
+        QCOMPARE(sameSpot(one, other, {2, {0.1, 0.2}}).panel, -1);
+        QCOMPARE(sameSpot(one, other, {}).panel, -1);
+        QCOMPARE(sameSpot(one, other, {7, {}}).panel, -1);
     }
 
 private:
