@@ -167,13 +167,13 @@ private Q_SLOTS:
 
     void aStainHasNoArms()
     {
-        SetUp made = set_up(library_fabric("Poplin shirting"), drop_of(6, 24, 3), Fidelity::draft);
+        SetUp made = set_up(library_fabric("Poplin shirting"), drop_of(4, 20, 2), Fidelity::draft);
         QVERIFY(made.scene.rules.whole_flow);
-        const Spot stain = spot_after(made, 3);
+        const Spot stain = spot_after(made, 2);
         made.scene.rules.saturation_change *= 0.5;
-        const Spot half = spot_after(made, 3);
+        const Spot half = spot_after(made, 2);
         made.scene.rules.whole_flow = false;
-        const Spot in_turn = spot_after(made, 3);
+        const Spot in_turn = spot_after(made, 2);
         for (const Spot& s : {stain, half, in_turn}) qInfo("%.3f by %.3f mm, armness %.4f", 1e3 * s.warp, 1e3 * s.weft, s.armness);
         QVERIFY(std::abs(stain.armness) < 0.03);
         QVERIFY(in_turn.armness > 3 * std::abs(stain.armness) && in_turn.armness > 0.01);
