@@ -296,7 +296,7 @@ std::vector<VerifyCase> measured_wicking_cases()
     return {
         {"measured_n6",
          "The form of the rise in strips of finished synthetics: its exponents, Washburn's law with gravity through two points, its speed.",
-         {{"duration_s", 600, 120, 600, ""}},
+         {{"duration_s", 600, 60, 600, ""}},
          rise_in_synthetics,
          "Jasper et al., wjasper/Wicking_Tracker, NC State University 2025: knitted nylon and polyester, of unknown construction; the form "
          "alone",
@@ -323,7 +323,7 @@ std::vector<VerifyCase> measured_wicking_cases()
          ""},
         {"measured_t6",
          "Weaves of the same yarns and sett: more floats, faster uptake in 10 min; the same rate from 10 to 120 min.",
-         {{"duration_s", 7200, 1200, 14400, ""}},
+         {{"duration_s", 7200, 900, 14400, ""}},
          floats_and_wicking,
          "Lei et al., Polymers 2020, 12(2), 422, doi 10.3390/polym12020422",
          ""},
