@@ -24,19 +24,18 @@ private Q_SLOTS:
     void waterAndEnergyAreConserved_data()
     {
         QTest::addColumn<QString>("changes");
-        const std::map<std::string, double> durations{{"droplet", 0.3}, {"conditioning", 600}, {"drying", 600}};
+        const std::map<std::string, double> durations{{"droplet", 0.1}, {"conditioning", 300}, {"drying", 300}};
         const std::set<std::string> by_suction{"C", "F", "Denim"}; // each experiment with both kinds of closure
-        std::vector<const char*> fabrics{"A", "C", "F", "Denim", "Silk habotai"};
-        if (qEnvironmentVariableIsSet("HYGROLOOM_WHOLE_CASES")) fabrics.insert(fabrics.end(), {"E", "G"});
+        std::vector<const char*> fabrics{"F", "Denim", "Silk habotai"};
+        if (qEnvironmentVariableIsSet("HYGROLOOM_WHOLE_CASES")) fabrics.insert(fabrics.end(), {"A", "C", "E", "G"});
         for (int i = 0; i < experiment_types; ++i)
             for (const char* fabric : fabrics) {
                 const std::string experiment = name_of(static_cast<ExperimentType>(i));
-                const double duration = durations.count(experiment) ? durations.at(experiment) : 10;
+                const double duration = durations.count(experiment) ? durations.at(experiment) : 5;
                 row(experiment, fabric, duration, by_suction.count(fabric) > 0 ? "pores" : "kissa", "0");
             }
         for (const std::string experiment : {"droplet", "horizontal_wicking", "vertical_wicking", "drying"})
-            for (const char* fabric : {"C", "F", "Viscose challis"})
-                row(experiment, fabric, experiment == "droplet" ? 0.3 : 20, "pores", "1");
+            for (const char* fabric : {"C", "Viscose challis"}) row(experiment, fabric, experiment == "droplet" ? 0.1 : 10, "pores", "1");
     }
     void waterAndEnergyAreConserved()
     {
