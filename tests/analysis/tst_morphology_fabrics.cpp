@@ -36,7 +36,7 @@ const VerifyReport& usual_report_of(const std::string& fabric)
 
 const VerifyReport& coarse_report()
 {
-    static const VerifyReport report = report_of("Textile F", {{"fibre_voxel_um", "1"}});
+    static const VerifyReport report = report_of("Textile F", {{"fibre_voxel_um", "1"}, {"voxel_um", "10"}});
     return report;
 }
 
@@ -89,9 +89,9 @@ private Q_SLOTS:
     void missesStayWithinTheirBounds_data()
     {
         QTest::addColumn<QString>("fabric");
-        for (const char* fabric : {"Textile F", "Oxford"}) QTest::newRow(fabric) << fabric;
+        QTest::newRow("Oxford") << "Oxford"; // tst_verify runs it of textile F
         if (!whole_cases()) return;
-        for (const char* fabric : {"Wool serge", "Poplin shirting", "Drill", "Sports micro-twill", "Cotton sateen"})
+        for (const char* fabric : {"Textile F", "Wool serge", "Poplin shirting", "Drill", "Sports micro-twill", "Cotton sateen"})
             QTest::newRow(fabric) << fabric;
     }
     void missesStayWithinTheirBounds()
@@ -125,7 +125,7 @@ private Q_SLOTS:
     }
     void aRunGivesTheSameNumbersAgain()
     {
-        const VerifyReport &once = coarse_report(), again = report_of("Textile F", {{"fibre_voxel_um", "1"}});
+        const VerifyReport &once = coarse_report(), again = report_of("Textile F", {{"fibre_voxel_um", "1"}, {"voxel_um", "10"}});
         for (std::size_t i = 0; i < once.results.size(); ++i) QCOMPARE(once.results[i].expected, again.results[i].expected);
     }
     void halfTheVoxelChangesLittle()
@@ -143,7 +143,7 @@ private Q_SLOTS:
         const Fabric& fabric = library_fabric("Textile F");
         const Design design = design_of(fabric, standard_experiment(ExperimentType::horizontal_wicking));
         const Textile textile = build_textile(design, design.fabrics[0], {0, 0, fabric.weave.ends(), fabric.weave.picks()});
-        const VerifyReport report = report_of("Textile F", {{"fibre_voxel_um", "1"}, {"voxel_um", "10"}});
+        const VerifyReport& report = coarse_report();
         const double tension = water_surface_tension(pore_temperature);
         const YarnType &warp = textile.warp.types[0], &weft = textile.weft.types[0];
 
