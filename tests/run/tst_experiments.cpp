@@ -471,7 +471,7 @@ private Q_SLOTS:
         Experiment& experiment = design.experiments[0];
         experiment.closure = closure;
         experiment.sample_mm =
-            experiment.type == ExperimentType::vertical_wicking ? std::array<double, 2>{2, 100} : std::array<double, 2>{30, 24};
+            experiment.type == ExperimentType::vertical_wicking ? std::array<double, 2>{1, 100} : std::array<double, 2>{30, 24};
         experiment.volume_ul = 0.5;
         if (experiment.type == ExperimentType::droplet) experiment.droplets = {{0.2, 0, {5, -3}, 0.1, 0}};
         experiment.duration_s = experiment.type == ExperimentType::droplet ? 1.5 : 4;
