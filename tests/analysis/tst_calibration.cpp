@@ -379,7 +379,7 @@ private Q_SLOTS:
     void realRunsHoldTheAngle()
     {
         Strips strips;
-        const int strips_asked = asked_for("HYGROLOOM_CALIBRATIONS_BY_RUNS", 3);
+        const int strips_asked = asked_for("HYGROLOOM_CALIBRATIONS_BY_RUNS", 2);
         int held = 0, held_by_itself = 0;
         for (int i = 0; i < strips_asked; ++i) {
             const double angle = true_angle(i);
