@@ -18,7 +18,7 @@ public:
         from_.clear();
         const int n = static_cast<int>(line.size());
         for (int j = 0; j < n; ++j)
-            if (line[static_cast<std::size_t>(j)] < far_away) add(j, line);
+            if (line[static_cast<std::size_t>(j)] < nothing_near) add(j, line);
         if (place_.empty()) return;
         result_.resize(line.size());
         std::size_t k = 0;
@@ -114,7 +114,7 @@ void transform_skewed(const VoxelGrid& grid, std::vector<int>& squared)
 std::vector<int> squared_distances(const VoxelGrid& grid, const std::vector<std::uint8_t>& marked)
 {
     std::vector<int> squared(grid.size());
-    for (std::size_t i = 0; i < squared.size(); ++i) squared[i] = marked[i] ? 0 : far_away;
+    for (std::size_t i = 0; i < squared.size(); ++i) squared[i] = marked[i] ? 0 : nothing_near;
     const auto [x, y, z] = axes_of(grid);
     if (grid.repeats && grid.skew > 0)
         transform_skewed(grid, squared);

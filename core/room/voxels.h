@@ -30,7 +30,7 @@ struct VoxelGrid {
     }
 };
 
-constexpr int far_away = 1 << 28; ///< squared distance where there is nothing to be near to
+constexpr int nothing_near = 1 << 28; ///< squared distance where there is nothing to be near to
 
 /// Squared distance of each voxel's middle to the nearest marked one's, exact: a lower envelope of parabolas along each axis in turn
 /// (Felzenszwalb and Huttenlocher 2012).

@@ -93,10 +93,11 @@ public:
     {
         time_ += dt;
         wicking_ = {dt, signs.error};
-        double grow = 1.5;
+        constexpr double most = 1.5;
+        double grow = most;
         const auto change = static_cast<double>(from_ordered_bits(found.largest_change));
         if (signs.error && scene_->rules.wicking)
-            grow = growth(static_cast<double>(found.wicking_error) * water_quantum / water_at_stake(delivered));
+            grow = growth(static_cast<double>(found.wicking_error) * water_quantum / water_at_stake(delivered), most);
         if (signs.change()) {
             const double wanted = 0.8 * scene_->rules.saturation_change / std::max(1e-9, change);
             grow = std::min(grow, std::clamp(wanted, 0.5, 1.3));
@@ -115,7 +116,10 @@ public:
         const double water = static_cast<double>(found.bound_error) * water_quantum / water_at_stake(delivered);
         const double heat = static_cast<double>(found.heat_error) * EstimateExchange::heat_quantum / std::max(1e-30, at_stake_.heat);
         exchange_ = {dt, true};
-        const double wanted = std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat));
+        // What a steady temperature is depends a little on the step. Longer ones come slowly, or that shift counts as an error and they
+        // shorten again, for ever.
+        constexpr double most = 1.1;
+        const double wanted = std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat), most);
         exchange_dt_ = std::min(std::max(wanted, std::min(1e-4, scene_->rules.network_step)), exchange_limit(drops_about));
     }
 
@@ -151,7 +155,10 @@ private:
     {
         return takes_short_steps(drops_about) ? exchange_steps * scene_->rules.network_step : calm_limit();
     }
-    double growth(double error) const { return std::clamp(0.9 / std::sqrt(std::max(1e-12, error / scene_->rules.step_error)), 0.3, 1.5); }
+    double growth(double error, double most) const
+    {
+        return std::clamp(0.9 / std::sqrt(std::max(1e-12, error / scene_->rules.step_error)), 0.3, most);
+    }
     double water_at_stake(double delivered) const { return std::max(1e-30, at_stake_.water + delivered); }
 
     const Scene* scene_ = nullptr;

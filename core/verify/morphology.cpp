@@ -116,7 +116,7 @@ std::vector<int> squared_ways_in(const PoreImage& image, const std::vector<int>&
     std::vector<int> way(g.size(), 0);
     int widest = 0;
     for (std::size_t i = 0; i < g.size(); ++i)
-        if (to_solid[i] < far_away) widest = std::max(widest, to_solid[i]);
+        if (to_solid[i] < nothing_near) widest = std::max(widest, to_solid[i]);
     std::vector<std::vector<std::size_t>> waiting(static_cast<std::size_t>(widest) + 1); // by the way in, the widest first
     const auto enter = [&](std::size_t i, int through) {
         const int wide = std::min({through, to_solid[i], widest});
@@ -145,7 +145,7 @@ MorphologyCurves morphology_curves(const PoreImage& image, int radii)
     int widest = 0;
     for (std::size_t i = 0; i < solid.size(); ++i) {
         if (image.voxels[i] == Voxel::pore) curves.pores += 1;
-        if (fits[i] < far_away) widest = std::max(widest, fits[i]);
+        if (fits[i] < nothing_near) widest = std::max(widest, fits[i]);
     }
     constexpr double least = 1.5, dry = 0.02; // voxels: finer balls are as the grid, not as the pores; saturation
     const double largest = std::max(least, surface_distance(widest));

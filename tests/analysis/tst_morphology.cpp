@@ -101,7 +101,7 @@ private Q_SLOTS:
                 const int n = static_cast<int>(k);
                 return std::array{n % g.nx, n / g.nx % g.ny, n / (g.nx * g.ny)};
             };
-            int least = far_away;
+            int least = nothing_near;
             for (std::size_t j = 0; j < g.size(); ++j) {
                 const auto a = at(i), b = at(j);
                 if (!marked[j] || (sections && a[2] != b[2])) continue;
