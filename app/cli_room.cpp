@@ -85,11 +85,12 @@ void print_room(const Fabric& fabric, const FittedFabric& fitted)
     if (!room) return;
     print_result("  room between yarns         {:.3g} of the layer; permeability {:.2g} m2 along the warp, {:.2g} along the weft\n",
                  room->open, room->drawn.along_warp, room->drawn.along_weft);
-    if (room->details)
-        print_result("                             {:.2g} m2 through the cloth; liquid runs on along the warp down to {:.2g} of it, along "
-                     "the weft to {:.2g}\n",
-                     room->details->through, room->details->connected_along_warp, room->details->connected_along_weft);
     print_result("                             {} voxels from yarn to yarn change these by {:.0f} %\n", coarser_voxels, 100 * room->error);
+    if (room->details)
+        print_result(
+            "                             {:.2g} m2 through the cloth. Liquid runs on until it fills {:.2g} of the room along the warp, "
+            "{:.2g} along the weft; more voxels make that up to four times less\n",
+            room->details->through, room->details->connected_along_warp, room->details->connected_along_weft);
     print_result("                             water fills it at a suction of {:.0f} Pa; at {:.0f} Pa it has emptied to a half\n",
                  room->filling, room->half);
 }

@@ -188,7 +188,7 @@ LiquidCount count_staying(const ModelPlan& plan, double stays)
     constexpr double usual_particles = 8000, usual_spacing = 85e-6; // m
     constexpr double scarce_pores = 0.13e-3; // m, of pores times the drop's base: so few leave the usual particles all there
     constexpr double most_left = 0.97;       // of the particles, on average while the drop is absorbed
-    const double volume = std::max(1e-18, scene.drop_volume), settle_share = plan.knobs.settle_share;
+    const double settle_share = plan.knobs.settle_share;
     const double spacing = spacing_of(plan), step = step_of(plan, spacing), landings = landings_of(scene);
     const double on_sample = 0.5 * (landings + 1) / landings * scene.drops * stays * particles_of(plan);
     const double swings = landings * swing_of_largest(scene, stays);

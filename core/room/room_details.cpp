@@ -14,7 +14,7 @@ namespace {
 /// another cell.
 class RunsOn {
 public:
-    RunsOn(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air) : layer_(layer), liquid_(layer, growth, air)
+    RunsOn(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air) : liquid_(layer, growth, air)
     {
         reached_.resize(liquid_.places().size());
         for (std::size_t first = 0; first < reached_.size(); ++first)
@@ -54,7 +54,6 @@ private:
         }
     }
 
-    const DrawnLayer& layer_;
     LiquidVoxels liquid_;
     std::vector<Reached> reached_;
 };

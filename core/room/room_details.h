@@ -8,14 +8,14 @@
 
 namespace hygroloom {
 
-/// Half of a layer, from its middle to a face, full of liquid.
+/// Half of a full layer, from its middle to a face: its part in the flow of the whole.
 struct RoomHalf {
     double open = 0;                       ///< share of it outside the yarns
     double along_warp = 0, along_weft = 0; ///< m2, permeabilities
 };
 
 struct RoomDetails {
-    double through = 0;    ///< m2, permeability from face to face
+    double through = 0;    ///< m2, permeability from face to face; Stokes flow over mobility is taken as along the cloth
     RoomHalf lower, upper; ///< towards the bottom, towards the top
     /// Least saturation at which liquid still runs on through the cloth, air coming in as balls do. It takes many voxels: at 16 in the mean
     /// pitch up to four times what it is at 48.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Slow flow of the liquid between the yarns of a drawn layer, along the cloth.
+// Slow flow of the liquid between the yarns of a drawn layer, along the cloth and through it.
 #pragma once
 
 #include "core/room/drawn_layer.h"
@@ -9,7 +9,7 @@ namespace hygroloom {
 /// What a layer lets through along one system of yarns, m2.
 struct AlongRoom {
     double mean = 0;             ///< of the whole cell: flow per area of the layer's section, yarns included
-    double lower = 0, upper = 0; ///< the same of its lower half alone and of its upper one
+    double lower = 0, upper = 0; ///< the same through its lower half and through its upper one, in the flow of the whole
     std::vector<double> places;  ///< of each crossing, end x picks + pick: joined in series and side by side they come to the mean
 };
 struct RoomPermeability {

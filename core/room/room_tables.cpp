@@ -90,6 +90,8 @@ Level level_of_stokes(const Textile& cell, int shift, int voxels)
 void scale(AlongRoom& along, double by)
 {
     along.mean *= by;
+    along.lower *= by;
+    along.upper *= by;
     for (double& place : along.places) place *= by;
 }
 

@@ -116,8 +116,8 @@ public:
         const double water = static_cast<double>(found.bound_error) * water_quantum / water_at_stake(delivered);
         const double heat = static_cast<double>(found.heat_error) * EstimateExchange::heat_quantum / std::max(1e-30, at_stake_.heat);
         exchange_ = {dt, true};
-        // What a steady temperature is depends a little on the step. Longer ones come slowly, or that shift counts as an error and they
-        // shorten again, for ever.
+        // The steady temperature depends a little on the step. Where steps grow faster, that shift counts as an error and they shorten
+        // again, without end.
         constexpr double most = 1.1;
         const double wanted = std::min(exchange_dt_, 2.0 * dt) * growth(std::max(water, heat), most);
         exchange_dt_ = std::min(std::max(wanted, std::min(1e-4, scene_->rules.network_step)), exchange_limit(drops_about));

@@ -171,7 +171,7 @@ std::vector<VerifyResult> drying_of_cloths(const VerifyValues&, Backend& backend
                 alike += a.held < b.held;
             }
     results.push_back(known_miss({"order_of_water_by_thickness", alike / pairs, 1, 0},
-                                 "of ten pairs one: the serge is thicker than the tropical worsted, but its fibres leave less of it open",
+                                 "of ten pairs one: the serge is thicker than the tropical worsted, but has less room between its yarns",
                                  0.15));
     return results;
 }

@@ -276,7 +276,7 @@ std::vector<VerifyCase> measured_fibre_cases()
          "Morton and Hearle, Physical Properties of Textile Fibres, section 9.4.1: 12 h at 18 C and 7 % regain",
          ""},
         {"measured_n4",
-         "The order of the fibres' diffusivities for water near 75 % relative humidity.",
+         "The order of the fibres' diffusivities for water near 75 % relative humidity. The library has them by these ratios.",
          {},
          order_of_diffusivities,
          "Harris Research Laboratories, Textile Research Journal: cotton, rayon, wool, nylon, Dacron as 134 : 56 : 39 : 8 : 7, along the "

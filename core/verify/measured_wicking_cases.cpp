@@ -255,7 +255,7 @@ std::vector<VerifyResult> order_and_angle(const VerifyValues& v, Backend& backen
         results.push_back(known_miss(at_most(std::string("angle_over_order_") + of, std::abs(1 - by_angle) / std::abs(1 - by_order), 1),
                                      "suction goes with the cosine of the angle, which 10 degrees change by 14 %; of disorder the closure "
                                      "knows the spread of pores and the gate, but no rougher angle and no broken pores",
-                                     of == std::string("yarns") ? 3 : 10));
+                                     of == std::string("yarns") ? 3 : 12));
     }
     return results;
 }

@@ -143,8 +143,8 @@ std::vector<VerifyResult> stokes_array(const VerifyValues& v, Backend&)
     return {near_known("permeability", found, expected, 1.5 / voxels)};
 }
 
-/// A film on an incline across the grid's cubes, a wall under it and air over it: both are steps. It runs along the picks, whose period
-/// goes so many voxels up.
+/// A film on an incline across the grid's cubes, a wall under it and air over it, whose face is steps. It runs along the picks, whose
+/// period goes so many voxels up. By mobility, as rooms that hold air are computed.
 std::vector<VerifyResult> stokes_film(const VerifyValues& v, Backend&)
 {
     const double rise = value(v, "rise"), run = value(v, "run"), height = value(v, "voxels"), slant = std::hypot(rise, run);
@@ -182,6 +182,7 @@ std::vector<VerifyResult> rod_morphology(const VerifyValues& v, Backend&)
     const RodColumn column = rod_column(radius, half_gap, angle, tension, value(v, "pressure_pa"));
     if (!(column.area > 0)) throw Error("half_gap_um: At this suction no water stands between the rods. Take a smaller gap.");
     const double wide = 2 * (radius + half_gap) / side, high = 2 * (radius + 2 * meniscus) / side;
+    if (4 * side > half_gap) throw Error("voxel_um: Must be a quarter of half_gap_um at most.");
     constexpr double most = 2000; // voxels along a side
     if (wide > most || high > most) throw Error(fmt::format("voxel_um: Takes more than {:g} voxels along a side. Take larger ones.", most));
     VoxelGrid grid;
@@ -263,7 +264,8 @@ std::vector<VerifyCase> room_cases()
          {{"solid_share", 0.3, 0.05, 0.6, ""}, on_or_off("across", true), on_or_off("hexagonal", false), whole_number("voxels", 40, 8, 80)},
          stokes_array},
         {"stokes_film",
-         "A film of liquid on an incline through the cubes, whose free face is steps as its wall is: flow over that of the formula.",
+         "A film of liquid on an incline through the cubes, by the mobility that rooms use; its free face is steps: flow over that of the "
+         "formula.",
          {whole_number("rise", 1, 0, 4), whole_number("run", 2, 1, 4), voxels(20)},
          stokes_film},
         {"rod_morphology",

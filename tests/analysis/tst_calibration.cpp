@@ -394,7 +394,8 @@ private Q_SLOTS:
                   i, angle, input.value, input.half, by_itself, input.uneven, held, held_by_itself, i + 1,
                   fit.identifiable() ? "" : (": " + fit.refusal).c_str());
         }
-        QVERIFY(100 * held >= 85 * strips_asked - 100); // one more may miss, as there are few
+        constexpr int few = 7;                                                                      // of which none may miss
+        QVERIFY(strips_asked < few ? held == strips_asked : 100 * held >= 85 * strips_asked - 100); // one more may
     }
     void aCalibratedFabricPredictsMoreNarrowly()
     {

@@ -395,7 +395,8 @@ private Q_SLOTS:
         const double both = m.series.water_top.front() + m.series.water_bottom.front();
         QVERIFY2(std::abs(both - m.ledger.water_delivered) < 1e-4 * both, qPrintable(QString::number(both)));
         for (const std::vector<double>* face : {&m.series.water_top, &m.series.water_bottom}) {
-            QVERIFY(*std::min_element(face->begin(), face->end()) >= 0);
+            const double least = *std::min_element(face->begin(), face->end());
+            QVERIFY2(least >= -1e-4 * both, qPrintable(QString::number(least / both))); // cloth a little warmer than the air binds less
             QVERIFY(face->back() < 0.01 * both);
         }
         QVERIFY(std::abs(m.series.regain_mean.back() - 0.0697) < 0.002); // cotton at 21 C and 65 %
