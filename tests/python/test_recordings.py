@@ -54,7 +54,7 @@ def test_maps_hold_the_water_that_the_metrics_have(recording):
     columns = -(-open_file.about["ends"] // 3)
     assert last.shape == (3, -(-open_file.about["picks"] // 3), columns)
     inside = last.isel(x=slice(0, -1), y=slice(0, -1))  # those at the far edges may be smaller
-    assert float(inside.sel(side="top").sum()) * cell == pytest.approx(run.series.water_top_g.iloc[-1], rel=1e-3)
+    assert float(inside.sel(side="top").sum()) * cell == pytest.approx(run.series.water_top_g.iloc[-1], rel=3e-3)  # cells take a yarn's fibres for as many everywhere
     np.testing.assert_allclose(last.sel(side="top") + last.sel(side="bottom"), last.sel(side="total"), rtol=1e-9, atol=1e-9)
     np.testing.assert_array_equal(open_file.water_map(-1, "bottom", 3), last.sel(side="bottom").values)
     assert abs(float(last.x.mean())) < 3 * open_file.about["end_pitch_mm"]
