@@ -322,7 +322,8 @@ std::vector<VerifyCase> measured_wicking_cases()
          "Zhu et al., Fibres and Textiles in Eastern Europe 2015(2), p. 137",
          ""},
         {"measured_t6",
-         "Weaves of the same yarns and sett: more floats, faster uptake in 10 min; the same rate from 10 to 120 min.",
+         "Weaves of the same yarns and sett: more floats, faster uptake in 10 min; the same rate from then to the end, 120 min unless it "
+         "is shorter.",
          {{"duration_s", 7200, 900, 14400, ""}},
          floats_and_wicking,
          "Lei et al., Polymers 2020, 12(2), 422, doi 10.3390/polym12020422",

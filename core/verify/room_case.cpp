@@ -201,7 +201,7 @@ std::vector<VerifyResult> rod_morphology(const VerifyValues& v, Backend&)
     double voxels = 0;
     for (std::size_t i = 0; i < liquid.size(); ++i) voxels += liquid[i] && to_middle[i] * side * side > meniscus * meniscus ? 1 : 0;
     const double um2 = 1e12;
-    return {near_known("area_um2", voxels * side * side * um2, column.area * um2, 0.02 + side / (half_gap + 0.1 * radius))};
+    return {near_known("area_um2", voxels * side * side * um2, column.area * um2, 0.01 + 0.5 * side / (half_gap + 0.1 * radius))};
 }
 
 std::vector<VerifyResult> room(const VerifyValues& v, Backend&)

@@ -166,7 +166,7 @@ private Q_SLOTS:
     }
     void whatClothAbsorbsEndsShortSteps()
     {
-        // 6 ul on textile F at live, 20 s: yarns took 862 to 1419 steps with li_zhu and kissa, not 5000, for the drop was gone.
+        // Seen with 6 ul on textile F, 20 s: yarns took 862 to 1419 steps with li_zhu and kissa, not 5000, for the drop was gone.
         for (const Closure closure : {Closure::kissa, Closure::li_zhu, Closure::paper}) {
             Design design = drop_design();
             Experiment& drop = design.experiments[0];
@@ -204,7 +204,7 @@ private Q_SLOTS:
         plan.counts.duration = 1e-3 * design.experiments[0].duration_s;
         QVERIFY(count_liquid(plan).steps < stays);
     }
-    /// Not for as long as a run takes: a strip of ten crossings is soon full, and up one that draws nothing no front goes.
+    /// Not for as long as a run takes: a full strip has no front, and up one that draws nothing none goes.
     void aFrontTakesStepsForTheCrossingsThatItPasses()
     {
         Design design = drop_design();
