@@ -9,6 +9,7 @@
 #include "core/room/room_details.h"
 #include "core/scene/suction.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
@@ -25,7 +26,7 @@ struct Room {
     double seconds = 0; ///< that it took, less where it was found before
     DrawnRoom drawn;
     double open = 0;              ///< share of the layer
-    double filling = 0, half = 0; ///< Pa
+    double filling = 0, half = 0; ///< Pa; less than 0: the liquid presses
     double growth = 0;            ///< m, see RoomTables
     std::optional<RoomDetails> details;
     double error = 0; ///< of the permeabilities: the larger change that coarser voxels make, as a share
@@ -46,13 +47,18 @@ std::optional<Room> room_of(const Fabric& fabric, const FittedFabric& fitted)
     room.growth = tables->growth;
     const BetweenParameters between = room_of_crossing(textile, 0, 0, water, *tables);
     room.open = between.volume / (textile.thickness * textile.warp.pitch * textile.weft.pitch);
-    room.filling = suction_filling(between.retention[both_wet], 0.5);
+    room.filling = between.retention[both_wet].front;
     room.half = suction_emptying(between.retention[both_wet], 0.5);
     room.details = room_details(textile, *tables, voxels_per_pitch);
     const DrawnRoom coarse = room_tables(textile, coarser_voxels)->types[0];
     const auto changes = [](double fine, double other) { return fine > 0 ? std::abs(other / fine - 1) : 0.0; };
     room.error = std::max(changes(room.drawn.along_warp, coarse.along_warp), changes(room.drawn.along_weft, coarse.along_weft));
     return room;
+}
+
+std::string at_suction(double pascal)
+{
+    return pascal >= 0 ? fmt::format("at a suction of {:.0f} Pa", pascal) : fmt::format("under a pressure of {:.0f} Pa", -pascal);
 }
 
 } // namespace
@@ -91,8 +97,8 @@ void print_room(const Fabric& fabric, const FittedFabric& fitted)
             "                             {:.2g} m2 through the cloth. Liquid runs on until it fills {:.2g} of the room along the warp, "
             "{:.2g} along the weft; more voxels make that up to four times less\n",
             room->details->through, room->details->connected_along_warp, room->details->connected_along_weft);
-    print_result("                             water fills it at a suction of {:.0f} Pa; at {:.0f} Pa it has emptied to a half\n",
-                 room->filling, room->half);
+    print_result("                             dry, it takes water in {}; full, it has emptied to a half {}\n", at_suction(room->filling),
+                 at_suction(room->half));
 }
 
 } // namespace hygroloom

@@ -2,12 +2,15 @@
 // The room between the yarns of a woven layer: one cell for each crossing. Lengths in m, angles in radian.
 #pragma once
 
+#include "core/physics/retention.h"
 #include "core/physics/wicking.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace hygroloom {
+
+constexpr double reference_cosine = 0.8;
 
 /// A yarn where it crosses another. Its section is a racetrack.
 struct CrossingYarn {
@@ -21,14 +24,23 @@ struct CrossingYarn {
     double outline() const { return pi * std::min(width, height) + 2.0 * std::max(0.0, width - height); }
 };
 
-/// Suctions of a crossing's room, Pa. A full room has two free faces, one on either side of the cloth, and they cost what the wetted skin
-/// of the yarns gains; where they cost more, only liquid that presses fills it.
-struct RoomSuctions {
-    double filling = 0;  ///< at which a dry room fills
-    double emptying = 0; ///< at which a full one has emptied to a half
+/// Liquid at rest in a room that holds so much: twice the curvature of its menisci, 1/m, where the cosine of both yarns' contact angles is
+/// reference_cosine, and by how much that grows with either cosine, which is how its wetted skin grows with the volume that is held.
+struct RestingState {
+    double curvature = 0, warp = 0, weft = 0;
+
+    double at(double warp_cosine, double weft_cosine) const
+    {
+        return curvature + warp * (warp_cosine - reference_cosine) + weft * (weft_cosine - reference_cosine);
+    }
 };
-/// Which yarns of a crossing liquid has pervaded: 1 the warp, 2 the weft, 3 both.
-constexpr int wet_states = 4, both_wet = 3;
+/// What is known of a room, see RoomSuctions.
+struct RoomStates {
+    RestingState almost, sunk, knee, low, fills, breaks;
+};
+/// Which yarns of a crossing liquid has pervaded: 1 the warp, 2 the weft, 3 both; 4 more where what the room
+/// takes is joined from the first, as liquid stands on a face.
+constexpr int room_conditions = 8, both_wet = 3, covered = 4;
 
 /// What a crossing's room holds and lets through.
 struct RoomBetweenYarns {
@@ -63,23 +75,40 @@ inline double permeability_between(const CrossingYarn& along, const CrossingYarn
     return drawn_over_slices * share * pore_radius * pore_radius / 20.0 / slow;
 }
 
-/// Of a room, from the energy of its surfaces: what the skin of the yarns gains, less the two faces, over the volume is the mean of the
-/// suctions at which it fills. It fills all at once at 1.18 times that: seen in diffuse-interface computations of two fabrics, and within
-/// 15 % of it in five more. state: see wet_states.
-inline RoomSuctions room_suctions(const CrossingYarn& warp, const CrossingYarn& weft, const RoomBetweenYarns& room, double surface_tension,
-                                  int state)
+/// Of the skin of a yarn, advancing or receding.
+inline double cosine_on_yarn(const CrossingYarn& yarn, bool is_wet, double CrossingYarn::*angle)
 {
-    constexpr double fills_at = 1.18;                                                      // of the mean
-    const auto gains = [](const CrossingYarn& yarn, double skin, double angle, bool wet) { // m2
-        return skin * (wet ? cosine_on_wet_yarn(yarn.packing, angle) : cosine_on_dry_yarn(yarn.packing, angle));
+    return is_wet ? cosine_on_wet_yarn(yarn.packing, yarn.*angle) : cosine_on_dry_yarn(yarn.packing, yarn.*angle);
+}
+
+/// Of a room whose yarns have such angles.
+inline RoomSuctions room_suctions(const CrossingYarn& warp, const CrossingYarn& weft, const RoomStates& states, double surface_tension,
+                                  int condition, double CrossingYarn::*angle)
+{
+    const double on_warp = cosine_on_yarn(warp, (condition & 1) != 0, angle), on_weft = cosine_on_yarn(weft, (condition & 2) != 0, angle);
+    const auto suction = [&](const RestingState& resting) { return surface_tension * resting.at(on_warp, on_weft); };
+    return {suction(states.almost), suction(states.sunk),  suction(states.knee),
+            suction(states.low),    suction(states.fills), suction(states.breaks)};
+}
+inline Retention retention_of_room(const CrossingYarn& warp, const CrossingYarn& weft, const RoomStates& states, double surface_tension,
+                                   int condition)
+{
+    RoomSuctions advancing = room_suctions(warp, weft, states, surface_tension, condition, &CrossingYarn::advancing);
+    if ((condition & covered) != 0) advancing.fills = advancing.breaks;
+    return retention_of_room(advancing, room_suctions(warp, weft, states, surface_tension, condition, &CrossingYarn::receding));
+}
+
+/// Of a room that is not drawn: shares of the mean of its curvatures and of its skin, as in the middle of 25 fabrics that are. The mean is
+/// the energy of its surfaces over its volume: what the skin of yarns with a cosine of 0.9 gains, less the two faces.
+inline RoomStates states_by_formula(const RoomBetweenYarns& room)
+{
+    constexpr double cosine = 0.9;
+    const double per_volume = 1.0 / room.volume, skin = room.warp_skin + room.weft_skin, mean = (cosine * skin - room.faces) * per_volume;
+    const auto state = [&](double of_mean, double of_skin) {
+        const double gain = of_skin * per_volume;
+        return RestingState{of_mean * mean + gain * skin * (reference_cosine - cosine), gain * room.warp_skin, gain * room.weft_skin};
     };
-    const auto suction = [&](double CrossingYarn::*angle) {
-        const double all = gains(warp, room.warp_skin, warp.*angle, (state & 1) != 0) +
-                           gains(weft, room.weft_skin, weft.*angle, (state & 2) != 0) - room.faces;
-        return fills_at * surface_tension * all / room.volume;
-    };
-    const double filling = suction(&CrossingYarn::advancing);
-    return {filling, std::max(filling, suction(&CrossingYarn::receding))};
+    return {state(-0.06, 0.38), state(0.02, 0.40), state(0.25, 0.52), state(0.9, 0.7), state(1.5, 0.95), state(1.8, 0.9)};
 }
 
 /// Thickness of the layer in m. The room is what the yarns leave of it, at least the corners that they cannot fill. It knows no weave.

@@ -9,24 +9,30 @@
 
 namespace hygroloom {
 
-/// The share of the pores' volume that menisci give or take when the suction changes by the entry suction and no pore fills or empties:
-/// bulging in the gaps between rods; an estimate of its order.
+/// The share of the pores' volume that menisci give or take when the suction changes by the entry suction (of a room, by that at which it
+/// breaks) and no pore fills or empties: bulging in the gaps between rods; an estimate of its order.
 constexpr double bulging = 0.03;
 
-/// A PoreClosure as steps use it, whose shape is a half number; or a room between yarns. Of a room, entry is by how much suction grows
-/// until a full one has emptied to a half, emptying the suction then, and gives where it is full.
+/// A PoreClosure as steps use it, whose shape is a half number; or a room between yarns, see retention_of_room().
 struct Retention {
-    double entry = 0;     ///< Pa
-    double emptying = 0;  ///< Pa, at which full pores begin to empty
+    double entry = 0;     ///< Pa; of a room, by how much suction grows until a full one has emptied to its knee
+    double emptying = 0;  ///< Pa, at which full pores begin to empty; of a room, at its knee
     double front = 0;     ///< Pa, see PoreClosure
     double dry = 0;       ///< Pa, at and beyond which dry pores stay dry
     double gives = 0;     ///< Pa, at which the menisci of full pores begin to bulge
     double threshold = 0; ///< saturation
-    int twice_shape = 8;  ///< 0: a room between yarns, see retention_of_room()
+    int twice_shape = 8;  ///< 0: a room between yarns
+    int quarters = 0;     ///< of a room, 4 times the power of suction that it empties by below its knee
+    double full = 0;      ///< Pa, at and below which a filling room is full
+    double knee = 0;      ///< Pa, to which what it holds then falls on a straight line
+    double at_knee = 0;   ///< saturation there
+    double breaks = 0;    ///< Pa, beyond which a room empties as 1 / suction^2
 
-    HL_FN bool is_straight() const { return twice_shape == 0; }
+    HL_FN bool is_room() const { return twice_shape == 0; }
+    /// Pa, by how much suction changes as menisci bulge by `bulging`.
+    HL_FN double bulges_over() const { return is_room() ? breaks - gives : entry; }
     /// Pa, at and below which filling pores are full.
-    HL_FN double full_at() const { return is_straight() ? gives : entry; }
+    HL_FN double full_at() const { return is_room() ? full : entry; }
 };
 
 /// Shape in halves, 1 to 6.
@@ -40,17 +46,49 @@ inline Retention retention_of(const PoreClosure& pores)
             pores.threshold,
             static_cast<int>(std::lround(2.0 * pores.shape))};
 }
-/// Of the room between yarns, by the suctions (Pa) at which a dry one fills and a full one has emptied to a half. From no suction on the
-/// faces' menisci sink into it, so what it holds falls with suction on a straight line, to a half; then they give way. What stays about
-/// the crossings goes with suction^-1.5: from a half to a sixth as suction doubles, as diffuse-interface computations of a plain weave
-/// have it. Suctions below nothing: it fills only from liquid that presses as much.
-inline Retention retention_of_room(double filling, double emptying)
+constexpr double almost_full = 0.95, room_sunk = 0.85, room_knee = 4.0 / 7.0, room_low = 0.3, room_rings = 0.1;
+
+/// Suctions (Pa) at which the liquid of a room is at rest.
+struct RoomSuctions {
+    double almost, sunk, knee, low; ///< when it holds those shares as it empties; those of the first two differ little from nothing
+    double fills;                   ///< when the rings about the crossings of a dry one have joined
+    double breaks;                  ///< when the liquid of a full one has parted into such rings
+};
+/// Of the room between yarns, as its liquid advances and as it recedes. From a little below no suction on the faces' menisci sink into it,
+/// so what it holds falls with suction on a straight line, to 4/7; then as suction^-n, and once it has parted into rings, faster. n is 1/4
+/// to 3/4: no less steep than the line before it. It fills from what presses only where its rings do not join before.
+inline Retention retention_of_room(const RoomSuctions& advancing, const RoomSuctions& receding)
 {
-    constexpr double flattest = 10.0; // Pa, over which a line falls to a half at least: a millimetre of water
-    const double full = std::min(0.0, filling - flattest), front = filling - full, half = std::max(front, emptying - full);
-    return {half, full + half, filling, filling + front_ramp * front, full, 0.5, 0};
+    constexpr double flattest = 10.0; // Pa, over which a line falls to its knee at least: a millimetre of water
+    // Where the lines by the first two and by the next two meet what is full, the middle.
+    const double by_first = advancing.almost - (advancing.sunk - advancing.almost) * (1.0 - almost_full) / (almost_full - room_sunk);
+    const double by_next = advancing.sunk - (advancing.knee - advancing.sunk) * (1.0 - room_sunk) / (room_sunk - room_knee);
+    Retention room;
+    room.twice_shape = 0;
+    room.gives = std::min(0.5 * (by_first + by_next), advancing.sunk);
+    const double sinks = std::max(flattest, advancing.knee - room.gives);
+    room.entry = std::max(sinks, receding.knee - room.gives);
+    room.emptying = room.gives + room.entry;
+    const double beyond = std::log(std::max(1.001, (receding.low - room.gives) / room.entry));
+    room.quarters = static_cast<int>(std::lround(std::clamp(4.0 * std::log(room_knee / room_low) / beyond, 1.0, 3.0)));
+    room.breaks = std::max(room.emptying, receding.breaks);
+    // Filling.
+    constexpr double most = 0.95; // of what joins at once
+    room.front = advancing.fills;
+    const double past = (room.front - room.gives) / sinks;
+    room.threshold = past <= 1.0 ? 1.0 - (1.0 - room_knee) * past : room_knee * std::pow(past, -0.25 * room.quarters);
+    if (room.threshold <= most) {
+        room.full = room.gives;
+        room.knee = std::min(room.front, room.gives + sinks);
+        room.at_knee = std::max(room.threshold, room_knee);
+    } else {
+        room.full = room.front - flattest;
+        room.knee = room.front;
+        room.at_knee = room.threshold = most;
+    }
+    room.dry = room.front + std::max(0.5 * flattest, front_ramp * (room.front - room.full));
+    return room;
 }
-constexpr int twice_shape_of_ring = 3; // of what an emptying room holds below a half
 
 /// The same pores, finer by this factor.
 HL_FN Retention narrowed(Retention pores, double factor)
@@ -60,6 +98,9 @@ HL_FN Retention narrowed(Retention pores, double factor)
     pores.front *= factor;
     pores.dry *= factor;
     pores.gives *= factor;
+    pores.full *= factor;
+    pores.knee *= factor;
+    pores.breaks *= factor;
     return pores;
 }
 
@@ -92,15 +133,44 @@ struct Held {
     double saturation, fall;
 };
 
-/// What a room holds above a half, which it holds at another suction.
-HL_FN Held straight(double half, double suction) { return {1.0 - 0.5 * suction / half, 0.5 / half}; }
+/// base^(quarters / 4), 0 <= base.
+HL_FN double quarter_power(double base, int quarters)
+{
+    const double root = std::sqrt(base);
+    double power = (quarters & 1) != 0 ? std::sqrt(root) : 1.0;
+    if ((quarters & 2) != 0) power *= root;
+    for (int k = quarters >> 2; k > 0; --k) power *= base;
+    return power;
+}
+
+/// What a room holds on a straight line from full to so much, over so many Pa.
+HL_FN Held straight(double least, double over, double suction)
+{
+    const double fall = (1.0 - least) / over;
+    return {1.0 - fall * suction, fall};
+}
+/// What it holds at so many times the suction at which it holds so much; per: 1 / Pa of that.
+HL_FN Held past_knee(double at_knee, double times, double per, int quarters)
+{
+    const double held = at_knee * quarter_power(1.0 / times, quarters);
+    return {held, 0.25 * quarters * held * per / times};
+}
+/// What an emptying room holds as it breaks.
+HL_FN double room_breaks_at(const Retention& room)
+{
+    return room_knee * quarter_power(room.entry / (room.breaks - room.gives), room.quarters);
+}
 
 /// What pores hold that fill only, at a suction.
 HL_FN Held held_filling(const Retention& pores, double suction)
 {
     if (suction < pores.full_at()) return {1.0, 0.0};
     if (suction < pores.front) {
-        if (pores.is_straight()) return straight(pores.front - pores.gives, suction - pores.gives);
+        if (pores.is_room()) {
+            const double line = pores.knee - pores.full, along = suction - pores.full;
+            return along <= line ? straight(pores.at_knee, line, along)
+                                 : past_knee(pores.at_knee, along / line, 1.0 / line, pores.quarters);
+        }
         const double held = half_power(pores.entry / suction, pores.twice_shape);
         return {held, 0.5 * pores.twice_shape * held / suction};
     }
@@ -111,12 +181,13 @@ HL_FN Held held_filling(const Retention& pores, double suction)
 /// What pores hold that empty only.
 HL_FN Held held_emptying(const Retention& pores, double suction)
 {
-    if (pores.is_straight()) {
-        const double sunk = suction - pores.gives;
+    if (pores.is_room()) {
+        const double sunk = suction - pores.gives, broken = pores.breaks - pores.gives;
         if (sunk < 0) return {1.0, 0.0};
-        if (sunk < pores.entry) return straight(pores.entry, sunk);
-        const double held = 0.5 * half_power(pores.entry / sunk, twice_shape_of_ring);
-        return {held, 0.5 * twice_shape_of_ring * held / sunk};
+        if (sunk < pores.entry) return straight(room_knee, pores.entry, sunk);
+        if (sunk < broken) return past_knee(room_knee, sunk / pores.entry, 1.0 / pores.entry, pores.quarters);
+        const double times = broken / sunk, held = room_breaks_at(pores) * times * times;
+        return {held, 2.0 * held / sunk};
     }
     if (suction < pores.emptying) return {1.0, 0.0};
     const double held = half_power(pores.emptying / suction, pores.twice_shape);
@@ -127,18 +198,22 @@ HL_FN Held held_emptying(const Retention& pores, double suction)
 HL_FN double suction_filling(const Retention& pores, double saturation)
 {
     if (saturation <= pores.threshold) return pores.dry - (pores.dry - pores.front) * saturation / pores.threshold;
-    if (pores.is_straight()) return pores.gives + 2.0 * (1.0 - saturation) * (pores.front - pores.gives);
-    return pores.entry * std::pow(saturation, -2.0 / pores.twice_shape);
+    if (!pores.is_room()) return pores.entry * std::pow(saturation, -2.0 / pores.twice_shape);
+    const double line = pores.knee - pores.full;
+    return pores.full + line * (saturation >= pores.at_knee ? (1.0 - saturation) / (1.0 - pores.at_knee)
+                                                            : std::pow(saturation / pores.at_knee, -4.0 / pores.quarters));
 }
 /// Suction at which emptying pores hold this much.
 HL_FN double suction_emptying(const Retention& pores, double saturation)
 {
     constexpr double least = 1e-4; // what is less clings to fibres, as what there is of it
     const double held = saturation > least ? saturation : least;
-    if (!pores.is_straight()) return pores.emptying * std::pow(held, -2.0 / pores.twice_shape);
-    return pores.gives + pores.entry * (held >= 0.5 ? 2.0 * (1.0 - held) : std::pow(2.0 * held, -2.0 / twice_shape_of_ring));
+    if (!pores.is_room()) return pores.emptying * std::pow(held, -2.0 / pores.twice_shape);
+    if (held >= room_knee) return pores.gives + pores.entry * (1.0 - held) / (1.0 - room_knee);
+    const double last = room_breaks_at(pores);
+    return pores.gives + (held >= last ? pores.entry * std::pow(held / room_knee, -4.0 / pores.quarters)
+                                       : (pores.breaks - pores.gives) * std::sqrt(last / held));
 }
-
 /// Pores that held a saturation at a suction: what they hold at others when these come next.
 struct HeldBefore {
     double saturation, suction;
@@ -155,7 +230,7 @@ struct PoreCourse {
     double empties;          ///< Pa, where emptying begins
     double bend;             ///< 1/Pa, by how much it holds less steeply below that suction than above it
 
-    HL_FN double slope() const { return bulging / pores.entry; } // of the line, 1/Pa
+    HL_FN double slope() const { return bulging / pores.bulges_over(); } // of the line, 1/Pa
     HL_FN double on_line(double suction) const { return saturation - slope() * (suction - zero); }
     HL_FN Held at(double suction) const
     {
@@ -168,18 +243,27 @@ struct PoreCourse {
     /// Suctions below which it becomes less steep, and by how much; at some by less than this.
     HL_FN void find_bends(double (&where)[bends], double (&by)[bends]) const
     {
-        const double per_ramp = pores.threshold / (pores.dry - pores.front),
-                     past_ramp =
-                         pores.is_straight() ? 0.5 / (pores.front - pores.gives) : 0.5 * pores.twice_shape * pores.threshold / pores.front;
+        const double per_ramp = pores.threshold / (pores.dry - pores.front), past_ramp = at_front();
         where[0] = empties;
         by[0] = bend;
         where[1] = pores.front;
         by[1] = on_line(pores.front) < pores.threshold && per_ramp > past_ramp ? per_ramp - past_ramp : 0.0;
         where[2] = full_at();
-        const double fills = pores.is_straight() ? past_ramp : 0.5 * pores.twice_shape / pores.entry;
-        by[2] = on_line(pores.full_at()) >= 1.0 ? slope() : fills;
-        where[3] = pores.emptying;
-        by[3] = pores.is_straight() && empties < pores.emptying ? 0.5 * (0.5 * twice_shape_of_ring - 1.0) / pores.entry : 0.0;
+        by[2] = on_line(pores.full_at()) >= 1.0 ? slope() : at_full();
+        where[3] = pores.breaks;
+        by[3] = pores.is_room() && empties < pores.breaks
+                    ? (2.0 - 0.25 * pores.quarters) * room_breaks_at(pores) / (pores.breaks - pores.gives)
+                    : 0.0;
+    }
+    /// How steep the curve of filling is as it leaves what is full, and before it ends at the front, 1/Pa.
+    HL_FN double at_full() const
+    {
+        return pores.is_room() ? (1.0 - pores.at_knee) / (pores.knee - pores.full) : 0.5 * pores.twice_shape / pores.entry;
+    }
+    HL_FN double at_front() const
+    {
+        if (!pores.is_room()) return 0.5 * pores.twice_shape * pores.threshold / pores.front;
+        return pores.front <= pores.knee ? at_full() : 0.25 * pores.quarters * pores.threshold / (pores.front - pores.full);
     }
     /// Suction at and below which the pores are full.
     HL_FN double full_at() const
@@ -190,7 +274,7 @@ struct PoreCourse {
     /// From a suction towards another, but no further than to the next bend.
     HL_FN double as_far_as_bends(double from, double to) const
     {
-        const double places[] = {pores.dry, pores.front, full_at(), empties, pores.emptying};
+        const double places[] = {pores.dry, pores.front, full_at(), empties, pores.is_room() ? pores.breaks : pores.emptying};
         for (double place : places)
             if (from < place ? to > place : from > place && to < place) to = place;
         return to;
@@ -209,21 +293,26 @@ HL_FN PoreCourse course_from(const Retention& pores, const HeldBefore& before)
     constexpr double never = 1e300;
     PoreCourse course{pores, before.saturation, line_begins_at(pores, before), never, 0};
     if (before.saturation <= 0) return course; // the line lies below nothing from there on
-    if (pores.is_straight()) {
-        const double steeper = 0.5 / pores.entry - course.slope(), meets = pores.gives + (1.0 - course.on_line(pores.gives)) / steeper;
+    double power = 0.5 * pores.twice_shape + 1.0, at = pores.emptying, origin = 0;
+    if (pores.is_room()) {
+        const double steeper = (1.0 - room_knee) / pores.entry - course.slope(),
+                     meets = pores.gives + (1.0 - course.on_line(pores.gives)) / steeper;
         if (meets < pores.emptying && course.zero < pores.emptying) {
             course.empties = meets;
             course.bend = steeper;
             return course;
         }
+        origin = pores.gives;
+        const bool breaks = course.on_line(pores.breaks) < room_breaks_at(pores) || course.zero > pores.breaks;
+        power = breaks ? 3.0 : 0.25 * pores.quarters + 1.0;
+        if (breaks) at = pores.breaks;
     }
-    const double power = 0.5 * (pores.is_straight() ? twice_shape_of_ring : pores.twice_shape) + 1.0;
-    double at = course.zero > pores.emptying ? course.zero : pores.emptying;
+    if (course.zero > at) at = course.zero;
     for (int round = 0; round < 12; ++round) { // the curve is convex: from the left, or from a little beyond it to the left of it
         const Held held = held_emptying(pores, at);
         const double steeper = held.fall - course.slope();
         if (!(steeper > 0)) return course; // the line ends before it meets the curve
-        const double newton = (held.saturation - course.on_line(at)) / steeper, from = pores.is_straight() ? at - pores.gives : at;
+        const double newton = (held.saturation - course.on_line(at)) / steeper, from = at - origin;
         const double bent = 1.0 - 0.5 * newton * held.fall * power / (from * steeper), step = newton / (bent > 0.5 ? bent : 0.5);
         if (!(std::abs(step) > 1e-5 * from)) { // what is left goes as its cube
             course.empties = at + step;
@@ -242,7 +331,7 @@ HL_FN double suction_after(const Retention& pores, const HeldBefore& then, doubl
     if (saturation <= 0) return pores.dry;
     constexpr double little = 1e-9; // of saturation, about which a curve may be missed
     const double begins = saturation < then.saturation - little ? line_begins_at(pores, then) : then.suction;
-    const double suction = begins + (then.saturation - saturation) * pores.entry / bulging;
+    const double suction = begins + (then.saturation - saturation) * pores.bulges_over() / bulging;
     if (saturation >= nearly_full && then.saturation < nearly_full && suction < pores.full_at())
         return pores.full_at(); // nothing presses them yet
     if (saturation < nearly_full && held_filling(pores, suction).saturation > saturation + little)
@@ -259,14 +348,7 @@ HL_FN double share_of_permeability(double saturation, double threshold, int twic
 }
 /// The same of a room, saturation^(quarters / 4). Stokes flow past slipping menisci in drawn weaves goes with powers of 2.2 to 3.5, 2.75
 /// in the middle.
-HL_FN double share_of_permeability_of_room(double saturation, int quarters)
-{
-    const double root = std::sqrt(saturation);
-    double share = (quarters & 1) != 0 ? std::sqrt(root) : 1.0;
-    if ((quarters & 2) != 0) share *= root;
-    for (int k = quarters >> 2; k > 0; --k) share *= saturation;
-    return share;
-}
+HL_FN double share_of_permeability_of_room(double saturation, int quarters) { return quarter_power(saturation, quarters); }
 constexpr int usual_quarters_of_room = 11;
 
 } // namespace hygroloom

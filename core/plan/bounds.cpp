@@ -167,8 +167,9 @@ private:
         const CrossingYarn warp = yarn(textile.warp, textile.weft), weft = yarn(textile.weft, textile.warp);
         const RoomBetweenYarns room = room_between(warp, weft, textile.thickness);
         b_.pores += room.volume / (textile.warp.pitch * textile.weft.pitch);
-        b_.uptake += (room.along_warp + room.along_weft) * textile.thickness *
-                     std::max(0.0, room_suctions(warp, weft, room, b_.liquid.surface_tension, both_wet).filling) / b_.liquid.viscosity;
+        const RoomSuctions filling =
+            room_suctions(warp, weft, states_by_formula(room), b_.liquid.surface_tension, both_wet, &CrossingYarn::advancing);
+        b_.uptake += (room.along_warp + room.along_weft) * textile.thickness * std::max(0.0, filling.low) / b_.liquid.viscosity;
     }
 
     Bounds& b_;

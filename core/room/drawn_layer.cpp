@@ -48,8 +48,10 @@ private:
             const auto outside = static_cast<float>(std::hypot(beside, off) - station.half_height);
             int x = is_warp_ ? c : along, y = is_warp_ ? along : c;
             g.wrap(x, y);
-            float& least = layer_.outside[g.at(x, y, z)];
-            least = std::min(least, outside);
+            const std::size_t i = g.at(x, y, z);
+            if (outside >= layer_.outside[i]) continue;
+            layer_.outside[i] = outside;
+            layer_.nearest_is_warp[i] = is_warp_;
         }
     }
 
@@ -102,6 +104,7 @@ DrawnLayer drawn_layer(const Textile& cell, int voxels, int shift)
     layer.grid = {cell.ends() * layer.per_end, cell.picks() * layer.per_pick, layers + 2 * layer.margin, true, false,
                   shift * layer.per_pick};
     layer.outside.assign(layer.grid.size(), static_cast<float>(layer.reach));
+    layer.nearest_is_warp.assign(layer.grid.size(), 0);
     for (int end = 0; end < cell.ends(); ++end) DrawnYarn(cell, YarnKind::warp, end, layer).draw();
     for (int pick = 0; pick < cell.picks(); ++pick) DrawnYarn(cell, YarnKind::weft, pick, layer).draw();
     return layer;

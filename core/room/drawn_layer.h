@@ -15,6 +15,7 @@ struct DrawnLayer {
     int per_end = 0, per_pick = 0; ///< voxels from end to end, and from pick to pick
     double dx = 0, dy = 0, dz = 0; ///< sides of a voxel: alike but for what makes them fit the pitches
     std::vector<float> outside;    ///< from each voxel's middle to the nearest skin of a yarn, less than 0 within one; at most reach
+    std::vector<std::uint8_t> nearest_is_warp; ///< whether that yarn is an end
     double reach = 0;
 
     int ends() const { return grid.nx / per_end; }

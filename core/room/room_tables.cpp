@@ -3,6 +3,7 @@
 
 #include "core/physics/between_yarns.h"
 #include "core/room/room_flow.h"
+#include "core/room/room_menisci.h"
 #include "core/room/stokes.h"
 
 #include <algorithm>
@@ -103,7 +104,8 @@ double falls(double of_half, double of_full, double saturation)
 }
 
 /// Tables by pairs of types and by place, of what is known of each crossing of a cell.
-void fill(RoomTables& tables, const Textile& drawn, const WovenCell& cell, const RoomSkin& skin, const RoomPermeability& full)
+void fill(RoomTables& tables, const Textile& drawn, const WovenCell& cell, const RoomSkin& skin, const RoomPermeability& full,
+          const RoomStates& states)
 {
     const std::size_t wefts = drawn.weft.types.size(), pairs = drawn.warp.types.size() * wefts;
     const auto types_at = [&](int end, int pick) {
@@ -120,7 +122,8 @@ void fill(RoomTables& tables, const Textile& drawn, const WovenCell& cell, const
                             along_warp = by_types(full.warp.places), along_weft = by_types(full.weft.places);
     tables.types.resize(pairs);
     for (std::size_t k = 0; k < pairs; ++k)
-        tables.types[k] = {warp_skin[k].value(), weft_skin[k].value(), faces[k].value(), along_warp[k].value(), along_weft[k].value()};
+        tables.types[k] = {warp_skin[k].value(),  weft_skin[k].value(),  faces[k].value(),
+                           along_warp[k].value(), along_weft[k].value(), states};
     if (pairs == 1) { // then what it comes to is known
         tables.types[0].along_warp = full.warp.mean;
         tables.types[0].along_weft = full.weft.mean;
@@ -137,20 +140,24 @@ void fill(RoomTables& tables, const Textile& drawn, const WovenCell& cell, const
         }
 }
 
-/// To four digits: what is left of equations that are solved by rounds does not show, and cloth turned over has the same tables.
-double to_four_digits(double value)
+/// To so many digits: what is left of equations that are solved by rounds does not show, and cloth turned over has the same tables.
+double to_digits(int digits, double value)
 {
     if (!(std::abs(value) > 0) || !std::isfinite(value)) return value;
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - (digits - 1));
     return unit * std::round(value / unit);
 }
 void round_all(RoomTables& tables)
 {
-    for (DrawnRoom& room : tables.types)
+    for (DrawnRoom& room : tables.types) {
         for (double* value : {&room.warp_skin, &room.weft_skin, &room.faces, &room.along_warp, &room.along_weft})
-            *value = to_four_digits(*value);
+            *value = to_digits(4, *value);
+        RoomStates& states = room.states;
+        for (RestingState* state : {&states.almost, &states.sunk, &states.knee, &states.low, &states.fills, &states.breaks})
+            for (double* value : {&state->curvature, &state->warp, &state->weft}) *value = to_digits(3, *value);
+    }
     for (std::vector<float>* places : {&tables.warp_places, &tables.weft_places})
-        for (float& place : *places) place = static_cast<float>(to_four_digits(static_cast<double>(place)));
+        for (float& place : *places) place = static_cast<float>(to_digits(4, static_cast<double>(place)));
 }
 
 Weave drawn_part(const Weave& weave) { return weave.ends() * weave.picks() <= most_drawn_crossings ? weave : part_of(weave); }
@@ -273,11 +280,13 @@ RoomTables tables_of_cell(const Textile& textile, const WovenCell& cell, int vox
     tables.level_along_weft = level.weft;
     scale(full.warp, level.warp);
     scale(full.weft, level.weft);
+    RestingLiquid liquid(layer, tables.growth, reference_cosine);
+    const RoomStates states = states_of_room(liquid);
     const PartlyFull half = half_full(layer, tables.growth);
     const RoomPermeability left = room_permeability(layer, tables.growth, half.air);
     tables.falls_along_warp = falls(left.warp.mean, full.warp.mean, half.saturation);
     tables.falls_along_weft = falls(left.weft.mean, full.weft.mean, half.saturation);
-    fill(tables, drawn, cell, skin, full);
+    fill(tables, drawn, cell, skin, full, states);
     return tables;
 }
 

@@ -3,6 +3,7 @@
 // angles have no part in it.
 #pragma once
 
+#include "core/physics/between_yarns.h"
 #include "core/room/drawn_layer.h"
 
 #include <memory>
@@ -16,6 +17,7 @@ struct DrawnRoom {
     double warp_skin = 0, weft_skin = 0;   ///< m2 of the yarns at a crossing, beside the room
     double faces = 0;                      ///< m2 of its openings
     double along_warp = 0, along_weft = 0; ///< m2, permeabilities when full
+    RoomStates states;                     ///< of what is drawn together: of all its types alike
 };
 
 struct RoomTables {

@@ -3,6 +3,7 @@ target_sources(hygroloom_core PRIVATE
   room/drawn_layer.cpp
   room/room_details.cpp
   room/room_flow.cpp
+  room/room_menisci.cpp
   room/room_tables.cpp
   room/stokes.cpp
   room/voxels.cpp
@@ -11,5 +12,5 @@ target_sources(hygroloom_core PRIVATE
 )
 
 # Sparse equations, compiled alone at full optimization.
-set_source_files_properties(room/drawn_layer.cpp room/room_flow.cpp room/stokes.cpp room/yarn_stations.cpp PROPERTIES
+set_source_files_properties(room/drawn_layer.cpp room/room_flow.cpp room/room_menisci.cpp room/stokes.cpp room/yarn_stations.cpp PROPERTIES
   SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")

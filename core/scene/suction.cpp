@@ -157,6 +157,7 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
     const CrossingYarn warp = crossing_yarn(warp_type, textile, textile.weft.pitch, weft_number),
                        weft = crossing_yarn(weft_type, textile, textile.warp.pitch, warp_number);
     RoomBetweenYarns room = room_between(warp, weft, thickness);
+    RoomStates states = states_by_formula(room);
     BetweenParameters between;
     if (!drawn.types.empty()) {
         const DrawnRoom& found = drawn.types[warp_number * textile.weft.types.size() + weft_number];
@@ -165,6 +166,7 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
         room.faces = found.faces;
         room.along_warp = found.along_warp;
         room.along_weft = found.along_weft;
+        states = found.states;
         between.quarters_along_warp = static_cast<int>(std::lround(4 * drawn.falls_along_warp));
         between.quarters_along_weft = static_cast<int>(std::lround(4 * drawn.falls_along_weft));
     }
@@ -172,10 +174,8 @@ BetweenParameters room_of_crossing(const Textile& textile, std::size_t warp_numb
     const double across_warp = across_per_viscosity(warp_type, liquid), across_weft = across_per_viscosity(weft_type, liquid);
     const auto into = [](const CrossingYarn& yarn, double skin, double across) { return skin * across / (0.25 * yarn.height); };
     between.volume = room.volume;
-    for (int state = 0; state < wet_states; ++state) {
-        const RoomSuctions suctions = room_suctions(warp, weft, room, liquid.surface_tension, state);
-        between.retention[state] = retention_of_room(suctions.filling, suctions.emptying);
-    }
+    for (int condition = 0; condition < room_conditions; ++condition)
+        between.retention[condition] = retention_of_room(warp, weft, states, liquid.surface_tension, condition);
     between.along_warp = room.along_warp * thickness * weft.pitch / (liquid.viscosity * warp.pitch);
     between.along_weft = room.along_weft * thickness * warp.pitch / (liquid.viscosity * weft.pitch);
     between.to_warp = into(warp, room.warp_skin, across_warp);

@@ -40,8 +40,8 @@ struct WettedPores {
 
 /// The room between the yarns at a crossing, m3/(Pa s) unless said.
 struct BetweenParameters {
-    double volume = 0;                                                                              ///< m3
-    Retention retention[wet_states];                                                                ///< by which of its yarns are wet
+    double volume = 0; ///< m3
+    Retention retention[room_conditions];
     double along_warp = 0, along_weft = 0;                                                          ///< from one crossing's to the next
     int quarters_along_warp = usual_quarters_of_room, quarters_along_weft = usual_quarters_of_room; ///< power of its saturation in them
     double to_warp = 0, to_weft = 0;                                                                ///< into each yarn beside it

@@ -134,7 +134,7 @@ std::vector<Room> rooms_of(const Scene& scene)
         const BetweenParameters& between = pores.between(crossing);
         const double volume = pores.room(crossing);
         const double finer = scene.cloth.swelling > 0 && volume > 0 ? between.volume / volume : 1.0;
-        rooms.push_back({narrowed(between.retention[both_wet], finer), volume});
+        rooms.push_back({narrowed(between.retention[both_wet + covered], finer), volume});
     }
     return rooms;
 }

@@ -71,13 +71,13 @@ struct Pools {
         const double cell = std::max(scene.cloth.warp_pitch, scene.cloth.weft_pitch);
         return scene.cloth.threads_per_cell > 1 ? face.radius + cell : face.radius;
     }
-    /// m3/(Pa s): see WeighPool.
+    /// m3/s: see WeighPool.
     static double weight_unit(const Scene& scene)
     {
         double most = 0;
         for (const YarnParameters& yarn : scene.cloth.yarns) most = std::max(most, yarn.face_conductance);
         for (const CrossingParameters& at : scene.cloth.crossing) most = std::max(most, at.between.face);
-        return std::max(1e-300, 3.0 * most * scene.cloth.crossings() * 0x1.0p-62);
+        return std::max(1e-300, 3.0 * most * Taker::most_pull * scene.cloth.crossings() * 0x1.0p-62);
     }
     /// As flow by suction sees it.
     StandingPool standing_pool(const Scene& scene, const ClimateParameters& climate) const

@@ -90,8 +90,8 @@ void add_suctions(YarnStart& start, const Scene& scene, const Segments& s)
         const double held = at.between.empty() ? 0.0 : at.between[static_cast<std::size_t>(crossing)] / density;
         double& room = start.room[static_cast<std::size_t>(crossing)];
         room = std::max(held, between.volume - find.swollen(crossing).grown - find.swollen(s.weft_of(end, pick)).grown);
-        settle(start.between_suction, start.between_settled, narrowed(between.retention[both_wet], find.narrowness(crossing, between)),
-               held / room);
+        settle(start.between_suction, start.between_settled,
+               narrowed(between.retention[both_wet + covered], find.narrowness(crossing, between)), held / room);
     }
 }
 

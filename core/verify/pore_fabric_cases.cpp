@@ -73,7 +73,7 @@ std::vector<VerifyResult> repellent_drop(const VerifyValues& v, Backend& backend
 
 /// The page's formulas, one after the other, with both angles of each yarn.
 struct ExpectedRoom {
-    double volume, radius, filling, emptying, one_wet, along_warp, along_weft;
+    double volume, radius, filling, half, half_emptying, one_wet, along_warp, along_weft;
 };
 double expected_permeability(const CrossingYarn& along, const CrossingYarn& across, double thickness, double share, double radius)
 {
@@ -93,17 +93,21 @@ ExpectedRoom expected_room(const CrossingYarn& warp, const CrossingYarn& weft, d
     const double overlap = warp.width * weft.width;
     const double skin = std::max(overlap, around(warp) * warp.length + around(weft) * weft.length - 2 * overlap);
     room.radius = 2 * room.volume / skin;
-    // Energy: of the wetted skin, by the mean cosine as far as both yarns' skins are alike, less two faces.
+    // Energy at a cosine of 0.9, over the volume; of that the shares at which a room fills and is half empty. The angles change it by the
+    // share of the skin that is wetted meanwhile.
     const auto cosine = [](double packing, double angle, double in_pores) { return packing * std::cos(angle) + in_pores * (1 - packing); };
-    const auto fills = [&](double a, double in_warp, double b, double in_weft) {
-        const double warp_skin = std::max(0.5 * overlap, around(warp) * warp.length - overlap),
-                     weft_skin = std::max(0.5 * overlap, around(weft) * weft.length - overlap);
-        const double gained = warp_skin * cosine(warp.packing, a, in_warp) + weft_skin * cosine(weft.packing, b, in_weft);
-        return 1.18 * tension * (gained - 2 * cell) / room.volume;
+    const double warp_skin = std::max(0.5 * overlap, around(warp) * warp.length - overlap),
+                 weft_skin = std::max(0.5 * overlap, around(weft) * weft.length - overlap),
+                 mean = (0.9 * (warp_skin + weft_skin) - 2 * cell) / room.volume;
+    const auto suction = [&](double of_mean, double of_skin, double on_warp, double on_weft) {
+        return tension * (of_mean * mean + of_skin * (warp_skin * (on_warp - 0.9) + weft_skin * (on_weft - 0.9)) / room.volume);
     };
-    room.filling = fills(warp.advancing, 1, weft.advancing, 1);
-    room.emptying = std::max(room.filling, fills(warp.receding, 1, weft.receding, 1));
-    room.one_wet = fills(warp.advancing, 1, weft.advancing, -1);
+    const double warp_wet = cosine(warp.packing, warp.advancing, 1), weft_wet = cosine(weft.packing, weft.advancing, 1);
+    room.filling = suction(1.5, 0.95, warp_wet, weft_wet);
+    room.half = suction(0.25, 0.52, warp_wet, weft_wet);
+    room.half_emptying =
+        std::max(room.half, suction(0.25, 0.52, cosine(warp.packing, warp.receding, 1), cosine(weft.packing, weft.receding, 1)));
+    room.one_wet = suction(1.5, 0.95, warp_wet, cosine(weft.packing, weft.advancing, -1));
     room.along_warp = expected_permeability(warp, weft, thickness, room.volume / layer, room.radius);
     room.along_weft = expected_permeability(weft, warp, thickness, room.volume / layer, room.radius);
     return room;
@@ -135,9 +139,10 @@ std::vector<VerifyResult> between_yarns(const VerifyValues& v, Backend&)
     };
     return {near("void_mm", 1e3 * solver.volume / cell, 1e3 * room.volume / cell),
             near("pore_radius_um", um_from_metre(room_between(warp, weft, textile.thickness).pore_radius), um_from_metre(room.radius)),
-            near("filling_suction_pa", suction_filling(solver.retention[both_wet], 0.5), room.filling),
-            near("half_suction_pa", suction_emptying(solver.retention[both_wet], 0.5), room.emptying),
-            near("filling_suction_beside_dry_weft_pa", suction_filling(solver.retention[1], 0.5), room.one_wet),
+            near("filling_suction_pa", solver.retention[both_wet].front, room.filling),
+            near("filling_half_suction_pa", suction_filling(solver.retention[both_wet], room_knee), room.half),
+            near("half_suction_pa", suction_emptying(solver.retention[both_wet], room_knee), room.half_emptying),
+            near("filling_suction_beside_dry_weft_pa", solver.retention[1].front, room.one_wet),
             near("permeability_warp_m2", solver.along_warp * per_flow * warp.pitch / weft.pitch, room.along_warp),
             near("permeability_weft_m2", solver.along_weft * per_flow * weft.pitch / warp.pitch, room.along_weft)};
 }

@@ -4,6 +4,7 @@
 #include "core/base/units.h"
 #include "core/physics/water.h"
 #include "core/room/room_flow.h"
+#include "core/room/room_menisci.h"
 #include "core/room/stokes.h"
 #include "core/verify/pore_set_ups.h"
 
@@ -204,6 +205,40 @@ std::vector<VerifyResult> rod_morphology(const VerifyValues& v, Backend&)
     return {near_known("area_um2", voxels * side * side * um2, column.area * um2, 0.01 + 0.5 * side / (half_gap + 0.1 * radius))};
 }
 
+/// A row of parallel rods, all alike. Water stands between each two; with that water least energy must give the suction back.
+std::vector<VerifyResult> rod_menisci(const VerifyValues& v, Backend&)
+{
+    const double radius = metre_from_um(value(v, "radius_um")), half_gap = metre_from_um(value(v, "half_gap_um")),
+                 angle = radian_from_degree(value(v, "contact_angle_deg")), suction = value(v, "pressure_pa");
+    const double tension = water_surface_tension(pore_temperature);
+    const RodColumn column = rod_column(radius, half_gap, angle, tension, suction);
+    if (!(column.area > 0)) throw Error("half_gap_um: At this suction no water stands between the rods. Take a smaller gap.");
+    const int per_rod = static_cast<int>(value(v, "voxels"));
+    DrawnLayer layer;
+    layer.per_end = per_rod;
+    layer.per_pick = 2;
+    layer.dx = layer.dy = layer.dz = 2 * (radius + half_gap) / per_rod;
+    const int layers = 2 * static_cast<int>(std::ceil(radius / layer.dz));
+    layer.margin = per_rod / 2;
+    layer.grid = {per_rod, layer.per_pick, layers + 2 * layer.margin, true, false};
+    layer.reach = radius;
+    layer.nearest_is_warp.assign(layer.grid.size(), 1);
+    double room = 0; // m2 of a section
+    for (int z = 0; z < layer.grid.nz; ++z)
+        for (int i = 0; i < layer.grid.nx * layer.grid.ny; ++i) {
+            const double across = (i % per_rod + 0.5 - 0.5 * per_rod) * layer.dx, up = (z + 0.5 - 0.5 * layer.grid.nz) * layer.dz;
+            layer.outside.push_back(static_cast<float>(std::min(layer.reach, std::hypot(across, up) - radius)));
+            if (z >= layer.first() && z <= layer.last())
+                room += layer.dx * layer.dz / layer.per_pick *
+                        std::clamp(0.5 + static_cast<double>(layer.outside.back()) / layer.side(), 0.0, 1.0);
+        }
+    RestingLiquid liquid(layer, 0, std::cos(angle));
+    constexpr int stages = 8; // on the way down from full
+    for (int stage = 1; stage <= stages; ++stage) liquid.hold(1 - (1 - column.area / room) * stage / stages);
+    const double gap_in_blurs = half_gap / (2 * layer.dx); // energies are blurred by two voxels
+    return {near_known("pressure_pa", tension * liquid.curvature(), suction, 0.05 + 0.15 * std::min(1.0, 2 / gap_in_blurs))};
+}
+
 std::vector<VerifyResult> room(const VerifyValues& v, Backend&)
 {
     const Fabric& fabric = library_fabric(v.at("fabric").word);
@@ -276,6 +311,14 @@ std::vector<VerifyCase> room_cases()
           {"pressure_pa", 1000, 1, 1e6, ""},
           {"voxel_um", 1, 0.01, 1e3, ""}},
          rod_morphology},
+        {"rod_menisci",
+         "Water between the rods of a row, at rest by least energy of its surfaces, in voxels: its suction against the balance of forces.",
+         {{"radius_um", 100, 1, 1e4, ""},
+          {"half_gap_um", 30, 0.1, 1e4, ""},
+          {"contact_angle_deg", 30, 0, 80, ""},
+          {"pressure_pa", 1000, 1, 1e6, ""},
+          whole_number("voxels", 48, 24, 200)},
+         rod_menisci},
         {"room",
          "The room between a fabric's yarns as it is drawn, against the same in voxels two thirds as large.",
          {{"fabric", 0, 0, 0, "Textile F"}, whole_number("voxels_per_pitch", 16, 8, 32)},

@@ -58,7 +58,7 @@ CrossingParameters turned(CrossingParameters crossing)
     BetweenParameters& between = crossing.between;
     std::swap(between.along_warp, between.along_weft);
     std::swap(between.quarters_along_warp, between.quarters_along_weft);
-    std::swap(between.retention[1], between.retention[2]);
+    for (int condition : {0, covered}) std::swap(between.retention[condition + 1], between.retention[condition + 2]);
     std::swap(between.to_warp, between.to_weft);
     const double below = between.on_warp[0];
     between.on_warp[0] = 1 - between.on_warp[1];

@@ -2,6 +2,7 @@
 // Flow through the layer, its two halves, and down to how little liquid runs on.
 #include "core/room/room_details.h"
 #include "core/room/room_flow.h"
+#include "tests/room/square_cotton.h"
 
 #include <QTest>
 
@@ -29,28 +30,7 @@ DrawnLayer square_hole(int width)
     return layer;
 }
 
-/// Cotton of 20 tex by 20 tex or as said, 24 x 24 to the cm.
-Textile cotton(const std::string& weave, double weft_tex = 20)
-{
-    Fabric fabric;
-    fabric.name = "Square";
-    for (Yarn* yarn : {&fabric.warp, &fabric.weft}) {
-        *yarn = Yarn{};
-        yarn->material = {{"cotton"}};
-        yarn->linear_density_tex = 20;
-        yarn->packing_factor = 0.5;
-        yarn->diameter_mm.reset();
-    }
-    fabric.weft.linear_density_tex = weft_tex;
-    fabric.ends_per_cm = fabric.picks_per_cm = 24;
-    fabric.weave = weave_from_pattern(weave);
-    Design design;
-    design.fabrics = {fabric};
-    return build_textile(design, design.fabrics[0], {0, 0, 20, 20});
-}
 RoomDetails details(const Textile& textile, int voxels = 14) { return room_details(textile, *room_tables(textile, 14), voxels).value(); }
-
-bool near_to(double a, double b, double share) { return std::abs(a / b - 1) < share; }
 
 } // namespace
 
@@ -65,7 +45,7 @@ private Q_SLOTS:
     }
     void facesOfPlainClothAreAlike()
     {
-        const Textile textile = cotton("plain");
+        const Textile textile = square_cotton("plain");
         const RoomDetails found = details(textile);
         const DrawnRoom& room = room_tables(textile, 14)->types[0];
         QVERIFY(near_to(found.upper.open, found.lower.open, 1e-3));
@@ -78,27 +58,27 @@ private Q_SLOTS:
     /// Of satin the ends lie on one face and the picks on the other: each lets liquid run along its own grooves.
     void facesOfSatinAreEachOthers()
     {
-        const RoomDetails found = details(cotton("satin 5/2"));
+        const RoomDetails found = details(square_cotton("satin 5/2"));
         QVERIFY2(near_to(found.upper.along_warp, found.lower.along_weft, 0.02),
                  qPrintable(QString::number(found.upper.along_warp / found.lower.along_weft)));
         QVERIFY2(found.upper.along_warp > 1.3 * found.lower.along_warp,
                  qPrintable(QString::number(found.upper.along_warp / found.lower.along_warp)));
         const double mean = 0.5 * (found.upper.along_warp + found.lower.along_warp);
-        QVERIFY(near_to(mean, room_tables(cotton("satin 5/2"), 14)->types[0].along_warp, 1e-3));
+        QVERIFY(near_to(mean, room_tables(square_cotton("satin 5/2"), 14)->types[0].along_warp, 1e-3));
     }
     void theThickerYarnsTakeRoomOnTheirFace()
     {
-        const RoomDetails found = details(cotton("satin 5/2", 40));
+        const RoomDetails found = details(square_cotton("satin 5/2", {20, 40}));
         QVERIFY2(found.upper.open > found.lower.open + 0.02,
                  qPrintable(QString::number(found.upper.open - found.lower.open))); // picks lie below
     }
     void liquidRunsOnDownToAThreshold()
     {
         for (const char* weave : {"plain", "twill 2/2 Z", "rib 2/2 warp"}) {
-            const RoomDetails found = details(cotton(weave));
+            const RoomDetails found = details(square_cotton(weave));
             for (double least : {found.connected_along_warp, found.connected_along_weft}) QVERIFY(least > 0.005 && least < 0.5);
         }
-        const RoomDetails rib = details(cotton("rib 2/2 warp"), 32);
+        const RoomDetails rib = details(square_cotton("rib 2/2 warp"), 32);
         QVERIFY2(rib.connected_along_weft < 0.75 * rib.connected_along_warp, "the groove between two picks in one shed");
     }
 };

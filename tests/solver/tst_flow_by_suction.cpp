@@ -24,8 +24,12 @@ std::vector<Retention> some_pores()
     for (double packing : {0.3, 0.5, 0.7, 0.85})
         for (double degrees : {0.0, 35.0, 60.0, 84.0})
             pores.push_back(retention_of(pores_of_bundle(packing, 8e-6, 0.0727, radian_from_degree(degrees), 0)));
-    for (double emptying : {400.0, 650.0, 6000.0}) pores.push_back(retention_of_room(400, emptying));
-    pores.push_back(retention_of_room(-250, 120)); // fills from what presses only
+    const RoomSuctions close{-40, 0, 120, 500, 900, 1500}, floats{-30, -20, 15, 390, 350, 950}, open{-55, -25, 115, 480, -80, 700},
+        flat{-760, -750, -830, -750, -980, 300};
+    for (const RoomSuctions& room : {close, floats, open, flat}) { // the last two fill from what presses only
+        pores.push_back(retention_of_room(room, room));
+        pores.push_back(retention_of_room(room, {room.almost, room.sunk, room.knee + 150, room.low + 300, room.fills, room.breaks + 600}));
+    }
     return pores;
 }
 
@@ -139,6 +143,7 @@ private Q_SLOTS:
         for (const Retention& pores : some_pores())
             for (double over : {1e-12, 3e-10, 9e-10}) { // suction_after() leaves less than 1e-9
                 const double saturation = 0.6, curve = suction_emptying(pores, saturation);
+                if (curve <= 0) continue; // their suctions grow the other way
                 const HeldBefore before{saturation + over, curve};
                 const PoreCourse course = course_from(pores, before);
                 double last = course.at(curve * (1 - 3e-9)).saturation;
@@ -184,22 +189,24 @@ private Q_SLOTS:
         for (int quarters : {4, 7, 11, 14, 16})
             QVERIFY(std::abs(share_of_permeability_of_room(0.6, quarters) - std::pow(0.6, 0.25 * quarters)) < 1e-15);
     }
-    void aRoomFillsAtOnceAndEmptiesBelowAHalf() // 1 - p / (2 p_half) above it, 1/2 (p_half / p)^1.5 below
+    void aRoomHoldsItsStatesAndFillsWhereRingsJoin()
     {
-        const Retention pressed = retention_of_room(-250, -250);
-        QCOMPARE(held_filling(pressed, -240).saturation, 0.0);
-        QCOMPARE(held_filling(pressed, -255).saturation, 0.75);
-        const Retention room = retention_of_room(400, 500);
-        const auto filling = [&](double suction) { return held_filling(room, suction).saturation; };
+        const RoomSuctions close{-40, 0, 120, 490, 900, 1500}, open{-55, -25, 115, 480, -80, 700};
+        const Retention room = retention_of_room(close, close), pressed = retention_of_room(open, open);
         const auto emptying = [&](double suction) { return held_emptying(room, suction).saturation; };
-        QCOMPARE(filling(-1), 1.0);
-        QCOMPARE(filling(100), 0.875);
-        QVERIFY(std::abs(filling(400) - 0.5) < 1e-12 && std::abs(filling(410) - 0.25) < 1e-12 && filling(421) == 0);
-        QCOMPARE(emptying(250), 0.75);
-        QVERIFY(std::abs(emptying(1000) - 0.5 / std::sqrt(8)) < 1e-12);
-        for (double saturation : {0.1, 0.4, 0.6, 0.99}) {
+        const auto filling = [&](double suction) { return held_filling(room, suction).saturation; };
+        QVERIFY(std::abs(emptying(120) - room_knee) < 1e-12 && emptying(room.gives) == 1);
+        QVERIFY2(std::abs(emptying(490) - room_low) < 0.03, qPrintable(QString::number(emptying(490))));
+        QVERIFY2(std::abs(emptying(0) - room_sunk) < 0.06, qPrintable(QString::number(emptying(0))));
+        QVERIFY(std::abs(emptying(2 * (1500 - room.gives) + room.gives) / emptying(1500) - 0.25) < 1e-12); // broken
+        for (double suction : {-20.0, 60.0, 300.0, 899.0}) QCOMPARE(filling(suction), emptying(suction));
+        QVERIFY(filling(room.dry) == 0 && room.dry < 960);
+        QVERIFY(held_filling(pressed, -74).saturation == 0 && held_filling(pressed, -81).saturation > 0.9 &&
+                held_filling(pressed, -91).saturation == 1);
+        for (double saturation : {0.02, 0.1, 0.4, 0.6, 0.99}) {
             QVERIFY(std::abs(filling(suction_filling(room, saturation)) - saturation) < 1e-12);
             QVERIFY(std::abs(emptying(suction_emptying(room, saturation)) - saturation) < 1e-12);
+            QVERIFY(std::abs(held_filling(pressed, suction_filling(pressed, saturation)).saturation - saturation) < 1e-12);
         }
     }
     void theRoomBetweenTheYarnsOfTextileFIsAsComputedByHand() // 0.1683 mm of void: 0.4 less twice 0.2 mm yarns of 81 % of their area, 30 %
@@ -217,9 +224,10 @@ private Q_SLOTS:
         const BetweenParameters& between = scene.cloth.crossing[0].between;
         const auto within = [](double value, double expected) { return std::abs(value / expected - 1) < 0.005; };
         QVERIFY(within(between.volume / scene.cloth.cell_area, 0.1683e-3));
-        const Retention(&of)[wet_states] = between.retention;
-        QVERIFY2(within(of[both_wet].front, 1127), qPrintable(QString::number(of[both_wet].front)));
-        QVERIFY(of[both_wet].emptying > of[both_wet].front); // its receding angle is 0
+        const Retention(&of)[room_conditions] = between.retention;
+        // 1.5 times a mean of 978 Pa at a cosine of 0.9; theirs of 0.89 takes 0.95 times 23 Pa off.
+        QVERIFY2(within(of[both_wet].front, 1445), qPrintable(QString::number(of[both_wet].front)));
+        QVERIFY(of[both_wet].emptying > of[both_wet].knee); // its receding angle is 0
         QVERIFY(of[0].front < of[1].front && of[1].front < of[both_wet].front);
         const double permeability =
             between.along_warp * scene.climate.viscosity * scene.cloth.weft_pitch / (textile.thickness * scene.cloth.warp_pitch);

@@ -23,8 +23,8 @@ struct PairFlow {
 
         HL_FN PoreLines::End end() const
         {
-            return {suction(), pores.saturation, pores.retention.threshold,    pores.retention.entry, pores.capacity,
-                    gate,      across,           pores.retention.is_straight()};
+            return {suction(), pores.saturation, pores.retention.threshold, pores.retention.entry, pores.capacity,
+                    gate,      across,           pores.retention.is_room()};
         }
         HL_FN double suction() const { return fed ? 0.0 : pores.suction; }
         HL_FN double held() const { return pores.saturation * pores.capacity; } // kg
@@ -54,9 +54,9 @@ struct PairFlow {
     HL_FN Side room_side(int crossing) const
     {
         const FindPores find{s, climate.density};
-        const int wet = find.wet_yarns(crossing);
         const BetweenParameters& at = s.crossing_at(crossing / s.picks, crossing % s.picks).between;
-        return {crossing, true, false, find.between(crossing, at, wet), wet > 0 ? 1.0 : 0.0, 1.0};
+        const int condition = find.condition_of_room(crossing, at, false);
+        return {crossing, true, false, find.between(crossing, at, condition), (condition & both_wet) != 0 ? 1.0 : 0.0, 1.0};
     }
 
     HL_FN void flow(const Side& first, const Side& second, const Way& way) const

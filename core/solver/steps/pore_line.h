@@ -54,7 +54,7 @@ struct PoreLines {
         taken = 39,        ///< bends of all classes, see PoreCourse; a bit for each
         left = 40,         ///< kg more comes than the crossed segment holds
         response = 41,     ///< Pa/kg, of the crossed segment
-        wet = 42           ///< which yarns are, see wet_states
+        wet = 42           ///< which yarns are, and whether liquid stands over them, see room_conditions
     };
     static constexpr int columns = 43;
     static constexpr double near_course = 1e-6; // of saturation
@@ -152,9 +152,9 @@ struct PoreLines {
     {
         return which == room_pores ? room(p).retention[static_cast<int>(line(wet, i))] : pores(p, which).retention;
     }
-    HL_FN PoresFound found(const Place& p, int which, int wet_yarns) const
+    HL_FN PoresFound found(const Place& p, int which, int condition) const
     {
-        if (which == room_pores) return find().between(p.crossing, room(p), wet_yarns);
+        if (which == room_pores) return find().between(p.crossing, room(p), condition);
         return find().segment(which == own_pores ? p.own : p.crossed, yarn_of(p, which), face(p, which));
     }
 
@@ -173,20 +173,27 @@ struct PoreLines {
         (which == room_pores ? s.between_settled[p.crossing] : s.settled[segment]) = now.saturation;
     }
 
+    HL_FN bool is_covered(const Place& p) const
+    {
+        if (!pool.stands) return false;
+        for (int which = 0; which < 3; ++which)
+            if (s.offered[taker(p, which)] > 0) return true;
+        return false;
+    }
     template <typename Team> HL_FN bool is_wet(const Line<Team>& line, int i) const
     {
         const Place p = place(line, i);
         for (int which = 0; which < 3; ++which)
-            if (liquid(p, which) > 0 || (pool.stands && s.offered[taker(p, which)] > 0)) return true;
-        return false;
+            if (liquid(p, which) > 0) return true;
+        return is_covered(p);
     }
     template <typename Places> HL_FN void look_at(const Places& line, int i) const
     {
         const Place p = place(line, i);
-        const int wet_yarns = find().wet_yarns(p.crossing);
-        line(wet, i) = wet_yarns;
+        const int condition = find().condition_of_room(p.crossing, room(p), is_covered(p));
+        line(wet, i) = condition;
         for (int which = 0; which < 3; ++which) {
-            const PoresFound found_now = found(p, which, wet_yarns);
+            const PoresFound found_now = found(p, which, condition);
             const HeldBefore now{found_now.saturation, is_fed(p.own) ? 0.0 : found_now.suction};
             line(suction + which, i) = line(before + which, i) = now.suction;
             line(held_before + which, i) = now.saturation;
@@ -239,10 +246,13 @@ struct PoreLines {
         const Retention& holds = retention(line, p, which, i);
         // Between dry yarns liquid does not spread by itself.
         const bool is_room = which == room_pores;
-        const double gate = !is_room ? pores(p, which).gate : line(wet, i) > 0 ? 1.0 : 0.0, across = is_room ? 1.0 : pores(p, which).across;
+        const double gate = !is_room                                           ? pores(p, which).gate
+                            : (static_cast<int>(line(wet, i)) & both_wet) != 0 ? 1.0
+                                                                               : 0.0,
+                     across = is_room ? 1.0 : pores(p, which).across;
         return {
             line(before + which, i), line(held_before + which, i), holds.threshold, holds.entry, line(can_hold + which, i), gate, across,
-            holds.is_straight()};
+            holds.is_room()};
     }
 
     /// kg/Pa in some seconds, of a conductance in kg/(s Pa). Says where more than next to nothing would pass: in a line with no such place

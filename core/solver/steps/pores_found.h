@@ -80,10 +80,9 @@ struct FindPores {
         const double finer = s.narrows ? tightness(i, yarn) : 1.0;
         return found(yarn.on_face[face].retention, finer, density * s.pores[i], s.liquid[i], {s.settled[i], s.suction[i]});
     }
-    HL_FN PoresFound between(int crossing, const BetweenParameters& at) const { return between(crossing, at, wet_yarns(crossing)); }
-    HL_FN PoresFound between(int crossing, const BetweenParameters& at, int wet) const
+    HL_FN PoresFound between(int crossing, const BetweenParameters& at, int condition) const
     {
-        return found(at.retention[wet], narrowness(crossing, at), density * s.room[crossing], s.between[crossing],
+        return found(at.retention[condition], narrowness(crossing, at), density * s.room[crossing], s.between[crossing],
                      {s.between_settled[crossing], s.between_suction[crossing]});
     }
     /// Whether liquid has pervaded a segment.
@@ -92,11 +91,18 @@ struct FindPores {
         const YarnParameters& yarn = s.yarn_of(i);
         return s.liquid[i] > yarn.on_face[s.face_of(crossing, is_warp)].retention.threshold * density * s.pores[i];
     }
-    /// Which of a crossing's yarns it has, see wet_states.
+    /// Which of a crossing's yarns it has, see room_conditions.
     HL_FN int wet_yarns(int crossing) const
     {
         const int weft = s.weft_of(crossing / s.picks, crossing % s.picks);
         return (is_connected(crossing, true, crossing) ? 1 : 0) + (is_connected(weft, false, crossing) ? 2 : 0);
+    }
+    /// See room_conditions. What holds more than the rings about its crossings can, is joined, too.
+    HL_FN int condition_of_room(int crossing, const BetweenParameters& at, bool liquid_stands) const
+    {
+        const int wet = wet_yarns(crossing);
+        const bool joined = liquid_stands || s.between[crossing] > room_breaks_at(at.retention[wet]) * density * s.room[crossing];
+        return wet + (joined ? covered : 0);
     }
     HL_FN static PoresFound found(const Retention& dry, double finer, double capacity, double liquid, const HeldBefore& then)
     {

@@ -52,20 +52,21 @@ struct Taker {
         return draws > 0 ? draws : 0.0;
     }
     /// The same from a cap that stands on the face, where liquid flows by suction.
-    HL_FN double draws_from_cap(double dt) const
+    HL_FN double draws_from_cap(double dt) const { return density * dt * pull(true); }
+    static constexpr double most_pull = 1e6; ///< Pa
+    /// m3/s, from liquid on one of its faces, where liquid flows by suction.
+    HL_FN double pull(bool from_drop = false) const
     {
         const PoresFound pores = found();
-        const double draws = density * dt * conductance(pores, true) * (pores.suction + pressure);
-        return draws > 0 ? draws : 0.0;
+        const double by = pores.suction + pressure;
+        return by > 0 ? conductance(pores, from_drop) * (by < most_pull ? by : most_pull) : 0.0;
     }
-    /// m3/(Pa s), from liquid on one of its faces, where liquid flows by suction.
-    HL_FN double conductance() const { return conductance(found(), false); }
 
 private:
     HL_FN PoresFound found() const
     {
         const FindPores find{s, density};
-        if (is_room()) return find.between(crossing(), at().between);
+        if (is_room()) return find.between(crossing(), at().between, find.condition_of_room(crossing(), at().between, true));
         return find.segment(number, s.yarn_of(number), face());
     }
     HL_FN int face() const { return s.face_of(crossing(), s.is_warp(number)); }
@@ -201,13 +202,13 @@ struct SweatFromSkin {
     }
 };
 
-/// How readily each taker takes from a pool on a face, summed up.
+/// How much each taker draws from a pool on a face, summed up.
 struct WeighPool {
     Segments s;
     FedFace face;
     double density;
     double pressure; ///< Pa over the air's
-    double unit;     ///< m3/(Pa s), so large that the sum is counted
+    double unit;     ///< m3/s, so large that the sum is counted
     std::int64_t* total;
 
     HL_FN std::int64_t weight(int taker) const
@@ -215,7 +216,7 @@ struct WeighPool {
         const int crossing = taker - 2 * s.crossings();
         const double inside = crossing >= 0 ? face.places_inside(s, crossing) : 0.0;
         const double share = crossing >= 0 ? inside / (face.places * face.places) : face.share(s, taker);
-        return share > 0 ? static_cast<std::int64_t>(share * Taker{s, density, taker, pressure, face.top ? 1 : 0}.conductance() / unit) : 0;
+        return share > 0 ? static_cast<std::int64_t>(share * Taker{s, density, taker, pressure, face.top ? 1 : 0}.pull() / unit) : 0;
     }
     HL_FN std::int64_t operator()(int index) const
     {
