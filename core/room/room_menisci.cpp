@@ -145,14 +145,6 @@ double RestingLiquid::wetted(const std::vector<double>& near) const
     return overlap * std::sqrt(2 * pi) / (blurs_ * room_);
 }
 
-std::vector<std::uint8_t> RestingLiquid::air() const
-{
-    std::vector<std::uint8_t> air(grid_.at(0, 0, grid_.nz + 2 * below_), 1);
-    const std::size_t from = grid_.at(0, 0, below_);
-    for (std::size_t i = 0; i < liquid_.size(); ++i) air[from + i] = liquid_[i] < 0.5 * open_[i];
-    return air;
-}
-
 namespace {
 
 struct Found {

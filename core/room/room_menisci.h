@@ -23,8 +23,6 @@ public:
     /// m2 for each m3 of the room, of skin that the liquid wets.
     double wetted_warp() const { return wetted(near_warp_); }
     double wetted_weft() const { return wetted(near_weft_); }
-    /// Of each voxel of the layer, whether it holds more air than liquid.
-    std::vector<std::uint8_t> air() const;
 
 private:
     void blur(const std::vector<double>& values, std::vector<double>& blurred);

@@ -110,24 +110,6 @@ private Q_SLOTS:
         QVERIFY2(tension * fills("Sheeting") < 0, qPrintable(QString::number(tension * fills("Sheeting"))));
         QVERIFY2(tension * fills("Poplin shirting") > 500, qPrintable(QString::number(tension * fills("Poplin shirting"))));
     }
-    void whatIsHeldIsHeld()
-    {
-        const Drawn cloth = drawn(square_cotton("plain"), 28);
-        RestingLiquid liquid(cloth.layer, cloth.growth, 0.9);
-        for (const double saturation : {0.8, 0.6, 0.45}) {
-            liquid.hold(saturation);
-            const std::vector<std::uint8_t> air = liquid.air();
-            const std::size_t plane = cloth.layer.grid.at(0, 0, 1);
-            double room = 0, held = 0;
-            for (std::size_t i = 0; i < air.size(); ++i) {
-                if (static_cast<double>(cloth.layer.outside[i]) <= cloth.growth) continue;
-                const int z = static_cast<int>(i / plane);
-                room += z >= cloth.layer.first() && z <= cloth.layer.last();
-                held += !air[i];
-            }
-            QVERIFY2(std::abs(held / room - saturation) < 0.05, qPrintable(QString("%1 for %2").arg(held / room).arg(saturation)));
-        }
-    }
 };
 
 QTEST_APPLESS_MAIN(TestRoomMenisci)
