@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// reference: every verb and option as Markdown for the user's guide, as a man page and as completion of shells, from the option table
-// itself.
+// reference: the schema of projects; every verb and option as Markdown for the user's guide, as a man page and as completion of shells,
+// from the option table itself.
 #include "app/cli_reference.h"
 
 #include "app/cli.h"
+#include "core/project/project_schema.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -109,8 +110,9 @@ struct Form {
     const char* name;
     std::string (*written)(const CLI::App&);
 };
-constexpr Form forms[] = {
-    {"markdown", reference}, {"man", manual_page}, {"bash", bash_completion}, {"zsh", zsh_completion}, {"fish", fish_completion}};
+constexpr Form forms[] = {{"markdown", reference},   {"man", manual_page},
+                          {"bash", bash_completion}, {"zsh", zsh_completion},
+                          {"fish", fish_completion}, {"schema", [](const CLI::App&) { return project_schema().dump(2) + "\n"; }}};
 
 } // namespace
 
@@ -142,7 +144,8 @@ std::vector<DescribedVerb> described_verbs(const CLI::App& app)
 
 void add_reference(CLI::App& app, Verb& chosen)
 {
-    CLI::App& verb = *app.add_subcommand("reference", "Every verb and option, as Markdown, as a man page or as completion of a shell");
+    CLI::App& verb = *app.add_subcommand(
+        "reference", "Every verb and option, as Markdown, as a man page or as completion of a shell; or the JSON schema of projects");
     verb.group(""); // not in the list of verbs: it is for the guide and for packages
     auto form = std::make_shared<std::string>("markdown");
     std::vector<std::string> names;

@@ -18,6 +18,7 @@ const std::map<Stored, std::vector<TradeUnit>>& table()
     static const std::map<Stored, std::vector<TradeUnit>> units{
         {Stored::number, {{{""}}}},
         {Stored::fraction, {{{""}}, {{"%"}, 1, 100}}},
+        {Stored::share, {{{""}}, {{"%"}, 1, 100}}},
         {Stored::degree, {{{"°", "deg", "degree", "degrees", "Grad"}}, {{"rad"}, 180 / pi}}},
         {Stored::per_cm, {{{"/cm", "per cm", "je cm", "1/cm"}}, {{"/in", "epi", "ppi", "per inch", "per in", "/inch"}, 1, 2.54}}},
         {Stored::per_m, {{{"/m", "tpm", "t/m", "per m", "je m"}}, {{"/cm", "tpc"}, 100}, {{"/in", "tpi", "per inch"}, 1, 0.0254}}},
@@ -38,23 +39,42 @@ const std::map<Stored, std::vector<TradeUnit>>& table()
         {Stored::g_per_m2_hour, {{{"g/(m² h)", "g/(m2 h)", "g/m2/h"}}}},
         {Stored::mn_per_m, {{{"mN/m", "dyn/cm"}}, {{"N/m"}, 1000}}},
         {Stored::mpa_second, {{{"mPa s", "mPas", "cP"}}, {{"Pa s", "Pas"}, 1000}}},
-        {Stored::kg_per_m3, {{{"kg/m³", "kg/m3", "g/l"}}, {{"g/cm³", "g/cm3", "g/ml"}, 1000}}}};
+        {Stored::kg_per_m3, {{{"kg/m³", "kg/m3", "g/l"}}, {{"g/cm³", "g/cm3", "g/ml"}, 1000}}},
+        {Stored::percent, {{{"%"}}}},
+        {Stored::watt_per_m_kelvin, {{{"W/(m K)", "W/mK"}}}},
+        {Stored::joule_per_kg_kelvin, {{{"J/(kg K)", "J/kgK"}}}},
+        {Stored::joule_per_g, {{{"J/g"}}}},
+        {Stored::m2_per_second, {{{"m²/s", "m2/s"}}}}};
     return units;
 }
 
 /// Endings of keys, longer ones before those that they end with; and keys whose name does not say their unit.
-constexpr std::pair<std::string_view, Stored> endings[] = {
-    {"_deg", Stored::degree},      {"_per_cm", Stored::per_cm}, {"_per_mm", Stored::per_mm},
-    {"_per_m", Stored::per_m},     {"_um", Stored::um},         {"_mm", Stored::mm},
-    {"_tex", Stored::tex},         {"_ul", Stored::microlitre}, {"_g_m2_h", Stored::g_per_m2_hour},
-    {"_g_m2", Stored::g_per_m2},   {"_mn_m", Stored::mn_per_m}, {"_mpa_s", Stored::mpa_second},
-    {"_kg_m3", Stored::kg_per_m3}, {"_m2_s", Stored::number},   {"_m_s", Stored::metre_per_second},
-    {"_c", Stored::celsius},       {"_s", Stored::second}};
+constexpr std::pair<std::string_view, Stored> endings[] = {{"_deg", Stored::degree},
+                                                           {"_per_cm", Stored::per_cm},
+                                                           {"_per_mm", Stored::per_mm},
+                                                           {"_per_m", Stored::per_m},
+                                                           {"_um", Stored::um},
+                                                           {"_mm", Stored::mm},
+                                                           {"_tex", Stored::tex},
+                                                           {"_ul", Stored::microlitre},
+                                                           {"_g_m2_h", Stored::g_per_m2_hour},
+                                                           {"_g_m2", Stored::g_per_m2},
+                                                           {"_mn_m", Stored::mn_per_m},
+                                                           {"_mpa_s", Stored::mpa_second},
+                                                           {"_kg_m3", Stored::kg_per_m3},
+                                                           {"_m2_s", Stored::m2_per_second},
+                                                           {"_m_s", Stored::metre_per_second},
+                                                           {"_c", Stored::celsius},
+                                                           {"_s", Stored::second},
+                                                           {"_percent", Stored::percent},
+                                                           {"_w_mk", Stored::watt_per_m_kelvin},
+                                                           {"_j_kgk", Stored::joule_per_kg_kelvin},
+                                                           {"_j_g", Stored::joule_per_g}};
 constexpr std::pair<std::string_view, Stored> keys[] = {
-    {"finish_face", Stored::degree},        {"finish_back", Stored::degree},       {"relative_humidity", Stored::fraction},
-    {"packing_factor", Stored::fraction},   {"porosity", Stored::fraction},        {"share", Stored::fraction},
-    {"irregularity_cv", Stored::fraction},  {"standard_regain", Stored::fraction}, {"saturation_regain", Stored::fraction},
-    {"monolayer_regain", Stored::fraction}, {"finish_depth", Stored::fraction},    {"finish_holes", Stored::fraction}};
+    {"finish_face", Stored::degree},        {"finish_back", Stored::degree},    {"relative_humidity", Stored::share},
+    {"packing_factor", Stored::fraction},   {"porosity", Stored::fraction},     {"share", Stored::share},
+    {"irregularity_cv", Stored::share},     {"standard_regain", Stored::share}, {"saturation_regain", Stored::share},
+    {"monolayer_regain", Stored::fraction}, {"finish_depth", Stored::share},    {"finish_holes", Stored::share}};
 
 /// The micro sign for the Greek letter, which looks the same; small letters where capitals do not count.
 std::string folded(std::string_view text, bool fold_case)
@@ -78,6 +98,24 @@ Stored stored_kind(std::string_view key)
     for (const auto& [ending, kind] : endings)
         if (key.ends_with(ending)) return kind;
     return Stored::number;
+}
+
+std::string_view unit_in_sentences(Stored kind)
+{
+    switch (kind) {
+    case Stored::degree: return "degrees";
+    case Stored::per_m: return "turns per metre";
+    case Stored::per_cm:
+    case Stored::per_mm:
+    case Stored::share: return ""; // their names say it; sentences have fractions
+    case Stored::celsius: return "C";
+    case Stored::microlitre: return "ul";
+    case Stored::g_per_m2: return "g/m2";
+    case Stored::g_per_m2_hour: return "g/(m2 h)";
+    case Stored::kg_per_m3: return "kg/m3";
+    case Stored::m2_per_second: return "m2/s";
+    default: return trade_units(kind).front().spellings.front();
+    }
 }
 
 std::optional<double> number_with_unit(std::string_view text, Stored kind)

@@ -22,6 +22,7 @@ struct TradeUnit {
 enum class Stored {
     number,
     fraction,
+    share, ///< a fraction that people read in percent
     degree,
     per_cm,
     per_m,
@@ -37,7 +38,12 @@ enum class Stored {
     g_per_m2_hour,
     mn_per_m,
     mpa_second,
-    kg_per_m3
+    kg_per_m3,
+    percent,
+    watt_per_m_kelvin,
+    joule_per_kg_kelvin,
+    joule_per_g,
+    m2_per_second
 };
 
 /// Those that may be typed; the stored one first.
@@ -45,6 +51,9 @@ const std::vector<TradeUnit>& trade_units(Stored kind);
 
 /// The kind of a key of the project: "contact_angle_deg" holds degrees. number where the key has no unit.
 Stored stored_kind(std::string_view key);
+
+/// As sentences spell it: "turns per metre"; empty where they need none.
+std::string_view unit_in_sentences(Stored kind);
 
 /// The stored number of a text such as "60 epi" or "60deg"; nothing where the text is no number with a unit of this kind.
 std::optional<double> number_with_unit(std::string_view text, Stored kind);

@@ -5,7 +5,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace hygroloom {
@@ -91,35 +90,15 @@ enum class WaterSource {
     face   ///< one face is fed evenly
 };
 
-/// A switch that the project file spells as one of two words.
-struct ExperimentChoice {
-    bool Experiment::*value;
-    const char* yes;
-    const char* no;
-};
-
-/// A field of the project file that only some types use.
-struct ExperimentField {
-    using Number = double Experiment::*;
-    using Air = Climate Experiment::*;
-    using Drops = std::vector<Droplet> Experiment::*;
-
-    const char* key;
-    std::variant<Number, ExperimentChoice, Air, Drops> value;
-    const char* name = ""; ///< of a number, in messages; empty where its limits depend on other fields
-    double least = 0, most = 0;
-    const char* unit = "";
-};
-
 /// A row of the table of types. Reading, writing and validating follow from it.
 struct ExperimentTypeInfo {
     const char* key;      ///< in the project file
     const char* title;    ///< "Vertical wicking"
     const char* standard; ///< the test method it follows, "AATCC 197"; empty: none
     WaterSource source;
-    Experiment usual;                    ///< climate, liquid, sample, feed and duration of the standard
-    std::vector<ExperimentField> fields; ///< in the order of the project file
-    bool has_usual_duration = true;      ///< otherwise the project file must give one
+    Experiment usual;                ///< climate, liquid, sample, feed and duration of the standard
+    std::vector<const char*> fields; ///< keys of the project file that only some types have, in its order: rows, droplets, initial
+    bool has_usual_duration = true;  ///< otherwise the project file must give one
     const char* sample_key = "sample_mm";
     const char* sample_name = "sample"; ///< in messages
 };

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/design/fabric_parts.h"
 
-#include "core/design/yarn_class.h"
+#include "core/design/fields.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 namespace hygroloom {
@@ -13,23 +14,15 @@ namespace {
 
 constexpr const char* contact_angle_title = "contact angle";
 
-std::string words(double value, const char* unit, const NumberText& number)
+std::string words(double value, const std::string& unit, const NumberText& number)
 {
     return number ? number(value, unit) : fmt::format("{:.4g}{}", value, unit);
 }
-std::string words(int value, const char* unit, const NumberText&) { return fmt::format("{}{}", value, unit); }
-std::string words(TwistDirection value, const char*, const NumberText&) { return value == TwistDirection::s ? "S" : "Z"; }
-std::string words(YarnClass value, const char*, const NumberText&) { return info_of(value).title; }
 std::string words(const std::string& value, const char*, const NumberText&) { return value; }
 
-std::string words(const Color& value, const char*, const NumberText&)
+std::string words(const std::optional<Color>& color, const char*, const NumberText&)
 {
-    return fmt::format("#{:02x}{:02x}{:02x}", value.red, value.green, value.blue);
-}
-
-template <typename Value> std::string words(const std::optional<Value>& value, const char* unit, const NumberText& number)
-{
-    return value ? words(*value, unit, number) : "not given";
+    return color ? fmt::format("#{:02x}{:02x}{:02x}", color->red, color->green, color->blue) : "not given";
 }
 
 std::string words(const std::vector<MaterialShare>& shares, const char*, const NumberText&)
@@ -51,20 +44,35 @@ std::string words(const Weave& weave, const char*, const NumberText&)
     return fmt::format("a repeat of {} x {}", weave.ends(), weave.picks());
 }
 
+/// "Twist" as reports write it: "twist".
+template <typename Owner> std::string name_of(const Field<Owner>& row)
+{
+    std::string name = row.label;
+    name[0] = static_cast<char>(std::tolower(name[0]));
+    return name;
+}
+
+template <typename Owner> std::string text_of(const Field<Owner>& row, const Owner& owner, const NumberText& number)
+{
+    const std::optional<double> value = field_value(row, owner);
+    if (!value) return "not given";
+    if (const auto* choice = std::get_if<FieldChoice<Owner>>(&row.value)) return choice->words[static_cast<std::size_t>(*value)];
+    if (row.is_whole()) return fmt::format("{}", *value);
+    const std::string unit(trade_units(row.unit()).front().spellings.front());
+    return words(*value, unit.empty() || unit == "°" ? unit : " " + unit, number);
+}
+
+bool is_look(const Field<Yarn>& row) { return row.part == std::string_view("look"); }
+
 std::string words(const std::vector<Yarn>& yarns, const char*, const NumberText& number)
 {
     std::string text;
     for (const Yarn& yarn : yarns) {
         text += (text.empty() ? "" : "; ") + words(yarn.material, "", number);
         if (yarn.core) text += ", core of " + words(yarn.core, "", number);
-        if (yarn.diameter_mm) text += ", " + words(yarn.diameter_mm, " mm", number);
-        if (yarn.linear_density_tex) text += ", " + words(yarn.linear_density_tex, " tex", number);
-        if (yarn.packing_factor) text += ", packing " + words(yarn.packing_factor, "", number);
-        if (yarn.yarn_class) text += ", " + words(yarn.yarn_class, "", number);
-        if (yarn.filament_count) text += ", " + words(yarn.filament_count, " filaments", number);
-        text += fmt::format(", {:.4g} turns/m", yarn.twist_per_m);
-        if (yarn.plies > 1) text += fmt::format(", {} plies of {:.4g} turns/m", yarn.plies, yarn.ply_twist_per_m);
-        if (yarn.irregularity_cv) text += ", unevenness " + words(yarn.irregularity_cv, "", number);
+        for (const Field<Yarn>& row : fields_of<Yarn>())
+            if (field_value(row, yarn) && !is_look(row) && (!row.is_written || row.is_written(yarn)))
+                text += ", " + name_of(row) + " " + text_of(row, yarn, number);
     }
     return text.empty() ? "none" : text;
 }
@@ -89,109 +97,88 @@ bool alike(const Weave& a, const Weave& b) { return a.same_matrix(b); }
 bool alike(const std::vector<Yarn>& a, const std::vector<Yarn>& b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Yarn& one, Yarn other) {
-        other.fibres_per_yarn = one.fibres_per_yarn;
-        other.twist_direction = one.twist_direction;
-        other.ply_twist_direction = one.ply_twist_direction;
+        for (const Field<Yarn>& row : fields_of<Yarn>())
+            if (is_look(row)) set_field(row, other, field_value(row, one));
         other.color = one.color;
         return one == other;
     });
 }
 
 /// get(fabric): the value of the key.
-template <typename Get> PartField field(std::string key, const char* name, const char* unit, Get get)
+template <typename Get> PartField field(std::string key, const char* name, Get get)
 {
     return {std::move(key), name, [get](const Fabric& a, const Fabric& b) { return alike(get(a), get(b)); },
             [get](Fabric& to, const Fabric& from) { get(to) = get(from); },
-            [get, unit](const Fabric& fabric, const NumberText& number) { return words(get(fabric), unit, number); }};
+            [get](const Fabric& fabric, const NumberText& number) { return words(get(fabric), "", number); }};
 }
 
-/// Of the warp or the weft; yarn(fabric): it.
-template <typename OfYarn> void add_yarn(std::vector<FabricPart>& parts, const std::string& which, OfYarn yarn)
+/// A row of an object in the fabric; of(fabric): the object.
+template <typename Owner, typename Of> PartField field_of_row(const std::string& path, const Field<Owner>& row, Of of)
 {
-    const auto of = [&](const char* key, const char* name, const char* unit, auto member) {
-        return field(
-            which + "." + key, name, unit, [ yarn, member ](auto& fabric) -> auto& { return yarn(fabric).*member; });
-    };
-    PartField plies = of("plies", "plies", "", &Yarn::plies);
-    plies.copy = [yarn](Fabric& to, const Fabric& from) {
-        yarn(to).plies = yarn(from).plies;
-        yarn(to).fibres_per_yarn = yarn(from).fibres_per_yarn; // no fewer drawn fibres than plies are allowed
-    };
-    parts.push_back({which + " fibre", PartActs::always, {of("material", "", "", &Yarn::material), of("core", "core", "", &Yarn::core)}});
-    parts.push_back({which + " count",
-                     PartActs::always,
-                     {of("diameter_mm", "diameter", " mm", &Yarn::diameter_mm),
-                      of("linear_density_tex", "linear density", " tex", &Yarn::linear_density_tex)}});
-    parts.push_back(
-        {which + " construction",
-         PartActs::always,
-         {of("packing_factor", "packing", "", &Yarn::packing_factor), of("yarn_class", "class", "", &Yarn::yarn_class),
-          of("filament_count", "filaments", "", &Yarn::filament_count), of("twist_per_m", "twist", " turns/m", &Yarn::twist_per_m),
-          std::move(plies), of("ply_twist_per_m", "ply twist", " turns/m", &Yarn::ply_twist_per_m),
-          of("irregularity_cv", "unevenness", "", &Yarn::irregularity_cv)}});
-    parts.push_back(
-        {which + " look",
-         PartActs::never,
-         {of("fibres_per_yarn", "drawn fibres", "", &Yarn::fibres_per_yarn), of("twist_direction", "twist", "", &Yarn::twist_direction),
-          of("ply_twist_direction", "ply twist", "", &Yarn::ply_twist_direction), of("color", "colour", "", &Yarn::color)}});
+    return {path + row.key, name_of(row),
+            [&row, of](const Fabric& a, const Fabric& b) { return field_value(row, of(a)) == field_value(row, of(b)); },
+            [&row, of](Fabric& to, const Fabric& from) { set_field(row, of(to), field_value(row, of(from))); },
+            [&row, of](const Fabric& fabric, const NumberText& number) { return text_of(row, of(fabric), number); }};
+}
+
+/// Each row to the part that it names, or to the one that all of them belong to.
+template <typename Owner, typename Of>
+void add_rows(std::vector<FabricPart>& parts, const std::string& path, Of of, const std::string& before = {}, const char* all = nullptr)
+{
+    for (const Field<Owner>& row : fields_of<Owner>()) {
+        const std::string title = all ? all : before + row.part;
+        const auto part = std::find_if(parts.begin(), parts.end(), [&](const FabricPart& each) { return each.title == title; });
+        part->fields.push_back(field_of_row(path, row, of));
+        if (row.key != std::string_view("plies")) continue;
+        part->fields.back().copy = [of](Fabric& to, const Fabric& from) {
+            if constexpr (std::is_same_v<Owner, Yarn>) {
+                of(to).plies = of(from).plies;
+                of(to).fibres_per_yarn = of(from).fibres_per_yarn; // no fewer drawn fibres than plies are allowed
+            }
+        };
+    }
 }
 
 #define OF(member)                                                                                                                         \
     [](auto& fabric) -> auto& { return fabric.member; } // NOLINT(bugprone-macro-parentheses): the name of a member
 
-void add_faces(std::vector<FabricPart>& parts)
-{
-    parts.push_back({"hairs and loops",
-                     PartActs::always,
-                     {field("flyaway.loop_density_per_mm", "loops", " /mm", OF(flyaway.loop_density_per_mm)),
-                      field("flyaway.hair_density_per_mm", "hairs", " /mm", OF(flyaway.hair_density_per_mm)),
-                      field("flyaway.loop_height_mm", "height of loops", " mm", OF(flyaway.loop_height_mm)),
-                      field("flyaway.hair_length_mm", "length of hairs", " mm", OF(flyaway.hair_length_mm))}});
-    parts.push_back({contact_angle_title, PartActs::always, {field("contact_angle_deg", "finish", "°", OF(contact_angle_deg))}});
-    parts.push_back({"finish of the upper face", PartActs::always, {field("finish_face", "", "°", OF(finish_face))}});
-    parts.push_back({"finish of the lower face", PartActs::always, {field("finish_back", "", "°", OF(finish_back))}});
-    parts.push_back({"depth of the finish",
-                     PartActs::always,
-                     {field("finish_depth", "depth", "", OF(finish_depth)), field("finish_holes", "untreated", "", OF(finish_holes))}});
-}
-
-void add_knowledge(std::vector<FabricPart>& parts)
-{
-    parts.push_back({"measured values",
-                     PartActs::always,
-                     {field("porosity", "porosity", "", OF(measured.porosity)),
-                      field("areal_density_g_m2", "weight", " g/m²", OF(measured.areal_density_g_m2)),
-                      field("capillary_radius_um", "pore radius", " µm", OF(measured.capillary_radius_um)),
-                      field("tortuosity", "tortuosity", "", OF(measured.tortuosity)),
-                      field("crimp_percent", "crimp", " %", OF(measured.crimp_percent))}});
-    parts.push_back({"ranges of what is not known",
-                     PartActs::in_replicates,
-                     {field("uncertainty.contact_angle_deg", "contact angle ±", "°", OF(uncertainty.contact_angle_deg)),
-                      field("uncertainty.receding_angle_deg", "receding angle ±", "°", OF(uncertainty.receding_angle_deg)),
-                      field("uncertainty.packing_factor", "packing ±", "", OF(uncertainty.packing_factor))}});
-    parts.push_back({"origin of fitted values", PartActs::never, {field("calibrated", "", "", OF(calibrated))}});
-}
-
 std::vector<FabricPart> all_parts()
 {
-    std::vector<FabricPart> parts;
-    parts.push_back({"name", PartActs::never, {field("name", "", "", OF(name))}});
-    add_yarn(parts, "warp", OF(warp));
-    add_yarn(parts, "weft", OF(weft));
-    parts.push_back({"weave", PartActs::always, {field("weave", "", "", OF(weave))}});
-    parts.push_back({"warp sett", PartActs::always, {field("ends_per_cm", "", " ends/cm", OF(ends_per_cm))}});
-    parts.push_back({"weft sett", PartActs::always, {field("picks_per_cm", "", " picks/cm", OF(picks_per_cm))}});
-    parts.push_back({"stripes",
-                     PartActs::always,
-                     {field("extra_yarns", "yarns", "", OF(extra_yarns)), field("warp_order", "ends", "", OF(warp_order)),
-                      field("weft_order", "picks", "", OF(weft_order))}});
-    parts.push_back({"thickness", PartActs::always, {field("thickness_mm", "", " mm", OF(thickness_mm))}});
-    parts.push_back({"crimp",
-                     PartActs::always,
-                     {field("warp_crimp_percent", "warp", " %", OF(warp_crimp_percent)),
-                      field("weft_crimp_percent", "weft", " %", OF(weft_crimp_percent))}});
-    add_faces(parts);
-    add_knowledge(parts);
+    using enum PartActs;
+    std::vector<FabricPart> parts{
+        {"name", never, {field("name", "", OF(name))}},
+        {"warp fibre", always, {field("warp.material", "", OF(warp.material)), field("warp.core", "core", OF(warp.core))}},
+        {"warp count", always, {}},
+        {"warp construction", always, {}},
+        {"warp look", never, {field("warp.color", "colour", OF(warp.color))}},
+        {"weft fibre", always, {field("weft.material", "", OF(weft.material)), field("weft.core", "core", OF(weft.core))}},
+        {"weft count", always, {}},
+        {"weft construction", always, {}},
+        {"weft look", never, {field("weft.color", "colour", OF(weft.color))}},
+        {"weave", always, {field("weave", "", OF(weave))}},
+        {"warp sett", always, {}},
+        {"weft sett", always, {}},
+        {"stripes",
+         always,
+         {field("extra_yarns", "yarns", OF(extra_yarns)), field("warp_order", "ends", OF(warp_order)),
+          field("weft_order", "picks", OF(weft_order))}},
+        {"thickness", always, {}},
+        {"crimp", always, {}},
+        {"hairs and loops", always, {}},
+        {contact_angle_title, always, {}},
+        {"finish of the upper face", always, {}},
+        {"finish of the lower face", always, {}},
+        {"depth of the finish", always, {}},
+        {"measured values", always, {}},
+        {"ranges of what is not known", in_replicates, {}},
+        {"origin of fitted values", never, {field("calibrated", "", OF(calibrated))}}};
+    add_rows<Yarn>(parts, "warp.", OF(warp), "warp ");
+    add_rows<Yarn>(parts, "weft.", OF(weft), "weft ");
+    add_rows<Fabric>(
+        parts, "", [](auto& fabric) -> auto& { return fabric; });
+    add_rows<Flyaway>(parts, "flyaway.", OF(flyaway), {}, "hairs and loops");
+    add_rows<Measured>(parts, "", OF(measured), {}, "measured values");
+    add_rows<Uncertainty>(parts, "uncertainty.", OF(uncertainty), {}, "ranges of what is not known");
     return parts;
 }
 
@@ -223,9 +210,9 @@ std::string with_angle(const Design& design, const Yarn& yarn)
     return fmt::format("{} {:.4g}°{}", fibre.name, fibre.contact_angle_deg, receding);
 }
 
-void add_text(std::string& text, const char* name, const std::string& value)
+void add_text(std::string& text, const std::string& name, const std::string& value)
 {
-    text += (text.empty() ? "" : ", ") + (*name ? name + (" " + value) : value);
+    text += (text.empty() ? "" : ", ") + (name.empty() ? value : name + " " + value);
 }
 
 } // namespace

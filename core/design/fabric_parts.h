@@ -16,7 +16,7 @@ using NumberText = std::function<std::string(double number, const std::string& u
 /// A key of a fabric in the project file.
 struct PartField {
     std::string key;  ///< "warp.twist_per_m"; of an object or a list all that is in it
-    const char* name; ///< "twist"; empty where it is the only one of its part
+    std::string name; ///< "twist"; empty where the part's title says it
     std::function<bool(const Fabric&, const Fabric&)> same;
     std::function<void(Fabric& to, const Fabric& from)> copy;
     std::function<std::string(const Fabric&, const NumberText&)> text; ///< its value, with the unit

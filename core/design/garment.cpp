@@ -48,13 +48,6 @@ const std::vector<std::string>& built_in_garments()
     return kinds;
 }
 
-SizeRange size_range(const std::string& kind, double BuiltInGarment::*size)
-{
-    if (size == &BuiltInGarment::chest_mm) return {500, 2000};
-    if (size == &BuiltInGarment::length_mm) return kind == "leggings" ? SizeRange{500, 1100} : SizeRange{300, 1200};
-    return size == &BuiltInGarment::ease_mm ? SizeRange{0, 800} : SizeRange{50, 700};
-}
-
 BuiltInGarment standard_garment(const std::string& kind)
 {
     // Usual sizes of a chest and a hip of 1 m; assumptions.

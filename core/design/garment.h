@@ -28,12 +28,6 @@ struct BuiltInGarment {
     bool operator==(const BuiltInGarment&) const = default;
 };
 
-/// Sizes beyond which nobody is dressed; assumptions. The longest leggings reach from the waist of the built-in body to its ankle.
-struct SizeRange {
-    double least = 0, most = 0; ///< mm
-};
-SizeRange size_range(const std::string& kind, double BuiltInGarment::*size);
-
 /// The usual sizes of a kind; leggings are longer than a tee and fit closer.
 BuiltInGarment standard_garment(const std::string& kind);
 

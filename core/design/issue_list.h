@@ -2,6 +2,7 @@
 // Collects issues while validate() walks through a design.
 #pragma once
 
+#include "core/design/fields.h"
 #include "core/design/fitted_fabric.h"
 #include "core/design/issue.h"
 
@@ -27,18 +28,26 @@ struct IssueList {
     }
 
     /// least <= value <= most, or an issue; NaN and infinities never pass. Whether it passed.
-    bool range(const std::string& where, const char* what, double value, double least, double most, const char* unit = "")
+    bool range(const std::string& where, const char* what, double value, double least, double most, std::string_view unit = "")
     {
         if (std::isfinite(value) && value >= least && value <= most) return true;
-        const char* gap = *unit ? " " : "";
+        const char* gap = unit.empty() ? "" : " ";
         error("range", where,
               fmt::format("The {} must be from {} to {}{}{}; given is {}.", what, least, most, gap, unit, outside(value, least, most)));
         return false;
     }
-    template <typename Value> // std::optional<double>
-    bool range_if_given(const std::string& where, const char* what, const Value& value, double least, double most, const char* unit = "")
+    /// The same of all numbers of an object, or of one.
+    template <typename Owner> bool fields(const std::string& where, const Owner& owner)
     {
-        return !value || range(where, what, *value, least, most, unit);
+        const int before = errors();
+        for (const Field<Owner>& each : fields_of<Owner>()) field(where, each, owner);
+        return errors() == before;
+    }
+    template <typename Owner> bool field(const std::string& where, const Field<Owner>& field, const Owner& owner)
+    {
+        const std::optional<double> number = field_value(field, owner);
+        return !field.is_number() || !number ||
+               range(where + "." + field.key, field.title, *number, field.least, field.most, unit_in_sentences(field.unit()));
     }
 
     /// An error where a name has a line break: in a table it could pass for lines of the program.
@@ -83,6 +92,7 @@ void validate_sett(const Fabric& fabric, const FittedYarns& yarns, const std::st
 std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const Fabric& fabric, const std::string& where, IssueList& list);
 void validate_liquid(const Liquid& liquid, const std::string& where, IssueList& list);
 void validate_experiment(const Design& design, const Experiment& experiment, const std::string& where, IssueList& list);
+void validate_climate(const Climate& climate, const std::string& where, IssueList& list);
 void validate_wear(const Design& design, const WearExperiment& wear, const std::string& where, IssueList& list);
 void validate_garment(const Design& design, const Garment& garment, const std::string& where, IssueList& list);
 

@@ -9,6 +9,7 @@ target_sources(hygroloom_core PRIVATE
   design/evenness.cpp
   design/experiment.cpp
   design/fabric_parts.cpp
+  design/fields.cpp
   design/fabric_quantities.cpp
   design/fitted_fabric.cpp
   design/free_inputs.cpp

@@ -35,22 +35,15 @@ void validate_material(const Material& material, const std::string& where, Issue
 {
     if (!material.based_on.empty() && !find_library_material(material.based_on))
         list.error("unknown_material", where + ".based_on", fmt::format("The library has no material \"{}\".", material.based_on));
-    list.range(where + ".density_kg_m3", "density of a fibre", material.density_kg_m3, 500, 3000, "kg/m3");
-    list.range(where + ".fibre_radius_um", "radius of a fibre", material.fibre_radius_um, least_fibre_radius_um, most_fibre_radius_um,
-               "µm");
-    list.range(where + ".standard_regain", "regain at 65 % relative humidity", material.standard_regain, 0, 0.5);
-    if (list.range(where + ".saturation_regain", "regain at 100 % relative humidity", material.saturation_regain, 0, 2) &&
-        material.saturation_regain < material.standard_regain)
+    const bool sound = list.fields(where, material);
+    if (sound && material.saturation_regain < material.standard_regain)
         list.error("range", where + ".saturation_regain",
                    fmt::format("The regain at 100 % relative humidity, {}, cannot be less than the one at 65 %, {}.",
                                material.saturation_regain, material.standard_regain));
-    if (const GabIsotherm& gab = material.gab; gab.given()) {
-        const bool sound_m = list.range(where + ".isotherm.monolayer_regain", "monolayer regain", gab.monolayer_regain, 1e-5, 0.5);
-        const bool sound_c = list.range(where + ".isotherm.c", "isotherm's c", gab.c, 0.01, 1000);
-        const bool sound_k = list.range(where + ".isotherm.k", "isotherm's k", gab.k, 0.01, 0.99);
+    if (const GabIsotherm& gab = material.gab; gab.given() && list.fields(where + ".isotherm", gab)) {
         const double ka = 0.65 * gab.k;
         const double at_65 = gab.monolayer_regain * gab.c * ka / ((1 - ka) * (1 - ka + gab.c * ka));
-        if (sound_m && sound_c && sound_k && std::abs(at_65 - material.standard_regain) > 0.2 * material.standard_regain)
+        if (std::abs(at_65 - material.standard_regain) > 0.2 * material.standard_regain)
             list.add(Severity::warning, "isotherm_disagrees", where + ".isotherm",
                      fmt::format(
                          "The isotherm gives a regain of {:.3g} at 65 % relative humidity, standard_regain says {}; the isotherm is used.",
@@ -62,20 +55,12 @@ void validate_material(const Material& material, const std::string& where, Issue
     if (!material.diffusion.two_stage)
         list.range(where + ".fibre_diffusivity_m2_s", "diffusivity of water in the fibre", material.diffusion.constant_m2_s, 1e-30, 1e-9,
                    "m2/s");
-    list.range(where + ".contact_angle_deg", "contact angle", material.contact_angle_deg, 0, 180, "degrees");
-    if (const std::optional<double>& receding = material.receding_angle_deg) {
-        if (list.range(where + ".receding_angle_deg", "receding angle", *receding, 0, 180, "degrees") &&
-            *receding > material.contact_angle_deg)
-            list.error("receding_above_advancing", where + ".receding_angle_deg",
-                       fmt::format("The receding angle, {} degrees, cannot be above the contact angle, {}.", *receding,
-                                   material.contact_angle_deg));
-    }
+    if (sound && material.receding_angle_deg > material.contact_angle_deg)
+        list.error("receding_above_advancing", where + ".receding_angle_deg",
+                   fmt::format("The receding angle, {} degrees, cannot be above the contact angle, {}.", *material.receding_angle_deg,
+                               material.contact_angle_deg));
     list.range(where + ".cross_section", "perimeter of a fibre over that of a circle of the same area",
                material.cross_section.perimeter_factor, 1, 3);
-    list.range(where + ".thermal_conductivity_w_mk", "thermal conductivity of a fibre", material.thermal_conductivity_w_mk, 0.005, 10,
-               "W/(m K)");
-    list.range(where + ".specific_heat_j_kgk", "specific heat of a fibre", material.specific_heat_j_kgk, 100, 10000, "J/(kg K)");
-    list.range(where + ".heat_of_wetting_j_g", "heat of wetting of a fibre", material.heat_of_wetting_j_g, 0, 500, "J/g");
 }
 
 std::vector<Issue> validate(const Design& design) { return validate_and_fit(design).issues; }

@@ -31,7 +31,7 @@ bool validate_core(const Design& design, const Yarn& yarn, const std::string& wh
     if (!yarn.core) return true;
     const int before = list.errors();
     require_material(design, yarn.core->material, where + ".material", list);
-    list.range(where + ".share", "share of the core in the yarn's mass", yarn.core->share, least_core_share, most_core_share);
+    list.fields(where, *yarn.core);
     return list.errors() == before;
 }
 
@@ -57,8 +57,6 @@ bool validate_blend(const Design& design, const Yarn& yarn, const std::string& w
 
 void validate_plies(const Yarn& yarn, const std::string& where, IssueList& list)
 {
-    list.range(where + ".plies", "number of plies", yarn.plies, 1, most_plies);
-    list.range(where + ".ply_twist_per_m", "twist of the plies", yarn.ply_twist_per_m, 0, 5000, "turns per metre");
     if (yarn.yarn_class == YarnClass::monofilament && (yarn.filament_count || yarn.plies > 1))
         list.error("range", where + (yarn.filament_count ? ".filament_count" : ".plies"),
                    "A monofilament is one filament, without filament_count and of one ply.");
@@ -72,16 +70,10 @@ void validate_yarn(const Design& design, const Yarn& yarn, const std::string& wh
     bool sound = validate_blend(design, yarn, where + ".material", list);
     sound = validate_core(design, yarn, where + ".core", list) && sound;
     const int before = list.errors();
-    list.range_if_given(where + ".diameter_mm", "diameter of a yarn", yarn.diameter_mm, 0.01, 10, "mm");
-    list.range_if_given(where + ".linear_density_tex", "linear density of a yarn", yarn.linear_density_tex, least_tex, most_tex, "tex");
-    list.range_if_given(where + ".packing_factor", "packing factor of a yarn", yarn.packing_factor, loosest_packing, densest_packing);
+    list.fields(where, yarn);
     if (!yarn.diameter_mm && !yarn.linear_density_tex)
         list.error("no_size", where, "The yarn needs a count or a diameter (count, linear_density_tex, diameter_mm); none is given.");
-    list.range_if_given(where + ".filament_count", "number of filaments", yarn.filament_count, fewest_filaments, most_filaments);
-    list.range(where + ".fibres_per_yarn", "number of drawn fibres", yarn.fibres_per_yarn, 1, 500);
-    list.range(where + ".twist_per_m", "twist", yarn.twist_per_m, 0, 5000, "turns per metre");
     validate_plies(yarn, where, list);
-    list.range_if_given(where + ".irregularity_cv", "coefficient of variation of the linear density", yarn.irregularity_cv, 0, 0.4);
 
     sound = sound && list.errors() == before;
     for (const std::string& name : materials_in(yarn)) {
@@ -237,15 +229,6 @@ void validate_fit(const Fabric& fabric, const FittedYarns& fitted, const std::st
     validate_sett(fabric, fitted, where, list);
 }
 
-void validate_measured(const Measured& measured, const std::string& where, IssueList& list)
-{
-    list.range_if_given(where + ".porosity", "porosity", measured.porosity, 0.01, 0.999);
-    list.range_if_given(where + ".areal_density_g_m2", "areal density", measured.areal_density_g_m2, 1, 10000, "g/m2");
-    list.range_if_given(where + ".capillary_radius_um", "capillary radius", measured.capillary_radius_um, 0.05, 1000, "µm");
-    list.range_if_given(where + ".tortuosity", "tortuosity", measured.tortuosity, 1, 20);
-    list.range_if_given(where + ".crimp_percent", "crimp", measured.crimp_percent, 0, 100, "%");
-}
-
 /// Whether the yarns can hold as much fibre as the laboratory's values ask for.
 void validate_fibre_scale(const Fabric& fabric, const FittedFabric& fitted, const std::string& where, IssueList& list)
 {
@@ -309,28 +292,10 @@ std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const 
     validate_extra_yarns(design, fabric, where + ".extra_yarns", list);
     validate_order(fabric, fabric.warp_order, where + ".warp_order", list);
     validate_order(fabric, fabric.weft_order, where + ".weft_order", list);
-    list.range(where + ".ends_per_cm", "number of ends per cm", fabric.ends_per_cm, 0.5, 500);
-    list.range(where + ".picks_per_cm", "number of picks per cm", fabric.picks_per_cm, 0.5, 500);
-    list.range_if_given(where + ".thickness_mm", "thickness of a fabric", fabric.thickness_mm, 0.01, 50, "mm");
-    list.range_if_given(where + ".warp_crimp_percent", "crimp of the warp", fabric.warp_crimp_percent, 0, 100, "%");
-    list.range_if_given(where + ".weft_crimp_percent", "crimp of the weft", fabric.weft_crimp_percent, 0, 100, "%");
-    const Flyaway& flyaway = fabric.flyaway;
-    list.range(where + ".flyaway.loop_density_per_mm", "number of loops per mm", flyaway.loop_density_per_mm, 0, 1000);
-    list.range(where + ".flyaway.hair_density_per_mm", "number of hairs per mm", flyaway.hair_density_per_mm, 0, 1000);
-    list.range(where + ".flyaway.loop_height_mm", "height of the loops", flyaway.loop_height_mm, 0, 20, "mm");
-    list.range(where + ".flyaway.hair_length_mm", "length of the hairs", flyaway.hair_length_mm, 0, 50, "mm");
-    list.range_if_given(where + ".contact_angle_deg", "contact angle", fabric.contact_angle_deg, 0, 180, "degrees");
-    list.range_if_given(where + ".finish_face", "contact angle of the upper face's finish", fabric.finish_face, 0, 180, "degrees");
-    list.range_if_given(where + ".finish_back", "contact angle of the lower face's finish", fabric.finish_back, 0, 180, "degrees");
-    list.range_if_given(where + ".finish_depth", "depth of a face's finish, a share of the thickness,", fabric.finish_depth, 0, 1);
-    list.range_if_given(where + ".finish_holes", "share of crowns and hairs that a finish leaves untreated", fabric.finish_holes, 0, 1);
-    validate_measured(fabric.measured, where, list);
-    const Uncertainty& off = fabric.uncertainty;
-    list.range_if_given(where + ".uncertainty.contact_angle_deg", "uncertainty of the contact angle", off.contact_angle_deg, 0, 90,
-                        "degrees");
-    list.range_if_given(where + ".uncertainty.receding_angle_deg", "uncertainty of the receding angle", off.receding_angle_deg, 0, 90,
-                        "degrees");
-    list.range_if_given(where + ".uncertainty.packing_factor", "uncertainty of the packing factor", off.packing_factor, 0, 0.3);
+    list.fields(where, fabric);
+    list.fields(where + ".flyaway", fabric.flyaway);
+    list.fields(where, fabric.measured);
+    list.fields(where + ".uncertainty", fabric.uncertainty);
     if (fabric.calibrated)
         list.range(where + ".calibrated.residual_rms", "residual of a calibration", fabric.calibrated->residual_rms, 0, 1e9);
 

@@ -28,18 +28,13 @@ void validate_built_in(const BuiltInGarment& garment, const std::string& where, 
                    fmt::format("There is no built-in garment \"{}\"; there are {}.", garment.kind, listed(built_in_garments())));
         return;
     }
-    const bool leggings = garment.kind == "leggings";
-    const auto check = [&](const char* key, const char* what, double BuiltInGarment::*size) {
+    for (Field<BuiltInGarment> size : fields_of<BuiltInGarment>()) {
         const SizeRange range = size_range(garment.kind, size);
-        list.range(where + key, what, garment.*size, range.least, range.most, "mm");
-    };
-    check(".chest_mm", leggings ? "hip's girth" : "chest's girth", &BuiltInGarment::chest_mm);
-    check(".length_mm", leggings ? "length from the waist to the ankle" : "length from the shoulder to the hem",
-          &BuiltInGarment::length_mm);
-    check(".ease_mm", "ease of the girth", &BuiltInGarment::ease_mm);
-    if (garment.kind == "tee")
-        check(".sleeve_mm", "length of a sleeve", &BuiltInGarment::sleeve_mm);
-    else if (garment.sleeve_mm != standard_garment(garment.kind).sleeve_mm)
+        size.least = range.least;
+        size.most = range.most;
+        if (!size.is_written || size.is_written(garment)) list.field(where, size, garment);
+    }
+    if (garment.kind != "tee" && garment.sleeve_mm != standard_garment(garment.kind).sleeve_mm)
         list.error("no_sleeves", where + ".sleeve_mm", fmt::format("Only a tee has sleeves; leave it out of a {}.", garment.kind));
 }
 
@@ -66,8 +61,7 @@ void validate_cuts(const Design& design, const Garment& garment, const std::stri
         if (!find_fabric(design, cut.fabric))
             list.error("unknown_fabric", at + ".fabric",
                        fmt::format("The project has no fabric \"{}\"{}", cut.fabric, did_you_mean(cut.fabric, fabrics)));
-        list.range(at + ".grain_deg", "angle of the grain", cut.grain_deg, -360, 360, "degrees");
-        list.range(at + ".layers", "number of layers", cut.layers, 1, most_layers);
+        list.fields(at, cut);
         if (cut.lining.empty()) continue;
         if (!find_fabric(design, cut.lining))
             list.error("unknown_fabric", at + ".lining",
@@ -78,7 +72,7 @@ void validate_cuts(const Design& design, const Garment& garment, const std::stri
     }
 }
 
-constexpr double farthest_mm = 1e5, most_sweat = 1e5; // as a panel may reach, g/m2h as an experiment's rate
+constexpr double farthest_mm = 1e5; // as a panel may reach
 
 void validate_own_zone(const OwnZone& zone, const std::string& at, IssueList& list)
 {
@@ -88,7 +82,7 @@ void validate_own_zone(const OwnZone& zone, const std::string& at, IssueList& li
         list.error("duplicate_name", at + ".name",
                    fmt::format("\"{}\" is a zone of the body; give a zone of your own another name.", zone.name));
     if (zone.panel.empty()) list.error("empty_name", at + ".panel", "The panel of a zone is empty; name one of the garment's.");
-    list.range(at + ".sweat_g_m2_h", "sweat of the zone", zone.sweat_g_m2_h, 0, most_sweat, "g/m2h");
+    list.fields(at, zone);
     if (zone.outline_mm.size() < 3 || zone.outline_mm.size() > most_outline_places)
         list.error(
             "range", at + ".outline_mm",
@@ -115,7 +109,7 @@ void validate_own_zones(const std::vector<OwnZone>& zones, const std::string& wh
 
 void validate_wearer(const Wearer& wearer, const std::string& where, IssueList& list)
 {
-    list.range(where + ".skin_temperature_c", "temperature of the skin", wearer.skin_temperature_c, 10, 45, "C");
+    list.fields(where, wearer);
     for (const auto& [zone, gap] : wearer.gap_mm) {
         const std::string at = where + ".gap_mm." + zone;
         if (zone != "default" && !is_in(zone, gap_zones()))

@@ -16,8 +16,7 @@ void validate_activity(const WearExperiment& wear, const std::string& where, Iss
     for (std::size_t i = 0; i < wear.activity.size() && i < most_activities; ++i) {
         const Activity& moment = wear.activity[i];
         const std::string at = fmt::format("{}.activity[{}]", where, i);
-        list.range(at + ".factor", "factor of the activity", moment.factor, 0, largest_activity);
-        if (!list.range(at + ".time_s", "time of the activity", moment.time_s, 0, 1e6, "s")) continue;
+        if (!list.fields(at, moment)) continue;
         if (moment.time_s <= before)
             list.error("activity_order", at + ".time_s",
                        fmt::format("Activities stand in order of time; given is {} s after {} s.", moment.time_s, before));
@@ -38,11 +37,8 @@ void validate_wear(const Design& design, const WearExperiment& wear, const std::
     if (find_liquid(design, wear.liquid) == nullptr)
         list.error("unknown_liquid", where + ".liquid",
                    fmt::format("There is no liquid named \"{}\" in the project or the library.", wear.liquid));
-    list.range(where + ".climate.temperature_c", "temperature", wear.climate.temperature_c, -10, 60, "C");
-    list.range(where + ".climate.relative_humidity", "relative humidity", wear.climate.relative_humidity, 0, 1);
-    list.range(where + ".climate.air_speed_m_s", "air speed", wear.climate.air_speed_m_s, 0, 20, "m/s");
-    list.range(where + ".duration_s", "duration", wear.duration_s, 1, 86400, "s");
-    list.range(where + ".initial_water_g_m2", "water at the start", wear.initial_water_g_m2, 0, 5000, "g/m2");
+    validate_climate(wear.climate, where + ".climate", list);
+    list.fields(where, wear);
     if (wear.activity_file.empty())
         validate_activity(wear, where, list);
     else if (!wear.activity_file.ends_with(".csv"))

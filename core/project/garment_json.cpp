@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Garments in the project's JSON.
 #include "core/base/words.h"
-#include "core/project/json_reader.h"
+#include "core/project/field_json.h"
 #include "core/project/project_json.h"
 
 #include <fmt/format.h>
@@ -10,33 +10,16 @@ namespace hygroloom {
 
 namespace {
 
-constexpr const char* faces[] = {"top_outside", "top_inside"};
-
-/// The place of a word among some.
-int choice_in(ObjectReader& object, const std::string& key, const std::vector<std::string>& words, int standard)
-{
-    std::string given = words[static_cast<std::size_t>(standard)];
-    object.read(key, given);
-    std::string all;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (words[i] == given) return static_cast<int>(i);
-        all += (all.empty() ? "\"" : ", \"") + words[i] + "\"";
-    }
-    object.refuse(key, fmt::format("This must be one of {}; given is {}.", all, in_words(given)));
-}
-
 BuiltInGarment read_built_in(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader object(value, file, path);
     object.require("built_in");
-    const std::vector<std::string>& kinds = built_in_garments();
-    BuiltInGarment garment = standard_garment(kinds[static_cast<std::size_t>(choice_in(object, "built_in", kinds, 0))]);
-    object.read("chest_mm", garment.chest_mm);
-    object.read("length_mm", garment.length_mm);
-    object.read("ease_mm", garment.ease_mm);
+    std::vector<const char*> kinds;
+    for (const std::string& kind : built_in_garments()) kinds.push_back(kind.c_str());
+    BuiltInGarment garment = standard_garment(kinds[static_cast<std::size_t>(object.word("built_in", kinds))]);
     if (object.find("sleeve_mm") && garment.kind != "tee")
         object.refuse("sleeve_mm", fmt::format("Only a tee has sleeves; leave it out of a {}.", garment.kind));
-    object.read("sleeve_mm", garment.sleeve_mm);
+    read_fields(object, garment);
     object.finish({"built_in"});
     return garment;
 }
@@ -61,9 +44,7 @@ PanelCut read_cut(const ProjectJson& value, const std::string& file, const std::
     ObjectReader object(value, file, path);
     PanelCut cut;
     object.read("fabric", cut.fabric);
-    object.read("grain_deg", cut.grain_deg);
-    cut.top_inside = choice_in(object, "face", {faces[0], faces[1]}, 0) == 1;
-    object.read("layers", cut.layers);
+    read_fields(object, cut);
     object.read("lining", cut.lining);
     object.finish({"fabric"});
     return cut;
@@ -87,7 +68,7 @@ std::vector<OwnZone> read_own_zones(const ProjectJson& value, const std::string&
         OwnZone zone;
         object.read("name", zone.name);
         object.read("panel", zone.panel);
-        object.read("sweat_g_m2_h", zone.sweat_g_m2_h);
+        read_fields(object, zone);
         const ProjectJson& outline = object.require("outline_mm");
         const std::string at = object.path_of("outline_mm");
         for (const ProjectJson& place : array_in(outline, file, at)) {
@@ -107,7 +88,8 @@ ProjectJson json_from_own_zones(const std::vector<OwnZone>& zones)
     for (const OwnZone& zone : zones) {
         ProjectJson outline = ProjectJson::array();
         for (const auto& place : zone.outline_mm) outline.push_back(ProjectJson::array({place[0], place[1]}));
-        list.push_back({{"name", zone.name}, {"panel", zone.panel}, {"outline_mm", outline}, {"sweat_g_m2_h", zone.sweat_g_m2_h}});
+        list.push_back({{"name", zone.name}, {"panel", zone.panel}, {"outline_mm", outline}});
+        write_fields(list.back(), zone);
     }
     return list;
 }
@@ -115,7 +97,7 @@ ProjectJson json_from_own_zones(const std::vector<OwnZone>& zones)
 void read_wearer(const ProjectJson& value, const std::string& file, const std::string& path, Wearer& wearer)
 {
     ObjectReader object(value, file, path);
-    object.read("skin_temperature_c", wearer.skin_temperature_c);
+    read_fields(object, wearer);
     if (const ProjectJson* gap = object.find("gap_mm")) wearer.gap_mm = read_numbers(*gap, file, object.path_of("gap_mm"));
     object.read("zones", wearer.zones);
     if (const ProjectJson* zones = object.find("own_zones")) wearer.own_zones = read_own_zones(*zones, file, object.path_of("own_zones"));
@@ -131,10 +113,9 @@ Garment garment_from_json(const ProjectJson& value, const std::string& file, con
     object.require("name");
     object.read("name", garment.name);
     read_source(object, garment);
-    std::vector<std::string> units;
-    units.reserve(uv_units);
-    for (int unit = 0; unit < uv_units; ++unit) units.emplace_back(name_of(static_cast<UvUnit>(unit)));
-    garment.uv_unit = static_cast<UvUnit>(choice_in(object, "uv_unit", units, 0));
+    std::vector<const char*> units;
+    for (int unit = 0; unit < uv_units; ++unit) units.push_back(name_of(static_cast<UvUnit>(unit)));
+    if (object.find("uv_unit")) garment.uv_unit = static_cast<UvUnit>(object.word("uv_unit", units));
     const ProjectJson& panels = object.require("panels");
     ObjectReader cuts(panels, file, object.path_of("panels")); // refuses what is no object
     for (const auto& [panel, cut] : panels.items()) garment.panels[panel] = read_cut(cut, file, cuts.path_of(panel));
@@ -148,10 +129,8 @@ ProjectJson json_from_garment(const Garment& garment)
 {
     ProjectJson json{{"name", garment.name}};
     if (garment.is_built_in()) {
-        const BuiltInGarment& built = garment.built_in;
-        json["source"] = {
-            {"built_in", built.kind}, {"chest_mm", built.chest_mm}, {"length_mm", built.length_mm}, {"ease_mm", built.ease_mm}};
-        if (built.kind == "tee") json["source"]["sleeve_mm"] = built.sleeve_mm;
+        json["source"] = {{"built_in", garment.built_in.kind}};
+        write_fields(json["source"], garment.built_in);
     } else {
         json["source"] = garment.source;
     }
@@ -159,14 +138,16 @@ ProjectJson json_from_garment(const Garment& garment)
     json["panels"] = ProjectJson::object();
     for (const auto& [panel, cut] : garment.panels) {
         ProjectJson& written = json["panels"][panel];
-        written = {{"fabric", cut.fabric}, {"grain_deg", cut.grain_deg}, {"face", faces[cut.top_inside ? 1 : 0]}};
-        if (cut.layers != 1) written["layers"] = cut.layers;
+        written = {{"fabric", cut.fabric}};
+        write_fields(written, cut);
         if (!cut.lining.empty()) written["lining"] = cut.lining;
     }
     if (!garment.seams.empty()) json["seams"] = ProjectJson::object();
     for (const auto& [seam, share] : garment.seams) json["seams"][seam] = share;
     const Wearer& wearer = garment.wearer;
-    json["wearer"] = {{"skin_temperature_c", wearer.skin_temperature_c}, {"gap_mm", ProjectJson::object()}, {"zones", wearer.zones}};
+    json["wearer"] = json_of_fields(wearer);
+    json["wearer"]["gap_mm"] = ProjectJson::object();
+    json["wearer"]["zones"] = wearer.zones;
     for (const auto& [zone, gap] : wearer.gap_mm) json["wearer"]["gap_mm"][zone] = gap;
     if (!wearer.own_zones.empty()) json["wearer"]["own_zones"] = json_from_own_zones(wearer.own_zones);
     return json;

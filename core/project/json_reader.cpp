@@ -258,6 +258,18 @@ void ObjectReader::read(const std::string& key, std::string& value)
     if (const ProjectJson* member = find(key)) value = text_in(*member, file_, path_of(key));
 }
 
+int ObjectReader::word(const std::string& key, std::span<const char* const> words)
+{
+    const std::string given = text_in(require(key), file_, path_of(key));
+    const auto found = std::find(words.begin(), words.end(), given);
+    if (found != words.end()) return static_cast<int>(found - words.begin());
+    std::string all;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        all += fmt::format("{}\"{}\"", i == 0 ? "" : words.size() == 2 ? " or " : ", ", words[i]);
+    refuse(key, fmt::format("This must be {}{}; given is {}{}", words.size() == 2 ? "" : "one of ", all, in_words(given),
+                            did_you_mean(given, std::vector<std::string>(words.begin(), words.end()))));
+}
+
 void ObjectReader::read(const std::string& key, std::array<double, 2>& value)
 {
     const ProjectJson* member = find(key);

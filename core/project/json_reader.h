@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -45,6 +46,8 @@ public:
     void read(const std::string& key, std::optional<double>& value);
     void read(const std::string& key, std::optional<int>& value);
     void read(const std::string& key, std::array<double, 2>& value);
+    /// The place among some words of the one that the member is. Precondition: it is there.
+    int word(const std::string& key, std::span<const char* const> words);
     /// Refuses unknown keys, with the nearest known one, then a missing key of the required ones.
     void finish(const std::vector<std::string>& required = {}) const;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The design in a project's JSON. Form only: whether values make sense is for validate().
 #include "core/base/words.h"
-#include "core/project/json_reader.h"
+#include "core/project/field_json.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"
 
@@ -27,9 +27,7 @@ void read_isotherm(ObjectReader& object, GabIsotherm& gab)
     isotherm.require("monolayer_regain");
     isotherm.require("c");
     isotherm.require("k");
-    isotherm.read("monolayer_regain", gab.monolayer_regain);
-    isotherm.read("c", gab.c);
-    isotherm.read("k", gab.k);
+    read_fields(isotherm, gab);
     isotherm.finish();
 }
 
@@ -84,23 +82,15 @@ Material read_material(const ProjectJson& value, const std::string& file, const 
     }
     material.name = name;
     material.based_on = based_on;
-    const auto number = [&](const char* key, double& field) {
-        if (based_on.empty()) required.emplace_back(key);
-        object.read(key, field);
-    };
-    number("density_kg_m3", material.density_kg_m3);
-    number("fibre_radius_um", material.fibre_radius_um);
-    number("standard_regain", material.standard_regain);
-    number("saturation_regain", material.saturation_regain);
+    read_fields(object, material);
     read_isotherm(object, material.gab);
-    if (based_on.empty()) required.emplace_back("fibre_diffusivity_m2_s");
     read_diffusion(object, material.diffusion);
-    number("contact_angle_deg", material.contact_angle_deg);
-    object.read("receding_angle_deg", material.receding_angle_deg);
     read_cross_section(object, material.cross_section);
-    number("thermal_conductivity_w_mk", material.thermal_conductivity_w_mk);
-    number("specific_heat_j_kgk", material.specific_heat_j_kgk);
-    object.read("heat_of_wetting_j_g", material.heat_of_wetting_j_g);
+    if (based_on.empty()) {
+        for (const Field<Material>& field : fields_of<Material>())
+            if (!field.is_optional() && !field.is_written) required.emplace_back(field.key);
+        required.emplace_back("fibre_diffusivity_m2_s");
+    }
     if (object.find("sorption_heat_j_g") && object.find("heat_of_wetting_j_g"))
         object.refuse("sorption_heat_j_g", "This is another name of heat_of_wetting_j_g; give one of them.");
     object.read("sorption_heat_j_g", material.heat_of_wetting_j_g);
@@ -147,6 +137,15 @@ std::optional<Calibrated> read_calibrated(ObjectReader& fabric)
     return calibrated;
 }
 
+template <typename Part> void read_part(ObjectReader& whole, const char* key, Part& part)
+{
+    const ProjectJson* value = whole.find(key);
+    if (!value) return;
+    ObjectReader object(*value, whole.file(), whole.path_of(key));
+    read_fields(object, part);
+    object.finish();
+}
+
 Fabric read_fabric(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader object(value, file, path);
@@ -155,8 +154,6 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
     if (const ProjectJson* warp = object.find("warp")) fabric.warp = yarn_from_json(*warp, file, object.path_of("warp"));
     if (const ProjectJson* weft = object.find("weft")) fabric.weft = yarn_from_json(*weft, file, object.path_of("weft"));
     if (const ProjectJson* weave = object.find("weave")) fabric.weave = weave_from_json(*weave, file, object.path_of("weave"));
-    object.read("ends_per_cm", fabric.ends_per_cm);
-    object.read("picks_per_cm", fabric.picks_per_cm);
     if (const ProjectJson* extra = object.find("extra_yarns")) {
         array_in(*extra, file, object.path_of("extra_yarns"));
         for (std::size_t i = 0; i < extra->size(); ++i)
@@ -164,34 +161,10 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
     }
     fabric.warp_order = read_order(object, "warp_order");
     fabric.weft_order = read_order(object, "weft_order");
-    object.read("thickness_mm", fabric.thickness_mm);
-    object.read("warp_crimp_percent", fabric.warp_crimp_percent);
-    object.read("weft_crimp_percent", fabric.weft_crimp_percent);
-    if (const ProjectJson* flyaway = object.find("flyaway")) {
-        ObjectReader fibres(*flyaway, file, object.path_of("flyaway"));
-        fibres.read("loop_density_per_mm", fabric.flyaway.loop_density_per_mm);
-        fibres.read("hair_density_per_mm", fabric.flyaway.hair_density_per_mm);
-        fibres.read("loop_height_mm", fabric.flyaway.loop_height_mm);
-        fibres.read("hair_length_mm", fabric.flyaway.hair_length_mm);
-        fibres.finish();
-    }
-    object.read("contact_angle_deg", fabric.contact_angle_deg);
-    object.read("finish_face", fabric.finish_face);
-    object.read("finish_back", fabric.finish_back);
-    object.read("finish_depth", fabric.finish_depth);
-    object.read("finish_holes", fabric.finish_holes);
-    object.read("porosity", fabric.measured.porosity);
-    object.read("areal_density_g_m2", fabric.measured.areal_density_g_m2);
-    object.read("capillary_radius_um", fabric.measured.capillary_radius_um);
-    object.read("tortuosity", fabric.measured.tortuosity);
-    object.read("crimp_percent", fabric.measured.crimp_percent);
-    if (const ProjectJson* uncertainty = object.find("uncertainty")) {
-        ObjectReader either_way(*uncertainty, file, object.path_of("uncertainty"));
-        either_way.read("contact_angle_deg", fabric.uncertainty.contact_angle_deg);
-        either_way.read("receding_angle_deg", fabric.uncertainty.receding_angle_deg);
-        either_way.read("packing_factor", fabric.uncertainty.packing_factor);
-        either_way.finish();
-    }
+    read_fields(object, fabric);
+    read_part(object, "flyaway", fabric.flyaway);
+    read_fields(object, fabric.measured);
+    read_part(object, "uncertainty", fabric.uncertainty);
     fabric.calibrated = read_calibrated(object);
     object.finish({"name", "warp", "weft", "weave", "ends_per_cm", "picks_per_cm"});
     return fabric;
@@ -201,46 +174,23 @@ Droplet read_droplet(const ProjectJson& value, const std::string& file, const st
 {
     ObjectReader object(value, file, path);
     Droplet droplet;
-    object.read("volume_ul", droplet.volume_ul);
-    object.read("time_s", droplet.time_s);
+    read_fields(object, droplet);
     object.read("at_mm", droplet.at_mm);
-    object.read("height_mm", droplet.height_mm);
-    object.read("speed_m_s", droplet.speed_m_s);
     object.finish({"volume_ul"});
     return droplet;
 }
 
 template <typename Kind> Kind kind_in(ObjectReader& object, const std::string& key, Kind value, int kinds)
 {
-    const ProjectJson* member = object.find(key);
-    if (!member) return value;
-    const std::string given = text_in(*member, object.file(), object.path_of(key));
-    std::vector<std::string> known;
-    for (int i = 0; i < kinds; ++i) {
-        known.push_back(name_of(static_cast<Kind>(i)));
-        if (known.back() == given) return static_cast<Kind>(i);
-    }
-    const std::string near = nearest_word(given, known);
-    std::string all;
-    for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
-    object.refuse(key, near.empty() ? fmt::format("This must be one of {}; given is {}.", all, in_words(given))
-                                    : fmt::format("This must be one of {}; given is {}; did you mean \"{}\"?", all, in_words(given), near));
-}
-
-bool choice_in(ObjectReader& object, const std::string& key, const char* yes, const char* no, bool value)
-{
-    std::string given = value ? yes : no;
-    object.read(key, given);
-    if (given != yes && given != no)
-        object.refuse(key, fmt::format("This must be \"{}\" or \"{}\"; given is {}.", yes, no, in_words(given)));
-    return given == yes;
+    if (!object.find(key)) return value;
+    std::vector<const char*> words;
+    for (int i = 0; i < kinds; ++i) words.push_back(name_of(static_cast<Kind>(i)));
+    return static_cast<Kind>(object.word(key, words));
 }
 
 void read_air(ObjectReader& air, Climate& climate)
 {
-    air.read("temperature_c", climate.temperature_c);
-    air.read("relative_humidity", climate.relative_humidity);
-    air.read("air_speed_m_s", climate.air_speed_m_s);
+    read_fields(air, climate);
     air.finish();
 }
 
@@ -279,26 +229,6 @@ void read_droplets(ObjectReader& object, const char* key, std::vector<Droplet>& 
     for (std::size_t i = 0; i < list.size(); ++i) droplets.push_back(read_droplet(list[i], object.file(), fmt::format("{}[{}]", path, i)));
 }
 
-/// Reads a field that only some types use.
-struct FieldReader {
-    ObjectReader& object;
-    Experiment& experiment;
-    const char* key;
-    void operator()(ExperimentField::Number number) const { object.read(key, experiment.*number); }
-    void operator()(const ExperimentChoice& choice) const
-    {
-        experiment.*choice.value = choice_in(object, key, choice.yes, choice.no, experiment.*choice.value);
-    }
-    void operator()(ExperimentField::Air climate) const
-    {
-        const ProjectJson* value = object.find(key);
-        if (!value) return;
-        ObjectReader air(*value, object.file(), object.path_of(key));
-        read_air(air, experiment.*climate);
-    }
-    void operator()(ExperimentField::Drops drops) const { read_droplets(object, key, experiment.*drops); }
-};
-
 Experiment read_experiment(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader object(value, file, path);
@@ -313,8 +243,11 @@ Experiment read_experiment(const ProjectJson& value, const std::string& file, co
     object.read("swelling", experiment.swelling);
     object.read(type.sample_key, experiment.sample_mm);
     if (!type.has_usual_duration) required.emplace_back("duration_s");
-    object.read("duration_s", experiment.duration_s);
-    for (const ExperimentField& field : type.fields) std::visit(FieldReader{object, experiment, field.key}, field.value);
+    read_field(object, field_named<Experiment>("duration_s"), experiment);
+    for (const Field<Experiment>& field : fields_of<Experiment>())
+        if (uses_field(experiment.type, field.key)) read_field(object, field, experiment);
+    if (uses_field(experiment.type, "initial")) read_part(object, "initial", experiment.initial);
+    if (uses_field(experiment.type, "droplets")) read_droplets(object, "droplets", experiment.droplets);
     object.finish(required);
     return experiment;
 }
@@ -324,9 +257,7 @@ Liquid read_liquid(const ProjectJson& value, const std::string& file, const std:
     ObjectReader object(value, file, path);
     Liquid liquid;
     object.read("name", liquid.name);
-    object.read("surface_tension_mn_m", liquid.surface_tension_mn_m);
-    object.read("viscosity_mpa_s", liquid.viscosity_mpa_s);
-    object.read("density_kg_m3", liquid.density_kg_m3);
+    read_fields(object, liquid);
     object.finish({"name"});
     return liquid;
 }

@@ -167,12 +167,10 @@ bool has_decimal_comma(const std::string& text)
 ProjectJson number_of(const std::string& path, const std::string& key, const std::string& text)
 {
     const Stored kind = stored_kind(key);
-    const bool percent = key.ends_with("_percent"); // stored as percent, not as a fraction
-    const bool has_sign = percent && text.ends_with('%');
-    if (const auto number = number_with_unit(has_sign ? text.substr(0, text.size() - 1) : text, kind)) return *number;
+    if (const auto number = number_with_unit(text, kind)) return *number;
     if (has_decimal_comma(text))
         refuse(path, fmt::format("Numbers are written with a decimal point: {}.", std::string(text).replace(text.find(','), 1, ".")));
-    const std::string_view unit = percent ? "%" : trade_units(kind).front().spellings.front();
+    const std::string_view unit = trade_units(kind).front().spellings.front();
     const char* advice = key == "linear_density_tex" ? " Set count for a count such as Ne 60/2." : "";
     refuse(path, unit.empty() ? fmt::format("This must be a number; given is {}.", in_words(text))
                               : fmt::format("This must be a number in {}; given is {}.{}", unit, in_words(text), advice));
@@ -231,9 +229,7 @@ void set_value(ProjectJson& project, const std::string& path, const std::string&
             write_count(path, holder, fresh.get<std::string>());
             return;
         }
-        const bool number = old != holder.end()
-                                ? old->is_number()
-                                : stored_kind(key) != Stored::number || key.ends_with("_percent") || has_decimal_comma(value);
+        const bool number = old != holder.end() ? old->is_number() : stored_kind(key) != Stored::number || has_decimal_comma(value);
         if (fresh.is_string() && number) fresh = number_of(path, key, fresh.get<std::string>());
         holder[key] = std::move(fresh);
     }

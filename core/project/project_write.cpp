@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A design as the project's JSON, and that as text.
 #include "core/base/error.h"
-#include "core/design/yarn_class.h"
+#include "core/project/field_json.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"
 
@@ -23,16 +23,10 @@ ProjectJson write_material(const Material& material)
     const Material* base = material.based_on.empty() ? nullptr : find_library_material(material.based_on);
     ProjectJson json{{"name", material.name}};
     if (base) json["based_on"] = material.based_on;
-    const auto number = [&](const char* key, double Material::*field) {
-        if (!base || base->*field != material.*field) json[key] = material.*field;
-    };
-    number("density_kg_m3", &Material::density_kg_m3);
-    number("fibre_radius_um", &Material::fibre_radius_um);
-    number("standard_regain", &Material::standard_regain);
-    number("saturation_regain", &Material::saturation_regain);
+    write_fields(json, material, base);
     if (base ? base->gab != material.gab : material.gab.given()) {
         if (material.gab.given())
-            json["isotherm"] = {{"monolayer_regain", material.gab.monolayer_regain}, {"c", material.gab.c}, {"k", material.gab.k}};
+            json["isotherm"] = json_of_fields(material.gab);
         else
             json["isotherm"] = "master";
     }
@@ -40,17 +34,12 @@ ProjectJson write_material(const Material& material)
         json["fibre_diffusivity_m2_s"] = "two-stage";
     else if (!base || base->diffusion != material.diffusion)
         json["fibre_diffusivity_m2_s"] = material.diffusion.constant_m2_s;
-    number("contact_angle_deg", &Material::contact_angle_deg);
-    write_if_given(json, "receding_angle_deg", material.receding_angle_deg);
     if (const CrossSection& section = material.cross_section; section != (base ? base->cross_section : CrossSection{})) {
         if (section.shape.empty())
             json["cross_section"] = section.perimeter_factor;
         else
             json["cross_section"] = section.shape;
     }
-    number("thermal_conductivity_w_mk", &Material::thermal_conductivity_w_mk);
-    number("specific_heat_j_kgk", &Material::specific_heat_j_kgk);
-    if (material.heat_of_wetting_j_g != (base ? base->heat_of_wetting_j_g : 0)) json["heat_of_wetting_j_g"] = material.heat_of_wetting_j_g;
     return json;
 }
 
@@ -63,22 +52,11 @@ ProjectJson write_yarn(const Yarn& yarn)
         json["material"] = ProjectJson::array();
         for (const MaterialShare& part : yarn.material) json["material"].push_back({{"name", part.name}, {"share", part.share}});
     }
-    if (yarn.core) json["core"] = {{"material", yarn.core->material}, {"share", yarn.core->share}};
-    write_if_given(json, "diameter_mm", yarn.diameter_mm);
-    write_if_given(json, "linear_density_tex", yarn.linear_density_tex);
-    write_if_given(json, "packing_factor", yarn.packing_factor);
-    if (yarn.yarn_class) json["yarn_class"] = info_of(*yarn.yarn_class).name;
-    if (yarn.filament_count) json["filament_count"] = *yarn.filament_count;
-    json["fibres_per_yarn"] = yarn.fibres_per_yarn;
-    json["twist_per_m"] = yarn.twist_per_m;
-    const auto letter = [](TwistDirection direction) { return direction == TwistDirection::z ? "Z" : "S"; };
-    json["twist_direction"] = letter(yarn.twist_direction);
-    if (yarn.plies != 1 || yarn.ply_twist_per_m != Yarn().ply_twist_per_m || yarn.ply_twist_direction != Yarn().ply_twist_direction) {
-        json["plies"] = yarn.plies;
-        json["ply_twist_per_m"] = yarn.ply_twist_per_m;
-        json["ply_twist_direction"] = letter(yarn.ply_twist_direction);
+    if (yarn.core) {
+        json["core"] = {{"material", yarn.core->material}};
+        write_fields(json["core"], *yarn.core);
     }
-    if (yarn.irregularity_cv) json["irregularity_cv"] = *yarn.irregularity_cv;
+    write_fields(json, yarn);
     if (yarn.color) json["color"] = fmt::format("#{:02x}{:02x}{:02x}", yarn.color->red, yarn.color->green, yarn.color->blue);
     return json;
 }
@@ -119,52 +97,25 @@ ProjectJson write_fabric(const Fabric& fabric)
     json["warp"] = write_yarn(fabric.warp);
     json["weft"] = write_yarn(fabric.weft);
     json["weave"] = write_weave(fabric.weave);
-    json["ends_per_cm"] = fabric.ends_per_cm;
-    json["picks_per_cm"] = fabric.picks_per_cm;
+    write_fields(json, fabric);
     if (!fabric.extra_yarns.empty()) json["extra_yarns"] = ProjectJson::array();
     for (const Yarn& yarn : fabric.extra_yarns) json["extra_yarns"].push_back(write_yarn(yarn));
     if (!fabric.warp_order.empty()) json["warp_order"] = write_order(fabric.warp_order);
     if (!fabric.weft_order.empty()) json["weft_order"] = write_order(fabric.weft_order);
-    write_if_given(json, "thickness_mm", fabric.thickness_mm);
-    write_if_given(json, "warp_crimp_percent", fabric.warp_crimp_percent);
-    write_if_given(json, "weft_crimp_percent", fabric.weft_crimp_percent);
-    json["flyaway"] = {{"loop_density_per_mm", fabric.flyaway.loop_density_per_mm},
-                       {"hair_density_per_mm", fabric.flyaway.hair_density_per_mm},
-                       {"loop_height_mm", fabric.flyaway.loop_height_mm},
-                       {"hair_length_mm", fabric.flyaway.hair_length_mm}};
-    write_if_given(json, "contact_angle_deg", fabric.contact_angle_deg);
-    write_if_given(json, "finish_face", fabric.finish_face);
-    write_if_given(json, "finish_back", fabric.finish_back);
-    write_if_given(json, "finish_depth", fabric.finish_depth);
-    write_if_given(json, "finish_holes", fabric.finish_holes);
-    write_if_given(json, "porosity", fabric.measured.porosity);
-    write_if_given(json, "areal_density_g_m2", fabric.measured.areal_density_g_m2);
-    write_if_given(json, "capillary_radius_um", fabric.measured.capillary_radius_um);
-    write_if_given(json, "tortuosity", fabric.measured.tortuosity);
-    write_if_given(json, "crimp_percent", fabric.measured.crimp_percent);
-    ProjectJson uncertainty = ProjectJson::object();
-    write_if_given(uncertainty, "contact_angle_deg", fabric.uncertainty.contact_angle_deg);
-    write_if_given(uncertainty, "receding_angle_deg", fabric.uncertainty.receding_angle_deg);
-    write_if_given(uncertainty, "packing_factor", fabric.uncertainty.packing_factor);
-    if (!uncertainty.empty()) json["uncertainty"] = uncertainty;
+    json["flyaway"] = json_of_fields(fabric.flyaway);
+    write_fields(json, fabric.measured);
+    if (const ProjectJson uncertainty = json_of_fields(fabric.uncertainty); !uncertainty.empty()) json["uncertainty"] = uncertainty;
     if (fabric.calibrated) json["calibrated"] = write_calibrated(*fabric.calibrated);
     return json;
 }
 
-ProjectJson write_climate(const Climate& climate)
-{
-    return {{"temperature_c", climate.temperature_c},
-            {"relative_humidity", climate.relative_humidity},
-            {"air_speed_m_s", climate.air_speed_m_s}};
-}
-
 ProjectJson write_climates(const Experiment& experiment)
 {
-    if (experiment.climates.empty()) return write_climate(experiment.climate);
+    if (experiment.climates.empty()) return json_of_fields(experiment.climate);
     ProjectJson course = ProjectJson::array();
     const auto add = [&](double time, const Climate& climate) {
         ProjectJson moment{{"time_s", time}};
-        moment.update(write_climate(climate));
+        moment.update(json_of_fields(climate));
         course.push_back(moment);
     };
     add(0, experiment.climate);
@@ -175,23 +126,12 @@ ProjectJson write_climates(const Experiment& experiment)
 ProjectJson write_droplets(const std::vector<Droplet>& droplets)
 {
     ProjectJson json = ProjectJson::array();
-    for (const Droplet& drop : droplets)
-        json.push_back({{"volume_ul", drop.volume_ul},
-                        {"time_s", drop.time_s},
-                        {"at_mm", ProjectJson::array({drop.at_mm[0], drop.at_mm[1]})},
-                        {"height_mm", drop.height_mm},
-                        {"speed_m_s", drop.speed_m_s}});
+    for (const Droplet& drop : droplets) {
+        json.push_back(json_of_fields(drop));
+        json.back()["at_mm"] = ProjectJson::array({drop.at_mm[0], drop.at_mm[1]});
+    }
     return json;
 }
-
-/// One value of a field that only some types use.
-struct FieldWriter {
-    const Experiment& experiment;
-    ProjectJson operator()(ExperimentField::Number number) const { return experiment.*number; }
-    ProjectJson operator()(const ExperimentChoice& choice) const { return experiment.*choice.value ? choice.yes : choice.no; }
-    ProjectJson operator()(ExperimentField::Air air) const { return write_climate(experiment.*air); }
-    ProjectJson operator()(ExperimentField::Drops drops) const { return write_droplets(experiment.*drops); }
-};
 
 ProjectJson write_experiment(const Experiment& experiment)
 {
@@ -203,16 +143,18 @@ ProjectJson write_experiment(const Experiment& experiment)
     if (experiment.swelling) json["swelling"] = true;
     json[type.sample_key] = ProjectJson::array({experiment.sample_mm[0], experiment.sample_mm[1]});
     json["duration_s"] = experiment.duration_s;
-    for (const ExperimentField& field : type.fields) json[field.key] = std::visit(FieldWriter{experiment}, field.value);
+    for (const Field<Experiment>& field : fields_of<Experiment>())
+        if (uses_field(experiment.type, field.key)) json[field.key] = json_of_field(field, experiment);
+    if (uses_field(experiment.type, "initial")) json["initial"] = json_of_fields(experiment.initial);
+    if (uses_field(experiment.type, "droplets")) json["droplets"] = write_droplets(experiment.droplets);
     return json;
 }
 
 ProjectJson write_liquid(const Liquid& liquid)
 {
-    return {{"name", liquid.name},
-            {"surface_tension_mn_m", liquid.surface_tension_mn_m},
-            {"viscosity_mpa_s", liquid.viscosity_mpa_s},
-            {"density_kg_m3", liquid.density_kg_m3}};
+    ProjectJson json{{"name", liquid.name}};
+    write_fields(json, liquid);
+    return json;
 }
 
 void print(std::string& text, const ProjectJson& value, const std::string& indent, const std::string& path)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 embed_text(${CMAKE_SOURCE_DIR}/resources/library/fabrics.json ${CMAKE_CURRENT_BINARY_DIR}/library_fabrics_json.cpp library_fabrics_json)
 embed_text(${CMAKE_SOURCE_DIR}/resources/library/finishes.json ${CMAKE_CURRENT_BINARY_DIR}/library_finishes_json.cpp library_finishes_json)
+embed_text(${CMAKE_SOURCE_DIR}/resources/schema/hygroloom-project-1.in.json ${CMAKE_CURRENT_BINARY_DIR}/project_schema_json.cpp project_schema_json)
 target_sources(hygroloom_core PRIVATE
+  ${CMAKE_CURRENT_BINARY_DIR}/project_schema_json.cpp
   ${CMAKE_CURRENT_BINARY_DIR}/library_fabrics_json.cpp
   ${CMAKE_CURRENT_BINARY_DIR}/library_finishes_json.cpp
   project/atomic_file.cpp
@@ -19,6 +21,7 @@ target_sources(hygroloom_core PRIVATE
   project/polygon_file.cpp
   project/project_file.cpp
   project/project_read.cpp
+  project/project_schema.cpp
   project/project_value.cpp
   project/project_write.cpp
   project/scene_file.cpp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Experiments on garments in the project's JSON.
-#include "core/project/json_reader.h"
+#include "core/project/field_json.h"
 #include "core/project/project_json.h"
 
 #include <fmt/format.h>
@@ -14,9 +14,7 @@ Climate read_still_climate(ObjectReader& object, Climate climate)
     if (!value) return climate;
     if (value->is_array()) object.refuse("climate", "The climate about a garment does not change; give one, not a list.");
     ObjectReader air(*value, object.file(), object.path_of("climate"));
-    air.read("temperature_c", climate.temperature_c);
-    air.read("relative_humidity", climate.relative_humidity);
-    air.read("air_speed_m_s", climate.air_speed_m_s);
+    read_fields(air, climate);
     air.finish();
     return climate;
 }
@@ -39,8 +37,7 @@ void read_activity(ObjectReader& object, WearExperiment& wear)
     for (std::size_t i = 0; i < list.size(); ++i) {
         ObjectReader moment(list[i], object.file(), fmt::format("{}[{}]", path, i));
         activity.emplace_back();
-        moment.read("time_s", activity.back().time_s);
-        moment.read("factor", activity.back().factor);
+        read_fields(moment, activity.back());
         moment.finish({"time_s", "factor"});
     }
     wear.activity = std::move(activity);
@@ -62,9 +59,8 @@ WearExperiment wear_from_json(const ProjectJson& value, const std::string& file,
     object.read("garment", wear.garment);
     wear.climate = read_still_climate(object, wear.climate);
     object.read("liquid", wear.liquid);
-    object.read("duration_s", wear.duration_s);
     read_activity(object, wear);
-    object.read("initial_water_g_m2", wear.initial_water_g_m2);
+    read_fields(object, wear);
     object.finish({"name", "garment"});
     return wear;
 }
@@ -74,19 +70,15 @@ ProjectJson json_from_wear(const WearExperiment& wear)
     ProjectJson json{{"name", wear.name},
                      {"type", "wear"},
                      {"garment", wear.garment},
-                     {"climate",
-                      {{"temperature_c", wear.climate.temperature_c},
-                       {"relative_humidity", wear.climate.relative_humidity},
-                       {"air_speed_m_s", wear.climate.air_speed_m_s}}},
-                     {"liquid", wear.liquid},
-                     {"duration_s", wear.duration_s}};
+                     {"climate", json_of_fields(wear.climate)},
+                     {"liquid", wear.liquid}};
     if (!wear.activity_file.empty()) {
         json["activity"] = wear.activity_file;
     } else {
         json["activity"] = ProjectJson::array();
-        for (const Activity& moment : wear.activity) json["activity"].push_back({{"time_s", moment.time_s}, {"factor", moment.factor}});
+        for (const Activity& moment : wear.activity) json["activity"].push_back(json_of_fields(moment));
     }
-    json["initial_water_g_m2"] = wear.initial_water_g_m2;
+    write_fields(json, wear);
     return json;
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Reads a yarn: its fibres, its core, its size or count, its twist.
-#include "core/design/yarn_class.h"
 #include "core/design/yarn_count.h"
-#include "core/project/json_reader.h"
+#include "core/project/field_json.h"
 #include "core/project/project_json.h"
 
 #include <fmt/format.h>
@@ -26,28 +25,6 @@ std::vector<MaterialShare> read_blend(const ProjectJson& value, const std::strin
         shares.push_back(share);
     }
     return shares;
-}
-
-TwistDirection read_direction(ObjectReader& object, const char* key, TwistDirection standard)
-{
-    std::string direction = standard == TwistDirection::z ? "Z" : "S";
-    object.read(key, direction);
-    if (direction != "Z" && direction != "S")
-        object.refuse(key, fmt::format("This must be \"Z\" or \"S\"; given is {}.", in_words(direction)));
-    return direction == "Z" ? TwistDirection::z : TwistDirection::s;
-}
-
-std::optional<YarnClass> read_class(ObjectReader& object)
-{
-    if (!object.find("yarn_class")) return {};
-    std::string name, known;
-    object.read("yarn_class", name);
-    for (int kind = 0; kind < yarn_classes; ++kind) {
-        const char* word = info_of(static_cast<YarnClass>(kind)).name;
-        if (name == word) return static_cast<YarnClass>(kind);
-        known += (known.empty() ? "\"" : ", \"") + std::string(word) + "\"";
-    }
-    object.refuse("yarn_class", fmt::format("This must be one of {}; given is {}.", known, in_words(name)));
 }
 
 std::optional<Color> read_color(ObjectReader& object)
@@ -93,21 +70,10 @@ Yarn yarn_from_json(const ProjectJson& value, const std::string& file, const std
     if (const ProjectJson* given = object.find("core")) {
         ObjectReader core(*given, file, object.path_of("core"));
         core.read("material", yarn.core.emplace().material);
-        core.read("share", yarn.core->share);
+        read_fields(core, *yarn.core);
         core.finish({"material", "share"});
     }
-    object.read("diameter_mm", yarn.diameter_mm);
-    object.read("linear_density_tex", yarn.linear_density_tex);
-    object.read("packing_factor", yarn.packing_factor);
-    yarn.yarn_class = read_class(object);
-    object.read("filament_count", yarn.filament_count);
-    object.read("fibres_per_yarn", yarn.fibres_per_yarn);
-    object.read("twist_per_m", yarn.twist_per_m);
-    yarn.twist_direction = read_direction(object, "twist_direction", yarn.twist_direction);
-    object.read("plies", yarn.plies);
-    object.read("ply_twist_per_m", yarn.ply_twist_per_m);
-    yarn.ply_twist_direction = read_direction(object, "ply_twist_direction", yarn.ply_twist_direction);
-    object.read("irregularity_cv", yarn.irregularity_cv);
+    read_fields(object, yarn);
     read_count(object, yarn);
     yarn.color = read_color(object);
     object.finish({"material"});

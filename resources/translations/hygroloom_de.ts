@@ -1148,6 +1148,498 @@
         <source>liquid is left on the cloth, or falls through it</source>
         <translation>Flüssigkeit bleibt auf dem Stoff stehen oder fällt hindurch</translation>
     </message>
+    <message>
+        <source>Advancing contact angle of water on the finished fabric. Leave empty to use that of each yarn&apos;s fibres. Above 90° the yarns do not absorb water.</source>
+        <translation>Fortschreitender Randwinkel von Wasser auf dem ausgerüsteten Gewebe. Leer lassen, um den der Fasern jedes Garns zu nehmen. Über 90° nehmen die Garne kein Wasser auf.</translation>
+    </message>
+    <message>
+        <source>Air speed</source>
+        <translation>Luftgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>At 20 °C; at other temperatures it follows that of water.</source>
+        <translation>Bei 20 °C; bei anderen Temperaturen folgt sie der von Wasser.</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>Chest</source>
+        <translation>Brust</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for what is usual of such a yarn. Acts in the closure “pores” only.</source>
+        <translation>Variationskoeffizient der Feinheit entlang des Garns (Uster CVm). Leer lassen für das, was bei einem solchen Garn üblich ist. Wirkt nur im Saugmodell mit Poren.</translation>
+    </message>
+    <message>
+        <source>Conductivity</source>
+        <translation>Leitfähigkeit</translation>
+    </message>
+    <message>
+        <source>Contact angle</source>
+        <translation>Randwinkel</translation>
+    </message>
+    <message>
+        <source>Contact angle of a finish on this face alone. Leave empty for the yarns&apos; own. Acts in the closure “pores” only.</source>
+        <translation>Randwinkel einer Ausrüstung nur auf dieser Seite. Leer lassen für den der Garne selbst. Wirkt nur im Saugmodell mit Poren.</translation>
+    </message>
+    <message>
+        <source>Contact angle ±</source>
+        <translation>Randwinkel ±</translation>
+    </message>
+    <message>
+        <source>Core share</source>
+        <translation>Kernanteil</translation>
+    </message>
+    <message>
+        <source>Crimp</source>
+        <translation>Einwebung</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Depth of the strip&apos;s end below the liquid surface.</source>
+        <translation>Tiefe des Streifenendes unter der Flüssigkeitsoberfläche.</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Downward speed when it appears.</source>
+        <translation>Geschwindigkeit abwärts, wenn er erscheint.</translation>
+    </message>
+    <message>
+        <source>Drop volume</source>
+        <translation>Tropfenvolumen</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Ease</source>
+        <translation>Zugabe</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Kettfäden</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Feed time</source>
+        <translation>Dauer der Zufuhr</translation>
+    </message>
+    <message>
+        <source>Fibre ends that stand out of the yarn, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns.</source>
+        <translation>Faserenden, die vom Garn abstehen, je mm Garn. Im Saugmodell mit Poren halten sie fallende Tropfen von trockenen Garnen fern.</translation>
+    </message>
+    <message>
+        <source>Fibre volume divided by yarn volume: 0.45 to 0.68 for spun yarns. Where it does not follow from the others, it is 0.5 of a given diameter, else that of the yarn&apos;s class.</source>
+        <translation>Faservolumen durch Garnvolumen: 0.45 bis 0.68 bei gesponnenen Garnen. Wo sie nicht aus den anderen Werten folgt, ist sie bei gegebenem Durchmesser 0.5, sonst die der Garnklasse.</translation>
+    </message>
+    <message>
+        <source>Fibres drawn</source>
+        <translation>Gezeichnete Fasern</translation>
+    </message>
+    <message>
+        <source>Fibres that leave the yarn and come back to it, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns.</source>
+        <translation>Fasern, die das Garn verlassen und zurückkehren, je mm Garn. Im Saugmodell mit Poren halten sie fallende Tropfen von trockenen Garnen fern.</translation>
+    </message>
+    <message>
+        <source>Filaments</source>
+        <translation>Filamente</translation>
+    </message>
+    <message>
+        <source>Finish, back</source>
+        <translation>Ausrüstung, Rückseite</translation>
+    </message>
+    <message>
+        <source>Finish, depth</source>
+        <translation>Ausrüstung, Tiefe</translation>
+    </message>
+    <message>
+        <source>Finish, top face</source>
+        <translation>Ausrüstung, Oberseite</translation>
+    </message>
+    <message>
+        <source>Finish, untreated</source>
+        <translation>Ausrüstung, Lücken</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Ab</translation>
+    </message>
+    <message>
+        <source>From dry to saturated, per gram of fibre. 0: what the law of sorption heats gives.</source>
+        <translation>Von trocken bis gesättigt, je Gramm Faser. 0: was das Gesetz der Sorptionswärmen ergibt.</translation>
+    </message>
+    <message>
+        <source>From the shoulder to the hem; of leggings from the waist to the ankle.</source>
+        <translation>Von der Schulter bis zum Saum; bei Leggings von der Taille bis zum Knöchel.</translation>
+    </message>
+    <message>
+        <source>Girth of the body&apos;s chest; of leggings of its hip.</source>
+        <translation>Brustumfang des Körpers; bei Leggings sein Hüftumfang.</translation>
+    </message>
+    <message>
+        <source>Grain</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Hair length</source>
+        <translation>Länge der Enden</translation>
+    </message>
+    <message>
+        <source>Hairs</source>
+        <translation>Faserenden</translation>
+    </message>
+    <message>
+        <source>Heat of wetting</source>
+        <translation>Benetzungswärme</translation>
+    </message>
+    <message>
+        <source>Height of its lowest point above the fabric.</source>
+        <translation>Höhe seines tiefsten Punktes über dem Gewebe.</translation>
+    </message>
+    <message>
+        <source>Height of the highest loop above the yarn; the lowest is half as high. Loops make the cloth thicker, and the still air among them slows drying.</source>
+        <translation>Höhe der höchsten Schlinge über dem Garn; die niedrigste ist halb so hoch. Schlingen machen das Gewebe dicker, und die ruhende Luft in ihnen verlangsamt das Trocknen.</translation>
+    </message>
+    <message>
+        <source>How deep the finish of a face reaches, of the fabric&apos;s thickness. The yarns wick below it. Leave empty for 10 %, which is assumed. 100 %: the yarns that lie on the face are finished through. Acts in the closure “pores” only.</source>
+        <translation>Wie tief die Ausrüstung einer Seite reicht, als Anteil der Gewebedicke. Darunter saugen die Garne. Leer lassen für 10 %, eine Annahme. 100 %: Die Garne auf der Seite sind ganz ausgerüstet. Wirkt nur im Saugmodell mit Poren.</translation>
+    </message>
+    <message>
+        <source>How much longer the garment&apos;s girth is than the body&apos;s.</source>
+        <translation>Wie viel weiter das Kleidungsstück ist als der Körper.</translation>
+    </message>
+    <message>
+        <source>How much longer the yarn is than the fabric. Leave empty to share the crimp between warp and weft by their spans. Without a thickness it gives way where yarns would be packed closer than 0.85.</source>
+        <translation>Wie viel länger das Garn ist als der Stoff. Leer: Kette und Schuss teilen sich die Einarbeitung nach ihren Abständen. Ohne gegebene Dicke gibt sie nach, wo Garne sonst dichter als 0.85 gepackt wären.</translation>
+    </message>
+    <message>
+        <source>How the yarn is made: packing, section and fibres that stand out follow from it where they are not given. Leave it out for what fibre, twist, plies and filaments make likely.</source>
+        <translation>Wie das Garn hergestellt ist: Packung, Querschnitt und abstehende Fasern folgen daraus, wo sie nicht gegeben sind. Leer: wie Faser, Drehung, Fachung und Filamente es nahelegen.</translation>
+    </message>
+    <message>
+        <source>Humidity</source>
+        <translation>Feuchte</translation>
+    </message>
+    <message>
+        <source>Immersion</source>
+        <translation>Eintauchtiefe</translation>
+    </message>
+    <message>
+        <source>Initial water</source>
+        <translation>Wasser am Anfang</translation>
+    </message>
+    <message>
+        <source>Irregularity</source>
+        <translation>Ungleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Linear density</source>
+        <translation>Feinheit</translation>
+    </message>
+    <message>
+        <source>Liquid water in the fabric at the start, in addition to its regain in this climate.</source>
+        <translation>Flüssiges Wasser im Gewebe am Anfang, zusätzlich zu seiner Feuchteaufnahme in diesem Klima.</translation>
+    </message>
+    <message>
+        <source>Loop height</source>
+        <translation>Schlingenhöhe</translation>
+    </message>
+    <message>
+        <source>Loops</source>
+        <translation>Schlingen</translation>
+    </message>
+    <message>
+        <source>Mean length of the fibre ends; the shortest have half of it, the longest one and a half times.</source>
+        <translation>Mittlere Länge der Faserenden; die kürzesten haben die Hälfte, die längsten das Anderthalbfache.</translation>
+    </message>
+    <message>
+        <source>Measured. Replaces the calculated value. Leave empty to use the calculated one.</source>
+        <translation>Gemessen. Tritt an die Stelle des berechneten Werts. Leer: der berechnete gilt.</translation>
+    </message>
+    <message>
+        <source>Monolayer regain</source>
+        <translation>Feuchte der Monolage</translation>
+    </message>
+    <message>
+        <source>Of a circle of the fibre&apos;s area. A yarn&apos;s filament count takes its place.</source>
+        <translation>Eines Kreises mit der Fläche der Faser. Die Filamentzahl eines Garns ersetzt ihn.</translation>
+    </message>
+    <message>
+        <source>Of a tee, from the shoulder&apos;s point to the hem.</source>
+        <translation>Bei einem T-Shirt vom Schulterpunkt bis zum Saum.</translation>
+    </message>
+    <message>
+        <source>Of a yarn of continuous filaments, all plies together. Their radius, and the pores between them, follow from it and the linear density. Leave empty for staple yarns: the material&apos;s fibre radius counts.</source>
+        <translation>Bei Garn aus Endlosfilamenten, alle Fäden zusammen. Ihr Radius und die Poren dazwischen folgen daraus und aus der Feinheit. Leer bei Stapelgarn: Dann zählt der Faserradius des Materials.</translation>
+    </message>
+    <message>
+        <source>Of cloth that lie on each other, the last on the skin.</source>
+        <translation>Stofflagen übereinander, die letzte auf der Haut.</translation>
+    </message>
+    <message>
+        <source>Of heat, across the fibre.</source>
+        <translation>Für Wärme, quer zur Faser.</translation>
+    </message>
+    <message>
+        <source>Of the dry fibre.</source>
+        <translation>Der trockenen Faser.</translation>
+    </message>
+    <message>
+        <source>Of the free, round yarn. Typed here, it takes the place of the count.</source>
+        <translation>Des freien, runden Garns. Hier eingegeben, tritt er an die Stelle der Feinheit.</translation>
+    </message>
+    <message>
+        <source>Of the rates that the wearer&apos;s table of zones gives.</source>
+        <translation>Mal die Raten aus der Zonentabelle des Trägers.</translation>
+    </message>
+    <message>
+        <source>Of the single yarn.</source>
+        <translation>Des einfachen Garns.</translation>
+    </message>
+    <message>
+        <source>Of the strip&apos;s long side.</source>
+        <translation>Der langen Seite des Streifens.</translation>
+    </message>
+    <message>
+        <source>Of the warp, from the pattern&apos;s +y, counter-clockwise as seen from outside.</source>
+        <translation>Der Kette, von +y des Schnitts aus, von außen gesehen gegen den Uhrzeigersinn.</translation>
+    </message>
+    <message>
+        <source>Of the whole yarn, with all its plies.</source>
+        <translation>Des ganzen Garns mit allen Fäden.</translation>
+    </message>
+    <message>
+        <source>Of the yarn&apos;s mass.</source>
+        <translation>Anteil an der Masse des Garns.</translation>
+    </message>
+    <message>
+        <source>Of water that advances. A fabric&apos;s finish takes its place.</source>
+        <translation>Von vorrückendem Wasser. Die Ausrüstung eines Gewebes ersetzt ihn.</translation>
+    </message>
+    <message>
+        <source>Of water that draws back; at most the contact angle. Leave empty for the assumed one: 0 on cotton, flax, hemp and viscose, else 20° less than the contact angle. Acts in the closure “pores” only.</source>
+        <translation>Von Wasser, das sich zurückzieht; höchstens der Randwinkel. Leer für den angenommenen: 0 auf Baumwolle, Flachs, Hanf und Viskose, sonst 20° weniger als der Randwinkel. Wirkt nur im Saugmodell mit Poren.</translation>
+    </message>
+    <message>
+        <source>Packing</source>
+        <translation>Packungsdichte</translation>
+    </message>
+    <message>
+        <source>Packing ±</source>
+        <translation>Packung ±</translation>
+    </message>
+    <message>
+        <source>Per yarn, in pictures and exports. Each represents a bundle of real fibres.</source>
+        <translation>Je Garn, in Bildern und Exporten. Jede steht für ein Bündel wirklicher Fasern.</translation>
+    </message>
+    <message>
+        <source>Picks</source>
+        <translation>Schüsse</translation>
+    </message>
+    <message>
+        <source>Plies</source>
+        <translation>Fachung</translation>
+    </message>
+    <message>
+        <source>Ply direction</source>
+        <translation>Zwirnrichtung</translation>
+    </message>
+    <message>
+        <source>Ply twist</source>
+        <translation>Zwirndrehung</translation>
+    </message>
+    <message>
+        <source>Pore radius</source>
+        <translation>Porenradius</translation>
+    </message>
+    <message>
+        <source>Porosity</source>
+        <translation>Porosität</translation>
+    </message>
+    <message>
+        <source>Receding angle</source>
+        <translation>Rückzugswinkel</translation>
+    </message>
+    <message>
+        <source>Receding angle ±</source>
+        <translation>Rückzugswinkel ±</translation>
+    </message>
+    <message>
+        <source>Relative humidity of the air, 1 where it is saturated. Over 1 vapour condenses on the cloth.</source>
+        <translation>Relative Feuchte der Luft, 1 bei Sättigung. Über 1 kondensiert Dampf auf dem Stoff.</translation>
+    </message>
+    <message>
+        <source>Saturation regain</source>
+        <translation>Sättigungsfeuchte</translation>
+    </message>
+    <message>
+        <source>Share of the crowns and hairs on the finished face that the finish leaves untreated: liquid passes there at once. Leave empty for none. Acts in the closure “pores” only.</source>
+        <translation>Anteil der Bindungspunkte und Haare auf der ausgerüsteten Seite, den die Ausrüstung auslässt: Dort dringt Flüssigkeit sofort ein. Leer lassen für keine. Wirkt nur im Saugmodell mit Poren.</translation>
+    </message>
+    <message>
+        <source>Single yarns twisted together. Diameter and linear density are those of the whole yarn.</source>
+        <translation>Zusammengedrehte Einzelgarne. Durchmesser und Fadenfeinheit sind die des ganzen Garns.</translation>
+    </message>
+    <message>
+        <source>Skin temperature</source>
+        <translation>Hauttemperatur</translation>
+    </message>
+    <message>
+        <source>Sleeve</source>
+        <translation>Ärmel</translation>
+    </message>
+    <message>
+        <source>Specific heat</source>
+        <translation>Spezifische Wärme</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Standard regain</source>
+        <translation>Normalfeuchte</translation>
+    </message>
+    <message>
+        <source>Surface tension</source>
+        <translation>Oberflächenspannung</translation>
+    </message>
+    <message>
+        <source>Sweat rate</source>
+        <translation>Schweißrate</translation>
+    </message>
+    <message>
+        <source>That is fed; the skin is at the bottom.</source>
+        <translation>Die gespeist wird; die Haut ist unten.</translation>
+    </message>
+    <message>
+        <source>That the garment is wet with.</source>
+        <translation>Mit dem das Kleidungsstück nass ist.</translation>
+    </message>
+    <message>
+        <source>The feed comes in equal drops of at most this volume, each when the pump has delivered it. Drops join a pool that the cloth absorbs. 0: the feed flows evenly.</source>
+        <translation>Die Zufuhr kommt in gleichen Tropfen von höchstens diesem Volumen, jeder, sobald die Pumpe ihn gefördert hat. Tropfen fließen in eine Lache, die das Gewebe aufnimmt. 0: Die Zufuhr fließt gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Time at which the drop appears.</source>
+        <translation>Zeit, zu der der Tropfen erscheint.</translation>
+    </message>
+    <message>
+        <source>Time for which the pump runs.</source>
+        <translation>Zeit, in der die Pumpe läuft.</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Mal</translation>
+    </message>
+    <message>
+        <source>Times the activity&apos;s factor.</source>
+        <translation>Mal den Faktor der Aktivität.</translation>
+    </message>
+    <message>
+        <source>Tortuosity</source>
+        <translation>Tortuosität</translation>
+    </message>
+    <message>
+        <source>Turns of the plies round each other.</source>
+        <translation>Drehungen der Einzelgarne umeinander.</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Twist direction</source>
+        <translation>Drehrichtung</translation>
+    </message>
+    <message>
+        <source>Viscosity</source>
+        <translation>Viskosität</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Warp crimp</source>
+        <translation>Einwebung der Kette</translation>
+    </message>
+    <message>
+        <source>Warp yarns per centimetre. You can type “89 epi”.</source>
+        <translation>Kettfäden je Zentimeter. Sie können „89 epi“ eingeben.</translation>
+    </message>
+    <message>
+        <source>Water per dry fibre at 100 % relative humidity.</source>
+        <translation>Wasser je trockener Faser bei 100 % relativer Feuchte.</translation>
+    </message>
+    <message>
+        <source>Water per dry fibre at 65 % relative humidity and 20 °C, absorption.</source>
+        <translation>Wasser je trockener Faser bei 65 % relativer Feuchte und 20 °C, Aufnahme.</translation>
+    </message>
+    <message>
+        <source>Weft crimp</source>
+        <translation>Einwebung des Schusses</translation>
+    </message>
+    <message>
+        <source>Weft yarns per centimetre. You can type “89 ppi”.</source>
+        <translation>Schussfäden je Zentimeter. Sie können „89 ppi“ eingeben.</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Flächengewicht</translation>
+    </message>
+    <message>
+        <source>Whether the fabric&apos;s top face lies outside.</source>
+        <translation>Ob die Oberseite des Stoffs außen liegt.</translation>
+    </message>
+    <message>
+        <source>With the loops on both faces. Leave empty to calculate it from the yarns.</source>
+        <translation>Mit den Schlingen auf beiden Seiten. Leer: Sie wird aus den Garnen berechnet.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>
@@ -2844,26 +3336,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Noch kein Tropfen. Fügen Sie einen hinzu, um das Gewebe zu benetzen.</translation>
     </message>
     <message>
-        <source>Volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>droplet volume</source>
-        <translation>Volumen des Tropfens</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>droplet time</source>
-        <translation>Zeit des Tropfens</translation>
-    </message>
-    <message>
-        <source>Time at which the drop appears.</source>
-        <translation>Zeit, zu der der Tropfen erscheint.</translation>
-    </message>
-    <message>
         <source>Position along weft</source>
         <translation>Ort in Schussrichtung</translation>
     </message>
@@ -2880,30 +3352,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Ort in Kettrichtung</translation>
     </message>
     <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>droplet height</source>
-        <translation>Höhe des Tropfens</translation>
-    </message>
-    <message>
-        <source>Height of its lowest point above the fabric.</source>
-        <translation>Höhe seines tiefsten Punktes über dem Gewebe.</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>droplet speed</source>
-        <translation>Geschwindigkeit des Tropfens</translation>
-    </message>
-    <message>
-        <source>Downward speed when it appears.</source>
-        <translation>Geschwindigkeit abwärts, wenn er erscheint.</translation>
-    </message>
-    <message>
         <source>add droplet</source>
         <translation>Tropfen hinzufügen</translation>
     </message>
@@ -2914,6 +3362,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>%1: %2 µl at %3 s, at (%4, %5) %6</source>
         <translation>%1: %2 µl bei %3 s, an (%4, %5) %6</translation>
+    </message>
+    <message>
+        <source>droplet</source>
+        <translation>Tropfen</translation>
     </message>
 </context>
 <context>
@@ -3005,76 +3457,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Klima</translation>
     </message>
     <message>
-        <source>Temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>Humidity</source>
-        <translation>Feuchte</translation>
-    </message>
-    <message>
-        <source>relative humidity</source>
-        <translation>relative Luftfeuchte</translation>
-    </message>
-    <message>
-        <source>Relative humidity of the air, and of the fabric before the first drop.</source>
-        <translation>Relative Feuchte der Luft, und des Gewebes vor dem ersten Tropfen.</translation>
-    </message>
-    <message>
-        <source>Air speed</source>
-        <translation>Luftgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>air speed</source>
-        <translation>Luftgeschwindigkeit</translation>
-    </message>
-    <message>
         <source>Sample</source>
         <translation>Probe</translation>
-    </message>
-    <message>
-        <source>Duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
-        <source>Volume</source>
-        <translation>Volumen</translation>
-    </message>
-    <message>
-        <source>volume of liquid</source>
-        <translation>Volumen der Flüssigkeit</translation>
-    </message>
-    <message>
-        <source>Feed time</source>
-        <translation>Dauer der Zufuhr</translation>
-    </message>
-    <message>
-        <source>feed time</source>
-        <translation>Dauer der Zufuhr</translation>
-    </message>
-    <message>
-        <source>Time for which the pump runs.</source>
-        <translation>Zeit, in der die Pumpe läuft.</translation>
-    </message>
-    <message>
-        <source>Drop volume</source>
-        <translation>Tropfenvolumen</translation>
-    </message>
-    <message>
-        <source>drop volume of the feed</source>
-        <translation>Tropfenvolumen der Zufuhr</translation>
-    </message>
-    <message>
-        <source>The feed comes in equal drops of at most this volume, each when the pump has delivered it. Drops join a pool that the cloth absorbs. 0: the feed flows evenly.</source>
-        <translation>Die Zufuhr kommt in gleichen Tropfen von höchstens diesem Volumen, jeder, sobald die Pumpe ihn gefördert hat. Tropfen fließen in eine Lache, die das Gewebe aufnimmt. 0: Die Zufuhr fließt gleichmäßig.</translation>
     </message>
     <message>
         <source>Strip</source>
@@ -3085,35 +3469,7 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Richtung des Streifens</translation>
     </message>
     <message>
-        <source>Immersion</source>
-        <translation>Eintauchtiefe</translation>
-    </message>
-    <message>
-        <source>immersion</source>
-        <translation>Eintauchtiefe</translation>
-    </message>
-    <message>
-        <source>Depth of the strip&apos;s end below the liquid surface.</source>
-        <translation>Tiefe des Streifenendes unter der Flüssigkeitsoberfläche.</translation>
-    </message>
-    <message>
-        <source>Initial water</source>
-        <translation>Wasser am Anfang</translation>
-    </message>
-    <message>
-        <source>initial water</source>
-        <translation>Wasser am Anfang</translation>
-    </message>
-    <message>
-        <source>Liquid water in the fabric at the start, in addition to its regain in this climate.</source>
-        <translation>Flüssiges Wasser im Gewebe am Anfang, zusätzlich zu seiner Feuchteaufnahme in diesem Klima.</translation>
-    </message>
-    <message>
         <source>Initial temperature</source>
-        <translation>Temperatur am Anfang</translation>
-    </message>
-    <message>
-        <source>initial temperature</source>
         <translation>Temperatur am Anfang</translation>
     </message>
     <message>
@@ -3125,20 +3481,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Feuchte am Anfang</translation>
     </message>
     <message>
-        <source>initial humidity</source>
-        <translation>Feuchte am Anfang</translation>
-    </message>
-    <message>
         <source>Relative humidity of the air in which the sample was conditioned.</source>
         <translation>Relative Feuchte der Luft, in der die Probe klimatisiert wurde.</translation>
-    </message>
-    <message>
-        <source>Sweat rate</source>
-        <translation>Schweißrate</translation>
-    </message>
-    <message>
-        <source>sweat rate</source>
-        <translation>Schweißrate</translation>
     </message>
     <message>
         <source>Bottom</source>
@@ -3227,6 +3571,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>An experiment “%1” already exists. Choose another name.</source>
         <translation>Ein Versuch „%1“ ist schon da. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>initial</source>
+        <translation>Anfang</translation>
     </message>
 </context>
 <context>
@@ -3535,40 +3883,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Konstruktion</translation>
     </message>
     <message>
-        <source>Ends</source>
-        <translation>Kettfäden</translation>
-    </message>
-    <message>
-        <source>ends per cm</source>
-        <translation>Kettfäden je cm</translation>
-    </message>
-    <message>
-        <source>Warp yarns per centimetre. You can type “89 epi”.</source>
-        <translation>Kettfäden je Zentimeter. Sie können „89 epi“ eingeben.</translation>
-    </message>
-    <message>
-        <source>Picks</source>
-        <translation>Schüsse</translation>
-    </message>
-    <message>
-        <source>picks per cm</source>
-        <translation>Schüsse je cm</translation>
-    </message>
-    <message>
-        <source>Weft yarns per centimetre. You can type “89 ppi”.</source>
-        <translation>Schussfäden je Zentimeter. Sie können „89 ppi“ eingeben.</translation>
-    </message>
-    <message>
-        <source>Thickness</source>
-        <translation>Dicke</translation>
-    </message>
-    <message>
         <source>thickness</source>
         <translation>Dicke</translation>
-    </message>
-    <message>
-        <source>Leave empty to calculate it from the yarns.</source>
-        <translation>Leer lassen, um sie aus den Garnen zu berechnen.</translation>
     </message>
     <message>
         <source>Auto</source>
@@ -3577,18 +3893,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Calculate the thickness from the yarns</source>
         <translation>Die Dicke aus den Garnen berechnen</translation>
-    </message>
-    <message>
-        <source>Contact angle</source>
-        <translation>Randwinkel</translation>
-    </message>
-    <message>
-        <source>contact angle</source>
-        <translation>Randwinkel</translation>
-    </message>
-    <message>
-        <source>Advancing contact angle of water on the finished fabric. Leave empty to use that of each yarn&apos;s fibres. Above 90° the yarns do not absorb water.</source>
-        <translation>Fortschreitender Randwinkel von Wasser auf dem ausgerüsteten Gewebe. Leer lassen, um den der Fasern jedes Garns zu nehmen. Über 90° nehmen die Garne kein Wasser auf.</translation>
     </message>
     <message>
         <source>As the fibres</source>
@@ -3623,48 +3927,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Randwinkel von Wasser, das sich zurückzieht, von Kette und Schuss; 0 auf Baumwolle, Flachs, Hanf und Viskose, sonst 20° weniger als der Randwinkel, beides angenommen, wenn der Werkstoff keinen nennt. Wirkt nur im Saugmodell mit Poren.</translation>
     </message>
     <message>
-        <source>Contact angle of a finish on this face alone. Leave empty for the yarns&apos; own. Acts in the closure “pores” only.</source>
-        <translation>Randwinkel einer Ausrüstung nur auf dieser Seite. Leer lassen für den der Garne selbst. Wirkt nur im Saugmodell mit Poren.</translation>
-    </message>
-    <message>
-        <source>Finish, top face</source>
-        <translation>Ausrüstung, Oberseite</translation>
-    </message>
-    <message>
-        <source>finish of the top face</source>
-        <translation>Ausrüstung der Oberseite</translation>
-    </message>
-    <message>
-        <source>Finish, back</source>
-        <translation>Ausrüstung, Rückseite</translation>
-    </message>
-    <message>
-        <source>finish of the back</source>
-        <translation>Ausrüstung der Rückseite</translation>
-    </message>
-    <message>
         <source>%1° × %2°</source>
         <translation>%1° × %2°</translation>
-    </message>
-    <message>
-        <source>How much longer the yarn is than the fabric. Leave empty to share the crimp between warp and weft by their stiffness.</source>
-        <translation>Um wie viel länger das Garn ist als das Gewebe. Leer lassen, um die Einwebung nach der Steifigkeit auf Kette und Schuss zu verteilen.</translation>
-    </message>
-    <message>
-        <source>Warp crimp</source>
-        <translation>Einwebung der Kette</translation>
-    </message>
-    <message>
-        <source>warp crimp</source>
-        <translation>Einwebung der Kette</translation>
-    </message>
-    <message>
-        <source>Weft crimp</source>
-        <translation>Einwebung des Schusses</translation>
-    </message>
-    <message>
-        <source>weft crimp</source>
-        <translation>Einwebung des Schusses</translation>
     </message>
     <message>
         <source>Calculated</source>
@@ -3731,116 +3995,12 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Abstehende Fasern</translation>
     </message>
     <message>
-        <source>Loops</source>
-        <translation>Schlingen</translation>
-    </message>
-    <message>
-        <source>loop density</source>
-        <translation>Schlingendichte</translation>
-    </message>
-    <message>
-        <source>Fibres that leave the yarn and come back to it, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns.</source>
-        <translation>Fasern, die das Garn verlassen und zurückkehren, je mm Garn. Im Saugmodell mit Poren halten sie fallende Tropfen von trockenen Garnen fern.</translation>
-    </message>
-    <message>
-        <source>Hairs</source>
-        <translation>Faserenden</translation>
-    </message>
-    <message>
-        <source>hair density</source>
-        <translation>Dichte der Faserenden</translation>
-    </message>
-    <message>
-        <source>Fibre ends that stand out of the yarn, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns.</source>
-        <translation>Faserenden, die vom Garn abstehen, je mm Garn. Im Saugmodell mit Poren halten sie fallende Tropfen von trockenen Garnen fern.</translation>
-    </message>
-    <message>
-        <source>Loop height</source>
-        <translation>Schlingenhöhe</translation>
-    </message>
-    <message>
-        <source>loop height</source>
-        <translation>Schlingenhöhe</translation>
-    </message>
-    <message>
-        <source>Height of the highest loop above the yarn; the lowest is half as high. Loops make the cloth thicker, and the still air among them slows drying.</source>
-        <translation>Höhe der höchsten Schlinge über dem Garn; die niedrigste ist halb so hoch. Schlingen machen das Gewebe dicker, und die ruhende Luft in ihnen verlangsamt das Trocknen.</translation>
-    </message>
-    <message>
-        <source>Hair length</source>
-        <translation>Länge der Enden</translation>
-    </message>
-    <message>
-        <source>hair length</source>
-        <translation>Länge der Faserenden</translation>
-    </message>
-    <message>
-        <source>Mean length of the fibre ends; the shortest have half of it, the longest one and a half times.</source>
-        <translation>Mittlere Länge der Faserenden; die kürzesten haben die Hälfte, die längsten das Anderthalbfache.</translation>
-    </message>
-    <message>
         <source>Measured in the laboratory</source>
         <translation>Im Labor gemessen</translation>
     </message>
     <message>
-        <source>Replaces the calculated value. Leave empty to use the calculated one.</source>
-        <translation>Ersetzt den berechneten Wert. Leer lassen, um den berechneten zu nehmen.</translation>
-    </message>
-    <message>
-        <source>measured porosity</source>
-        <translation>gemessene Porosität</translation>
-    </message>
-    <message>
-        <source>measured weight</source>
-        <translation>gemessenes Flächengewicht</translation>
-    </message>
-    <message>
-        <source>Pore radius</source>
-        <translation>Porenradius</translation>
-    </message>
-    <message>
-        <source>measured pore radius</source>
-        <translation>gemessener Porenradius</translation>
-    </message>
-    <message>
-        <source>Tortuosity</source>
-        <translation>Tortuosität</translation>
-    </message>
-    <message>
-        <source>measured tortuosity</source>
-        <translation>gemessene Tortuosität</translation>
-    </message>
-    <message>
-        <source>Crimp</source>
-        <translation>Einwebung</translation>
-    </message>
-    <message>
-        <source>measured crimp</source>
-        <translation>gemessene Einwebung</translation>
-    </message>
-    <message>
-        <source>Finish, depth</source>
-        <translation>Ausrüstung, Tiefe</translation>
-    </message>
-    <message>
-        <source>depth of the finish</source>
-        <translation>Tiefe der Ausrüstung</translation>
-    </message>
-    <message>
-        <source>How deep the finish of a face reaches, of the fabric&apos;s thickness. The yarns wick below it. Leave empty for 10 %, which is assumed. 100 %: the yarns that lie on the face are finished through. Acts in the closure “pores” only.</source>
-        <translation>Wie tief die Ausrüstung einer Seite reicht, als Anteil der Gewebedicke. Darunter saugen die Garne. Leer lassen für 10 %, eine Annahme. 100 %: Die Garne auf der Seite sind ganz ausgerüstet. Wirkt nur im Saugmodell mit Poren.</translation>
-    </message>
-    <message>
-        <source>Finish, untreated</source>
-        <translation>Ausrüstung, Lücken</translation>
-    </message>
-    <message>
-        <source>holes of the finish</source>
-        <translation>Lücken der Ausrüstung</translation>
-    </message>
-    <message>
-        <source>Share of the crowns and hairs on the finished face that the finish leaves untreated: liquid passes there at once. Leave empty for none. Acts in the closure “pores” only.</source>
-        <translation>Anteil der Bindungspunkte und Haare auf der ausgerüsteten Seite, den die Ausrüstung auslässt: Dort dringt Flüssigkeit sofort ein. Leer lassen für keine. Wirkt nur im Saugmodell mit Poren.</translation>
+        <source>measured</source>
+        <translation>gemessen</translation>
     </message>
 </context>
 <context>
@@ -4061,78 +4221,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Des Querschnitts, geteilt durch den eines Kreises gleicher Fläche; tief gerillte Fasern erreichen 2,5 bis 3.</translation>
     </message>
     <message>
-        <source>Fibre radius</source>
-        <translation>Faserradius</translation>
-    </message>
-    <message>
-        <source>fibre radius</source>
-        <translation>Faserradius</translation>
-    </message>
-    <message>
-        <source>Of a circle of the fibre&apos;s area. A yarn&apos;s filament count takes its place.</source>
-        <translation>Eines Kreises mit der Fläche der Faser. Die Filamentzahl eines Garns ersetzt ihn.</translation>
-    </message>
-    <message>
-        <source>Fibre density</source>
-        <translation>Faserdichte</translation>
-    </message>
-    <message>
-        <source>fibre density</source>
-        <translation>Faserdichte</translation>
-    </message>
-    <message>
-        <source>Of the dry fibre.</source>
-        <translation>Der trockenen Faser.</translation>
-    </message>
-    <message>
-        <source>Contact angle</source>
-        <translation>Randwinkel</translation>
-    </message>
-    <message>
-        <source>contact angle of the fibre</source>
-        <translation>Randwinkel der Faser</translation>
-    </message>
-    <message>
-        <source>Of water that advances. A fabric&apos;s finish takes its place.</source>
-        <translation>Von vorrückendem Wasser. Die Ausrüstung eines Gewebes ersetzt ihn.</translation>
-    </message>
-    <message>
-        <source>Receding angle</source>
-        <translation>Rückzugswinkel</translation>
-    </message>
-    <message>
-        <source>receding angle of the fibre</source>
-        <translation>Rückzugswinkel der Faser</translation>
-    </message>
-    <message>
-        <source>Of water that draws back; at most the contact angle. Leave empty for the assumed one. Acts in the closure “pores” only.</source>
-        <translation>Von Wasser, das sich zurückzieht; höchstens der Randwinkel. Leer lassen für den angenommenen. Wirkt nur im Saugmodell mit Poren.</translation>
-    </message>
-    <message>
-        <source>Standard regain</source>
-        <translation>Normalfeuchte</translation>
-    </message>
-    <message>
-        <source>standard regain</source>
-        <translation>Feuchteaufnahme im Normalklima</translation>
-    </message>
-    <message>
-        <source>Water per dry fibre at 65 % relative humidity and 20 °C, absorption.</source>
-        <translation>Wasser je trockener Faser bei 65 % relativer Feuchte und 20 °C, Aufnahme.</translation>
-    </message>
-    <message>
-        <source>Saturation regain</source>
-        <translation>Sättigungsfeuchte</translation>
-    </message>
-    <message>
-        <source>saturation regain</source>
-        <translation>Feuchteaufnahme bei Sättigung</translation>
-    </message>
-    <message>
-        <source>The same at 100 % relative humidity.</source>
-        <translation>Dasselbe bei 100 % relativer Feuchte.</translation>
-    </message>
-    <message>
         <source>as the fibre it is based on</source>
         <translation>wie die Ausgangsfaser</translation>
     </message>
@@ -4155,38 +4243,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>isotherm</source>
         <translation>Isotherme</translation>
-    </message>
-    <message>
-        <source>Conductivity</source>
-        <translation>Leitfähigkeit</translation>
-    </message>
-    <message>
-        <source>thermal conductivity</source>
-        <translation>Wärmeleitfähigkeit</translation>
-    </message>
-    <message>
-        <source>Of heat, across the fibre.</source>
-        <translation>Für Wärme, quer zur Faser.</translation>
-    </message>
-    <message>
-        <source>Specific heat</source>
-        <translation>Spezifische Wärme</translation>
-    </message>
-    <message>
-        <source>specific heat</source>
-        <translation>spezifische Wärme</translation>
-    </message>
-    <message>
-        <source>Heat of wetting</source>
-        <translation>Benetzungswärme</translation>
-    </message>
-    <message>
-        <source>heat of wetting</source>
-        <translation>Benetzungswärme</translation>
-    </message>
-    <message>
-        <source>From dry to saturated, per gram of fibre. 0: what the law of sorption heats gives.</source>
-        <translation>Von trocken bis gesättigt, je Gramm Faser. 0: was das Gesetz der Sorptionswärmen ergibt.</translation>
     </message>
     <message>
         <source>“%1”</source>
@@ -4247,6 +4303,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>None yet. “Own…” beside the fibre of a yarn makes one of it.</source>
         <translation>Noch keine. „Eigene…“ neben der Faser eines Garns macht daraus eine.</translation>
+    </message>
+    <message>
+        <source>fibre&apos;s</source>
+        <translation>Faser:</translation>
     </message>
 </context>
 <context>
@@ -4542,24 +4602,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Brust</translation>
     </message>
     <message>
-        <source>Length</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
-        <source>Ease</source>
-        <translation>Zugabe</translation>
-    </message>
-    <message>
-        <source>Sleeve</source>
-        <translation>Ärmel</translation>
-    </message>
-    <message>
         <source>change %1</source>
         <translation>%1 ändern</translation>
-    </message>
-    <message>
-        <source>Skin temperature</source>
-        <translation>Hauttemperatur</translation>
     </message>
     <message>
         <source>change skin temperature</source>
@@ -5878,34 +5922,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Experiments that use the liquid</source>
         <translation>Versuche, die die Flüssigkeit verwenden</translation>
-    </message>
-    <message>
-        <source>At 20 °C. Other temperatures scale it as for water.</source>
-        <translation>Bei 20 °C. Andere Temperaturen ändern sie wie bei Wasser.</translation>
-    </message>
-    <message>
-        <source>Surface tension</source>
-        <translation>Oberflächenspannung</translation>
-    </message>
-    <message>
-        <source>surface tension</source>
-        <translation>Oberflächenspannung</translation>
-    </message>
-    <message>
-        <source>Viscosity</source>
-        <translation>Viskosität</translation>
-    </message>
-    <message>
-        <source>viscosity</source>
-        <translation>Viskosität</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>Dichte</translation>
-    </message>
-    <message>
-        <source>density</source>
-        <translation>Dichte</translation>
     </message>
     <message>
         <source>“%1”</source>
@@ -9854,26 +9870,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Aktivität</translation>
     </message>
     <message>
-        <source>Duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
-        <source>Air</source>
-        <translation>Luft</translation>
-    </message>
-    <message>
-        <source>Humidity</source>
-        <translation>Feuchte</translation>
-    </message>
-    <message>
-        <source>Air speed</source>
-        <translation>Luftgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Water at start</source>
-        <translation>Wasser am Anfang</translation>
-    </message>
-    <message>
         <source>Wear experiment</source>
         <translation>Trageversuch</translation>
     </message>
@@ -10381,38 +10377,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Garne der Streifen</translation>
     </message>
     <message>
-        <source>Filaments</source>
-        <translation>Filamente</translation>
-    </message>
-    <message>
-        <source>filament count</source>
-        <translation>Filamentzahl</translation>
-    </message>
-    <message>
-        <source>Of a yarn of continuous filaments. Their radius, and the pores between them, follow from it and the linear density. Leave empty for staple yarns: the material&apos;s fibre radius counts.</source>
-        <translation>Eines Garns aus endlosen Filamenten. Ihr Radius und die Poren zwischen ihnen folgen aus der Zahl und der Fadenfeinheit. Leer lassen bei Stapelfasergarnen: Dann gilt der Faserradius des Werkstoffs.</translation>
-    </message>
-    <message>
-        <source>Fibres drawn</source>
-        <translation>Gezeichnete Fasern</translation>
-    </message>
-    <message>
-        <source>fibre count</source>
-        <translation>Faserzahl</translation>
-    </message>
-    <message>
-        <source>Per yarn, in pictures and exports. Each represents a bundle of real fibres.</source>
-        <translation>Je Garn, in Bildern und Exporten. Jede steht für ein Bündel wirklicher Fasern.</translation>
-    </message>
-    <message>
-        <source>Irregularity</source>
-        <translation>Ungleichmäßigkeit</translation>
-    </message>
-    <message>
-        <source>irregularity</source>
-        <translation>Ungleichmäßigkeit</translation>
-    </message>
-    <message>
         <source>Crimp</source>
         <translation>Einwebung</translation>
     </message>
@@ -10427,74 +10391,6 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>Radius of the pores between the fibres; they draw water in by capillarity.</source>
         <translation>Radius der Poren zwischen den Fasern; sie saugen Wasser durch Kapillarität ein.</translation>
-    </message>
-    <message>
-        <source>Diameter</source>
-        <translation>Durchmesser</translation>
-    </message>
-    <message>
-        <source>diameter</source>
-        <translation>Durchmesser</translation>
-    </message>
-    <message>
-        <source>Packing</source>
-        <translation>Packungsdichte</translation>
-    </message>
-    <message>
-        <source>packing factor</source>
-        <translation>Packungsdichte</translation>
-    </message>
-    <message>
-        <source>Fibre volume divided by yarn volume: 0.45 to 0.68 for spun yarns.</source>
-        <translation>Faservolumen geteilt durch Garnvolumen: 0.5 bis 0.65 bei Spinnfasergarnen.</translation>
-    </message>
-    <message>
-        <source>Twist</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>twist</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>Twist direction</source>
-        <translation>Drehrichtung</translation>
-    </message>
-    <message>
-        <source>%1 twist direction</source>
-        <translation>%1: Drehrichtung</translation>
-    </message>
-    <message>
-        <source>Plies</source>
-        <translation>Fachung</translation>
-    </message>
-    <message>
-        <source>plies</source>
-        <translation>Fachung</translation>
-    </message>
-    <message>
-        <source>Single yarns twisted together. Diameter and linear density are those of the whole yarn.</source>
-        <translation>Zusammengedrehte Einzelgarne. Durchmesser und Fadenfeinheit sind die des ganzen Garns.</translation>
-    </message>
-    <message>
-        <source>Ply twist</source>
-        <translation>Zwirndrehung</translation>
-    </message>
-    <message>
-        <source>ply twist</source>
-        <translation>Zwirndrehung</translation>
-    </message>
-    <message>
-        <source>Turns of the plies round each other.</source>
-        <translation>Drehungen der Einzelgarne umeinander.</translation>
-    </message>
-    <message>
-        <source>Ply direction</source>
-        <translation>Zwirnrichtung</translation>
-    </message>
-    <message>
-        <source>%1 ply twist direction</source>
-        <translation>%1: Richtung der Zwirndrehung</translation>
     </message>
     <message>
         <source>S twist</source>
@@ -10593,18 +10489,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Kern aus %1</translation>
     </message>
     <message>
-        <source>Core share</source>
-        <translation>Kernanteil</translation>
-    </message>
-    <message>
-        <source>core share</source>
-        <translation>Kernanteil</translation>
-    </message>
-    <message>
-        <source>Fraction of the core, by the yarn&apos;s dry mass.</source>
-        <translation>Anteil des Kerns an der Trockenmasse des Garns.</translation>
-    </message>
-    <message>
         <source>Own fibre from the yarn&apos;s</source>
         <translation>Eigene Faser aus der des Garns</translation>
     </message>
@@ -10653,16 +10537,8 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Wie im Handel üblich, mit Fachung und Filamenten: %1. Der Durchmesser folgt daraus.</translation>
     </message>
     <message>
-        <source>Of the free, round yarn. Typed here, it takes the place of the count.</source>
-        <translation>Des freien, runden Garns. Hier eingegeben, tritt er an die Stelle der Feinheit.</translation>
-    </message>
-    <message>
         <source>from the count</source>
         <translation>aus der Feinheit</translation>
-    </message>
-    <message>
-        <source>Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for what is usual of such a yarn. Acts in the closure “pores” only.</source>
-        <translation>Variationskoeffizient der Feinheit entlang des Garns (Uster CVm). Leer lassen für das, was bei einem solchen Garn üblich ist. Wirkt nur im Saugmodell mit Poren.</translation>
     </message>
 </context>
 <context>

@@ -3,8 +3,8 @@
 #include "core/base/error.h"
 #include "core/design/fabric_parts.h"
 #include "core/project/project_json.h"
+#include "core/project/project_schema.h"
 
-#include <QFile>
 #include <QTest>
 
 #include <algorithm>
@@ -102,12 +102,8 @@ Change change_of(const std::string& key)
 
 const ProjectJson& schema()
 {
-    static const ProjectJson parsed = [] {
-        QFile file(HYGROLOOM_SOURCE_DIR "/resources/schema/hygroloom-project-1.schema.json");
-        if (!file.open(QIODevice::ReadOnly)) throw Error("The schema cannot be read.");
-        return ProjectJson::parse(file.readAll().toStdString());
-    }();
-    return parsed;
+    static const ProjectJson filled = project_schema();
+    return filled;
 }
 
 /// The keys that hold no others, by their path in a fabric; those of a list's members are the list's.

@@ -323,7 +323,7 @@ private Q_SLOTS:
         }
         experiment.drop_ul = 0.4;
         QCOMPARE(QString::fromStdString(find(validate(design), "range")->text),
-                 QString("The volume of each drop of the feed must be 0 (the feed flows evenly) or from 0.5 to 1000 ul; given is 0.4."));
+                 QString("The volume of each drop of the feed must be 0 (the feed flows evenly) or at least 0.5 ul; given is 0.4."));
         experiment.volume_ul = 1e4;
         experiment.drop_ul = 2;
         QCOMPARE(QString::fromStdString(find(validate(design), "too_many_drops")->text),

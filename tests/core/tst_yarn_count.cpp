@@ -287,7 +287,7 @@ private Q_SLOTS:
             QCOMPARE(units.front().stored(7.25), 7.25);
             for (const TradeUnit& unit : units) QVERIFY(std::abs(unit.typed(unit.stored(7.25)) - 7.25) < 1e-12);
         }
-        QCOMPARE(stored_kind("fibre_diffusivity_m2_s"), Stored::number);
+        QCOMPARE(stored_kind("fibre_diffusivity_m2_s"), Stored::m2_per_second);
         QCOMPARE(stored_kind("rate_g_m2_h"), Stored::g_per_m2_hour);
         QCOMPARE(stored_kind("loop_density_per_mm"), Stored::per_mm);
     }

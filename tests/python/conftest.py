@@ -11,6 +11,7 @@ import hygroloom
 
 SOURCE = pathlib.Path(os.environ.get("HYGROLOOM_SOURCE", pathlib.Path(__file__).resolve().parents[2]))
 EXAMPLES = SOURCE / "resources/examples"
+PROGRAM = os.environ.get("HYGROLOOM_CLI") or SOURCE / "build/release/bin/hygroloom-cli"
 
 
 def pytest_configure(config):
@@ -34,10 +35,9 @@ def small():
 @pytest.fixture(scope="session")
 def cli():
     """Runs hygroloom-cli and gives its JSON."""
-    program = os.environ.get("HYGROLOOM_CLI") or SOURCE / "build/release/bin/hygroloom-cli"
 
     def run(*arguments):
-        ended = subprocess.run([program, *map(str, arguments), "--json", "--quiet"], capture_output=True, text=True, timeout=120)
+        ended = subprocess.run([PROGRAM, *map(str, arguments), "--json", "--quiet"], capture_output=True, text=True, timeout=120)
         assert ended.returncode == 0, ended.stderr
         return json.loads(ended.stdout)
 

@@ -3,13 +3,14 @@
 import copy
 import json
 import math
+import subprocess
 
 import pytest
 
 import hygroloom
-from conftest import SOURCE
+from conftest import PROGRAM
 
-SCHEMA = json.loads((SOURCE / "resources/schema/hygroloom-project-1.schema.json").read_text())
+SCHEMA = json.loads(subprocess.run([PROGRAM, "reference", "--as", "schema"], capture_output=True, check=True).stdout)
 OTHER_NAME = {"sorption_heat_j_g": "heat_of_wetting_j_g"}  # of the same value, which messages call so
 KEPT_AS_GIVEN = {("seams", "default"), ("gap_mm", "default")}  # a project that says them differs from one that does not; both mean the same
 AIR = {"temperature_c": 21.0, "relative_humidity": 0.5, "air_speed_m_s": 0.2}

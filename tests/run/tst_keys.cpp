@@ -7,9 +7,9 @@
 #include "core/plan/idle_keys.h"
 #include "core/plan/planning.h"
 #include "core/project/project_json.h"
+#include "core/project/project_schema.h"
 #include "core/verify/set_ups.h"
 
-#include <QFile>
 #include <QTest>
 
 #include <algorithm>
@@ -234,9 +234,7 @@ void find_keys(const ProjectJson& part, const std::string& object, std::set<std:
 
 std::set<std::string> keys_of_schema()
 {
-    QFile file(HYGROLOOM_SOURCE_DIR "/resources/schema/hygroloom-project-1.schema.json");
-    if (!file.open(QIODevice::ReadOnly)) throw Error("The schema cannot be read.");
-    const ProjectJson schema = ProjectJson::parse(file.readAll().toStdString());
+    const ProjectJson schema = project_schema();
     std::set<std::string> keys;
     find_keys(schema, "project", keys);
     for (const auto& [object, part] : schema.at("$defs").items()) find_keys(part, object, keys);

@@ -201,7 +201,7 @@ private Q_SLOTS:
         Fabric fabric = sheeting(true, false, 0.1);
         fabric.finish_face = 60;
         const double hardly = absorbency(fabric), readily = absorbency(untreated);
-        // The rooms below draw less, so the drop stands and spreads longer; on this cloth that is 0.07 s for 0.09.
+        // A tenth of the thickness: with single yarns 20 to 75 degrees give 0.106 to 0.129 s, 35 as on the rest 0.114 to the last digit.
         QVERIFY2(hardly >= 0.75 * readily && hardly < 2 * readily, qPrintable(QString("%1 %2").arg(hardly).arg(readily)));
     }
 };

@@ -86,7 +86,7 @@ private Q_SLOTS:
         QVERIFY(document_->fabric()->extra_yarns[0] == document_->fabric()->warp);
         QCOMPARE(document_->history()->undoText(), QString("stripe yarn diameter"));
         checkUndoAndRedo(before);
-        for (const char* field : {"stripe yarn twist", "stripe yarn plies", "stripe yarn fibre count"}) {
+        for (const char* field : {"stripe yarn twist", "stripe yarn plies", "stripe yarn fibres drawn"}) {
             const Yarn was = document_->fabric()->extra_yarns[1];
             QTest::keyClick(panel.findChild<QuantityEdit*>(field), Qt::Key_Up);
             QVERIFY2(document_->fabric()->extra_yarns[1] != was, field);
@@ -207,7 +207,7 @@ private Q_SLOTS:
         for (int i = 0; i < 5; ++i) { QTest::keyClick(ends, Qt::Key_Up); }
 
         QCOMPARE(document_->history()->count(), 1);
-        QCOMPARE(document_->history()->undoText(), QString("ends per cm"));
+        QCOMPARE(document_->history()->undoText(), QString("ends"));
         document_->history()->undo();
         QCOMPARE(text(), before);
         QCOMPARE(*ends->value(), document_->fabric()->ends_per_cm);

@@ -77,22 +77,22 @@ private Q_SLOTS:
     void fieldsShowWhatIsWrong()
     {
         press("Own fibre from the yarn's");
-        Q_EMIT edit("receding angle of the fibre")->edited(170, false);
+        Q_EMIT edit("fibre's receding angle")->edited(170, false);
         QVERIFY(document_->hasError());
-        QVERIFY(edit("receding angle of the fibre")->toolTip().contains("cannot be above the contact angle"));
+        QVERIFY(edit("fibre's receding angle")->toolTip().contains("cannot be above the contact angle"));
         document_->endStroke();
-        Q_EMIT edit("receding angle of the fibre")->edited(std::nullopt, false);
+        Q_EMIT edit("fibre's receding angle")->edited(std::nullopt, false);
         QVERIFY(!document_->hasError());
-        Q_EMIT edit("fibre radius")->edited(9, false);
+        Q_EMIT edit("fibre's radius")->edited(9, false);
         QCOMPARE(own().fibre_radius_um, 9.0);
-        QVERIFY(edit("fibre radius")->text().endsWith("µm"));
+        QVERIFY(edit("fibre's radius")->text().endsWith("µm"));
     }
 
     /// A number would change nothing while the library's isotherm is used: the window says so, and offers the master curve.
     void aRegainOfOnesOwnNeedsTheMasterCurve()
     {
         press("Own fibre from the blended one");
-        Q_EMIT edit("standard regain")->edited(0.12, false);
+        Q_EMIT edit("fibre's standard regain")->edited(0.12, false);
         QVERIFY(!document_->issuesAt("materials[0].isotherm").empty());
         Q_EMIT choice("Isotherm")->activated(1);
         QVERIFY(!own().gab.given());

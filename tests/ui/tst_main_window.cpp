@@ -469,7 +469,7 @@ private Q_SLOTS:
         QTest::newRow("a fabric as a whole") << "fabrics[1]" << 1 << 0 << "Fabrics of the project";
         QTest::newRow("another experiment") << "experiments[1].duration_s" << 0 << 1 << "Duration";
         QTest::newRow("a liquid") << "liquids[0].density_kg_m3" << 0 << 0 << "Density";
-        QTest::newRow("a material") << "materials[0].density_kg_m3" << 1 << 0 << "Fibre density";
+        QTest::newRow("a material") << "materials[0].density_kg_m3" << 1 << 0 << "Density";
         QTest::newRow("a material's name") << "materials[0].name" << 1 << 0 << "Rename the fibre";
     }
     void anIssueLeadsToWhatItIsAbout()

@@ -4,10 +4,10 @@
 #include "core/base/error.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"
+#include "core/project/project_schema.h"
 #include "core/wear/wear_metrics.h"
 #include "tests/wear/flat_garment.h"
 
-#include <QFile>
 #include <QTest>
 
 #include <set>
@@ -131,9 +131,7 @@ class TestWearKeys : public QObject {
 private Q_SLOTS:
     void everyKeyIsListed()
     {
-        QFile file(HYGROLOOM_SOURCE_DIR "/resources/schema/hygroloom-project-1.schema.json");
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const ProjectJson schema = ProjectJson::parse(file.readAll().toStdString());
+        const ProjectJson schema = project_schema();
         std::set<std::string> keys, listed;
         for (const char* object : {"garment", "wear"}) find_keys(schema.at("$defs").at(object), object, keys);
         QVERIFY(keys.size() > 20);

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace hygroloom {
 
@@ -94,6 +95,41 @@ QString bytesText(double bytes)
     return shownNumber(count.number, count.decimals) + QChar(0x00a0) + count.unit;
 }
 
+Quantity Quantity::of(Stored unit, double minimum, double maximum, bool is_whole)
+{
+    struct Look {
+        double step;
+        int decimals;
+        Measure measure = Measure::other;
+    };
+    static const std::map<Stored, Look> looks{{Stored::number, {0.01, 3}},
+                                              {Stored::fraction, {0.01, 3}},
+                                              {Stored::degree, {5, 1}},
+                                              {Stored::per_cm, {1, 2, Measure::sett}},
+                                              {Stored::per_m, {50, 1}},
+                                              {Stored::per_mm, {1, 2}},
+                                              {Stored::mm, {0, 4, Measure::length}},
+                                              {Stored::um, {0.5, 3}},
+                                              {Stored::tex, {0, 2, Measure::linear_density}},
+                                              {Stored::celsius, {1, 1, Measure::temperature}},
+                                              {Stored::second, {1, 3}},
+                                              {Stored::metre_per_second, {0.1, 2}},
+                                              {Stored::microlitre, {1, 2}},
+                                              {Stored::g_per_m2, {10, 1}},
+                                              {Stored::g_per_m2_hour, {50, 1}},
+                                              {Stored::mn_per_m, {1, 2}},
+                                              {Stored::mpa_second, {0.1, 4}},
+                                              {Stored::kg_per_m3, {10, 1}},
+                                              {Stored::percent, {0.5, 1}},
+                                              {Stored::watt_per_m_kelvin, {0.01, 4}},
+                                              {Stored::joule_per_kg_kelvin, {10, 1}},
+                                              {Stored::joule_per_g, {1, 2}}};
+    if (unit == Stored::share) { return percent(minimum, maximum); }
+    if (is_whole) { return quantity(unit, minimum, maximum, 1, 0); }
+    const Look& look = looks.at(unit);
+    return quantity(unit, minimum, maximum, look.step, look.decimals, look.measure);
+}
+
 Quantity Quantity::length(double minimum_mm, double maximum_mm)
 {
     return quantity(Stored::mm, minimum_mm, maximum_mm, 0, 4, Measure::length);
@@ -117,7 +153,7 @@ Quantity Quantity::fraction(double minimum, double maximum) { return quantity(St
 
 Quantity Quantity::percent(double minimum, double maximum)
 {
-    Quantity q = quantity(Stored::fraction, minimum, maximum, 5, 1);
+    Quantity q = quantity(Stored::share, minimum, maximum, maximum > 0.5 ? 5 : 0.5, maximum > 0.5 ? 1 : 2);
     q.units.erase(q.units.begin()); // a number alone is one of percent
     q.unit = spelled(q.units.front());
     q.shown_per_stored = 100;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/trade_units.h"
+#include "core/design/field.h"
 
 #include <QCoreApplication>
 #include <QString>
@@ -27,6 +28,9 @@ struct Quantity {
     double step = 0;  ///< of an arrow key, in the shown unit; 0: a tenth of the number's own magnitude
     int decimals = 3; ///< 0: a count, of which no fraction is taken
 
+    /// Of a row of fields: as its unit is usually shown and stepped.
+    static Quantity of(Stored unit, double minimum, double maximum, bool is_whole);
+    template <typename Owner> static Quantity of(const Field<Owner>& row) { return of(row.unit(), row.least, row.most, row.is_whole()); }
     static Quantity length(double minimum_mm, double maximum_mm);
     static Quantity linearDensity(double minimum_tex, double maximum_tex);
     static Quantity sett(double minimum_per_cm, double maximum_per_cm);

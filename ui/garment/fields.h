@@ -2,6 +2,8 @@
 // What the forms of this room share: fields that follow the design, and edit it.
 #pragma once
 
+#include "core/design/fields.h"
+#include "ui/basics/core_words.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
 
@@ -66,6 +68,15 @@ QuantityEdit* quantityField(Document& document, const Quantity& quantity, const 
         if (!stepping) { document.endStroke(); }
     });
     QObject::connect(edit, &QuantityEdit::strokeEnded, edit, [&document] { document.endStroke(); });
+    return edit;
+}
+/// The same of the row of a key; without a name by its label.
+template <typename Owner, typename Change>
+QuantityEdit* rowField(Document& document, std::string_view key, const Change& change, const QString& name = {})
+{
+    const Field<Owner>& row = field_named<Owner>(key);
+    QuantityEdit* edit = quantityField(document, Quantity::of(row), name.isEmpty() ? coreWord(row.label) : name, change);
+    edit->setHelp(coreWord(row.help));
     return edit;
 }
 

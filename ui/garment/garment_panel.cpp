@@ -155,32 +155,30 @@ QWidget* GarmentPanel::makeSize()
     auto* grid = new QGridLayout(box);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(4);
-    addSize(grid, tr("Chest"), "chest_mm", &BuiltInGarment::chest_mm);
-    addSize(grid, tr("Length"), "length_mm", &BuiltInGarment::length_mm);
-    addSize(grid, tr("Ease"), "ease_mm", &BuiltInGarment::ease_mm);
-    addSize(grid, tr("Sleeve"), "sleeve_mm", &BuiltInGarment::sleeve_mm);
+    for (const Field<BuiltInGarment>& size : fields_of<BuiltInGarment>()) { addSize(grid, size); }
     return box;
 }
 
 /// Two fields a row.
-void GarmentPanel::addSize(QGridLayout* grid, const QString& name, const char* key, double BuiltInGarment::*value)
+void GarmentPanel::addSize(QGridLayout* grid, const Field<BuiltInGarment>& size)
 {
     const int place = static_cast<int>(sizes_.size());
-    auto* edit = quantityField(choice_.document(), Quantity::length(0, 2000), name, [this, key, value, name](double typed) {
-        editGarment(choice_.document(), tr("change %1").arg(withinSentence(name)), choice_.garmentIndex(), key,
-                    [&](Garment& garment) { garment.built_in.*value = typed; });
+    const QString name = coreWord(size.label);
+    auto* edit = rowField<BuiltInGarment>(choice_.document(), size.key, [this, &size, name](double typed) {
+        editGarment(choice_.document(), tr("change %1").arg(withinSentence(name)), choice_.garmentIndex(), size.key,
+                    [&](Garment& garment) { set_field(size, garment.built_in, typed); });
     });
     edit->setMinimumWidth(edit->fontMetrics().horizontalAdvance("1000 mm") + 24);
     auto* label = new QLabel(name);
     label->setBuddy(edit);
     grid->addWidget(label, place / 2, 2 * (place % 2));
     grid->addWidget(edit, place / 2, 2 * (place % 2) + 1);
-    sizes_.push_back({label, edit, key, value});
+    sizes_.push_back({label, edit, size});
 }
 
 QWidget* GarmentPanel::makeWearer()
 {
-    skin_ = quantityField(choice_.document(), Quantity::temperature(10, 45), tr("Skin temperature"), [this](double value) {
+    skin_ = rowField<Wearer>(choice_.document(), "skin_temperature_c", [this](double value) {
         editGarment(choice_.document(), tr("change skin temperature"), choice_.garmentIndex(), "wearer.skin_temperature_c",
                     [&](Garment& garment) { garment.wearer.skin_temperature_c = value; });
     });
@@ -284,11 +282,11 @@ void GarmentPanel::refresh()
     if (!garment) { return; }
     const std::string where = "garments[" + std::to_string(choice_.garmentIndex()) + "].";
     for (const SizeField& field : sizes_) {
-        const SizeRange range = size_range(garment->built_in.kind, field.value);
+        const SizeRange range = size_range(garment->built_in.kind, field.row);
         field.edit->setRange(range.least, range.most);
-        field.edit->setValue(garment->built_in.*field.value);
-        field.edit->setIssues(choice_.document().issuesAt(where + "source." + field.key));
-        const bool used = field.key != "sleeve_mm" || garment->built_in.kind == "tee";
+        field.edit->setValue(field_value(field.row, garment->built_in));
+        field.edit->setIssues(choice_.document().issuesAt(where + "source." + field.row.key));
+        const bool used = !field.row.is_written || field.row.is_written(garment->built_in);
         field.edit->setEnabled(used);
         field.label->setEnabled(used);
     }

@@ -2,6 +2,7 @@
 // The dock of the chosen garment: which one, its panels, its wearer.
 #pragma once
 
+#include "core/design/fields.h"
 #include "ui/garment/garment_choice.h"
 
 #include <QScrollArea>
@@ -35,7 +36,7 @@ private:
     QWidget* makeHead();
     QWidget* makeSize();
     QWidget* makeWearer();
-    void addSize(QGridLayout* grid, const QString& name, const char* key, double BuiltInGarment::*value);
+    void addSize(QGridLayout* grid, const Field<BuiltInGarment>& size);
     void chooseSweat(int index);
     void refresh();
 
@@ -49,8 +50,7 @@ private:
     struct SizeField {
         QLabel* label;
         QuantityEdit* edit;
-        std::string key;
-        double BuiltInGarment::*value;
+        const Field<BuiltInGarment>& row;
     };
     std::vector<SizeField> sizes_;
     QuantityEdit* skin_;

@@ -99,11 +99,13 @@ void PanelTable::addRow(const std::string& panel)
         editCut(choice_.document(), tr("cut %1 from %2").arg(name, QString::fromStdString(fabric)), choice_.garmentIndex(), panel, {},
                 [&](PanelCut& cut) { cut.fabric = fabric; });
     });
-    made.grain =
-        quantityField(choice_.document(), Quantity::angle(-360, 360), tr("Grain of %1").arg(name), [this, panel, name](double value) {
+    made.grain = rowField<PanelCut>(
+        choice_.document(), "grain_deg",
+        [this, panel, name](double value) {
             editCut(choice_.document(), tr("turn the grain of %1").arg(name), choice_.garmentIndex(), panel, "grain_deg",
                     [&](PanelCut& cut) { cut.grain_deg = value; });
-        });
+        },
+        tr("Grain of %1").arg(name));
     made.face->addItems({tr("outside"), tr("inside")});
     made.face->setAccessibleName(tr("Top face of %1").arg(name));
     connect(made.face, &QComboBox::activated, this, [this, panel, name](int index) {

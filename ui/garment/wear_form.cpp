@@ -53,15 +53,12 @@ WearForm::WearForm(GarmentChoice& choice, QWidget* parent)
     layout->addWidget(makeHead());
     auto* form = new QFormLayout;
     form->setVerticalSpacing(4);
-    addField(form, tr("Duration"), Quantity::time(1, 86400), "duration_s", [](WearExperiment& w) -> double& { return w.duration_s; });
-    addField(form, tr("Air"), Quantity::temperature(-10, 60), "climate.temperature_c",
-             [](WearExperiment& w) -> double& { return w.climate.temperature_c; });
-    addField(form, tr("Humidity"), Quantity::percent(0, 1), "climate.relative_humidity",
-             [](WearExperiment& w) -> double& { return w.climate.relative_humidity; });
-    addField(form, tr("Air speed"), Quantity::speed(20), "climate.air_speed_m_s",
-             [](WearExperiment& w) -> double& { return w.climate.air_speed_m_s; });
-    addField(form, tr("Water at start"), Quantity::arealDensity(5000), "initial_water_g_m2",
-             [](WearExperiment& w) -> double& { return w.initial_water_g_m2; });
+    const auto whole = [](auto& wear) { return &wear; };
+    addField<WearExperiment>(form, "duration_s", "", whole);
+    for (const Field<Climate>& row : fields_of<Climate>()) {
+        addField<Climate>(form, row.key, "climate.", [](auto& wear) { return &wear.climate; });
+    }
+    addField<WearExperiment>(form, "initial_water_g_m2", "", whole);
     layout->addLayout(form);
     layout->addWidget(makeActivity(), 1);
     setWidget(all);
@@ -109,15 +106,17 @@ QWidget* WearForm::makeHead()
     return row;
 }
 
-void WearForm::addField(QFormLayout* form, const QString& name, const Quantity& quantity, const char* key,
-                        double& (*value)(WearExperiment&))
+template <typename Part, typename Of> void WearForm::addField(QFormLayout* form, const char* key, const char* before, Of of)
 {
-    auto* edit = quantityField(choice_.document(), quantity, name, [this, name, key, value](double typed) {
-        editWear(choice_.document(), tr("change %1").arg(withinSentence(name)), choice_.wearIndex(), key,
-                 [&](WearExperiment& wear) { value(wear) = typed; });
+    const Field<Part>& row = field_named<Part>(key);
+    const QString name = coreWord(row.label);
+    const std::string path = std::string(before) + key;
+    auto* edit = rowField<Part>(choice_.document(), key, [this, name, path, &row, of](double typed) {
+        editWear(choice_.document(), tr("change %1").arg(withinSentence(name)), choice_.wearIndex(), path.c_str(),
+                 [&](WearExperiment& wear) { set_field(row, *of(wear), typed); });
     });
     form->addRow(name, edit);
-    fields_.push_back({edit, key, value});
+    fields_.push_back({edit, path, [&row, of](const WearExperiment& wear) { return field_value(row, *of(wear)); }});
 }
 
 QWidget* WearForm::makeActivity()
@@ -207,11 +206,10 @@ void WearForm::refresh()
     }
     const std::string where =
         "experiments[" + std::to_string(design.experiments.size() + static_cast<std::size_t>(std::max(0, choice_.wearIndex()))) + "].";
-    for (const Field& field : fields_) {
+    for (const Shown& field : fields_) {
         field.edit->setEnabled(wear != nullptr);
         if (!wear) { continue; }
-        WearExperiment copy = *wear;
-        field.edit->setValue(field.value(copy));
+        field.edit->setValue(field.value(*wear));
         field.edit->setIssues(choice_.document().issuesAt(where + field.key));
     }
     refreshActivity();

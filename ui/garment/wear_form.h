@@ -31,7 +31,8 @@ public:
 private:
     QWidget* makeHead();
     QWidget* makeActivity();
-    void addField(QFormLayout* form, const QString& name, const Quantity& quantity, const char* key, double& (*value)(WearExperiment&));
+    /// Of an object in the experiment; before: its path there, with a dot. of(experiment): it.
+    template <typename Part, typename Of> void addField(QFormLayout* form, const char* key, const char* before, Of of);
     void refresh();
     void refreshActivity();
 
@@ -40,12 +41,12 @@ private:
     QToolButton* add_;
     QToolButton* rename_;
     QToolButton* remove_;
-    struct Field {
+    struct Shown {
         QuantityEdit* edit;
         std::string key;
-        double& (*value)(WearExperiment&);
+        std::function<std::optional<double>(const WearExperiment&)> value;
     };
-    std::vector<Field> fields_;
+    std::vector<Shown> fields_;
     QLabel* activity_title_;
     QTableWidget* activity_;
     RatesFile* rates_;

@@ -17,8 +17,6 @@ namespace hygroloom {
 
 namespace {
 
-constexpr double most_sweat = 100'000; // g/m2h, as the project allows
-
 } // namespace
 
 ZonesForm::ZonesForm(GarmentChoice& choice, QWidget* parent)
@@ -92,11 +90,13 @@ void ZonesForm::addRow()
     const int row = table_->rowCount();
     table_->insertRow(row);
     table_->setItem(row, 0, new QTableWidgetItem);
-    auto* rate = quantityField(choice_.document(), Quantity::arealRate(most_sweat), tr("Sweat of own zone %1").arg(row + 1),
-                               [this, row](double typed) {
-                                   editOwnZone(choice_.document(), tr("change sweat of a zone"), choice_.garmentIndex(), row,
-                                               "sweat_g_m2_h", [&](OwnZone& zone) { zone.sweat_g_m2_h = typed; });
-                               });
+    auto* rate = rowField<OwnZone>(
+        choice_.document(), "sweat_g_m2_h",
+        [this, row](double typed) {
+            editOwnZone(choice_.document(), tr("change sweat of a zone"), choice_.garmentIndex(), row, "sweat_g_m2_h",
+                        [&](OwnZone& zone) { zone.sweat_g_m2_h = typed; });
+        },
+        tr("Sweat of own zone %1").arg(row + 1));
     table_->setCellWidget(row, 1, rate);
     rates_.push_back(rate);
 }

@@ -2,6 +2,9 @@
 // Rows of fields that show values of the design and write them back as undoable edits.
 #pragma once
 
+#include "core/design/fields.h"
+#include "ui/basics/core_words.h"
+#include "ui/basics/language.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/document/document.h"
 
@@ -26,6 +29,29 @@ struct DesignField {
     std::function<std::string()> within = {}; ///< path of the whole whose contradictions this field can mend
 };
 
+/// The object of the design whose numbers a form shows.
+template <typename Owner> struct FormOwner {
+    std::function<std::string()> path;   ///< into the project, before a key: "fabrics[0].warp."
+    std::function<const Owner*()> shown; ///< nullptr: there is none now
+    std::function<void(Design&, const std::function<void(Owner&)>&)> change;
+    QString kind = {}; ///< before a field in the history: "weft"
+};
+
+/// Of the row of a key.
+template <typename Owner> DesignField field_of(const FormOwner<Owner>& owner, std::string_view key)
+{
+    const Field<Owner>& row = field_named<Owner>(key);
+    const QString label = coreWord(row.label), name = withinSentence(label);
+    return {label,
+            owner.kind.isEmpty() ? name : owner.kind + " " + name,
+            [path = owner.path, &row] { return path() + row.key; },
+            [shown = owner.shown, &row] { return shown() ? field_value(row, *shown()) : std::nullopt; },
+            [change = owner.change, &row](Design& design, std::optional<double> value) {
+                change(design, [&](Owner& of) { set_field(row, of, value); });
+            },
+            coreWord(row.help)};
+}
+
 /// A heading that folds the rows below it away.
 struct FormSection {
     QAbstractButton* heading = nullptr;
@@ -49,6 +75,16 @@ public:
     /// A part without a heading, for rows that are shown and hidden together; it ends with the next section or group.
     QWidget* addGroup();
     QuantityEdit* addQuantity(const Quantity& quantity, const DesignField& field, bool optional = false);
+    /// Of the row of a key, or as its field was changed.
+    template <typename Owner> QuantityEdit* addNumber(const FormOwner<Owner>& owner, std::string_view key)
+    {
+        return addNumber<Owner>(key, field_of(owner, key));
+    }
+    template <typename Owner> QuantityEdit* addNumber(std::string_view key, const DesignField& field)
+    {
+        const Field<Owner>& row = field_named<Owner>(key);
+        return addQuantity(Quantity::of(row), field, row.is_optional());
+    }
     /// The same with a field of another kind. What it refuses is said under it.
     void addField(QuantityEdit* edit, const DesignField& field, bool optional);
     /// Any other widget in the field column, with its label, and the path of what it edits where an issue may be about that.

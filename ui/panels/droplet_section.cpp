@@ -35,29 +35,6 @@ DropletSection::DropletSection(DesignForm& form, QObject* parent) : QObject(pare
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &DropletSection::refresh);
 }
 
-DesignField DropletSection::field(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&),
-                                  const QString& help)
-{
-    DesignField made;
-    made.label = label;
-    made.undo = undo;
-    made.where = [this, where] {
-        return "experiments[" + std::to_string(form_.document().experimentIndex()) + "].droplets[" + std::to_string(droplet_) + "]." +
-               where;
-    };
-    made.read = [this, member]() -> std::optional<double> {
-        if (!experiment() || droplet_ >= static_cast<int>(experiment()->droplets.size())) { return std::nullopt; }
-        Droplet drop = experiment()->droplets[static_cast<std::size_t>(droplet_)];
-        return member(drop);
-    };
-    made.write = [this, member](Design& design, std::optional<double> value) {
-        auto& droplets = design.experiments[static_cast<std::size_t>(form_.document().experimentIndex())].droplets;
-        if (value && droplet_ < static_cast<int>(droplets.size())) { member(droplets[static_cast<std::size_t>(droplet_)]) = *value; }
-    };
-    made.help = help;
-    return made;
-}
-
 void DropletSection::addList()
 {
     list_ = new QListWidget;
@@ -97,29 +74,32 @@ void DropletSection::addList()
 
 void DropletSection::addFields()
 {
-    using D = Droplet&;
-    fields_ = {
-        form_.addQuantity(Quantity::volume(0.001, 5000),
-                          field(tr("Volume"), tr("droplet volume"), "volume_ul", [](D d) -> double& { return d.volume_ul; })),
-        form_.addQuantity(Quantity::time(0, 86400), field(
-                                                        tr("Time"), tr("droplet time"), "time_s", [](D d) -> double& { return d.time_s; },
-                                                        tr("Time at which the drop appears."))),
-        form_.addQuantity(Quantity::length(-1000, 1000),
-                          field(
-                              tr("Position along weft"), tr("droplet position"), "at_mm[0]", [](D d) -> double& { return d.at_mm[0]; },
-                              tr("Distance from the sample's centre."))),
-        form_.addQuantity(Quantity::length(-1000, 1000),
-                          field(
-                              tr("Position along warp"), tr("droplet position"), "at_mm[1]", [](D d) -> double& { return d.at_mm[1]; },
-                              tr("Distance from the sample's centre."))),
-        form_.addQuantity(Quantity::length(0, 100),
-                          field(
-                              tr("Height"), tr("droplet height"), "height_mm", [](D d) -> double& { return d.height_mm; },
-                              tr("Height of its lowest point above the fabric."))),
-        form_.addQuantity(Quantity::speed(fastest_droplet_m_s),
-                          field(
-                              tr("Speed"), tr("droplet speed"), "speed_m_s", [](D d) -> double& { return d.speed_m_s; },
-                              tr("Downward speed when it appears.")))};
+    const FormOwner<Droplet> drop{
+        [this] {
+            return "experiments[" + std::to_string(form_.document().experimentIndex()) + "].droplets[" + std::to_string(droplet_) + "].";
+        },
+        [this]() -> const Droplet* {
+            const Experiment* e = experiment();
+            return e && droplet_ < static_cast<int>(e->droplets.size()) ? &e->droplets[static_cast<std::size_t>(droplet_)] : nullptr;
+        },
+        [this](Design& design, const std::function<void(Droplet&)>& change) {
+            auto& drops = design.experiments[static_cast<std::size_t>(form_.document().experimentIndex())].droplets;
+            if (droplet_ < static_cast<int>(drops.size())) { change(drops[static_cast<std::size_t>(droplet_)]); }
+        },
+        tr("droplet")};
+    for (const char* key : {"volume_ul", "time_s"}) { fields_.push_back(form_.addNumber(drop, key)); }
+    for (const std::size_t axis : {0, 1}) {
+        const DesignField place{axis == 0 ? tr("Position along weft") : tr("Position along warp"),
+                                tr("droplet position"),
+                                [drop, axis] { return drop.path() + "at_mm[" + std::to_string(axis) + "]"; },
+                                [drop, axis] { return drop.shown() ? std::optional(drop.shown()->at_mm[axis]) : std::nullopt; },
+                                [drop, axis](Design& design, std::optional<double> value) {
+                                    drop.change(design, [&](Droplet& d) { d.at_mm[axis] = value.value_or(d.at_mm[axis]); });
+                                },
+                                tr("Distance from the sample's centre.")};
+        fields_.push_back(form_.addQuantity(Quantity::length(-1000, 1000), place));
+    }
+    for (const char* key : {"height_mm", "speed_m_s"}) { fields_.push_back(form_.addNumber(drop, key)); }
 }
 
 void DropletSection::refresh()

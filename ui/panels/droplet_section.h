@@ -36,7 +36,6 @@ Q_SIGNALS:
     void placingChanged(bool placing);
 
 private:
-    DesignField field(const QString& label, const QString& undo, const char* where, double& (*member)(Droplet&), const QString& help = {});
     void addList();
     void addFields();
     void refresh();

@@ -75,53 +75,23 @@ ExperimentPanel::ExperimentPanel(Document& document, QWidget* parent)
     form_->refresh();
 }
 
-DesignField ExperimentPanel::field(const QString& label, const QString& undo, std::function<std::string()> where, Read read, Write write,
-                                   const QString& help)
-{
-    return {label,
-            undo,
-            std::move(where),
-            [this, read = std::move(read)] { return document_.experiment() ? read(*document_.experiment()) : std::nullopt; },
-            [this, write = std::move(write)](Design& design, std::optional<double> value) {
-                if (value) { write(design.experiments[static_cast<std::size_t>(document_.experimentIndex())], *value); }
-            },
-            help};
-}
-
-DesignField ExperimentPanel::fixedField(const QString& label, const QString& undo, const char* where, Read read, Write write,
-                                        const QString& help)
-{
-    return field(
-        label, undo, [this, where] { return "experiments[" + std::to_string(document_.experimentIndex()) + "]." + where; }, std::move(read),
-        std::move(write), help);
-}
-
-DesignField ExperimentPanel::climateField(const QString& label, const QString& undo, const char* where, double Climate::*member,
-                                          const QString& help)
-{
-    return field(
-        label, undo,
-        [this, where] {
-            const bool course = document_.experiment() && !document_.experiment()->climates.empty();
-            return "experiments[" + std::to_string(document_.experimentIndex()) + (course ? "].climate[0]." : "].climate.") + where;
-        },
-        [member](const Experiment& e) { return std::optional(e.climate.*member); },
-        [member](Experiment& e, double v) { e.climate.*member = v; }, help);
-}
-
 QuantityEdit* ExperimentPanel::addSampleSize(std::size_t axis)
 {
-    return form_->addQuantity(Quantity::length(0.1, 2000),
-                              field(
-                                  axis == 0 ? tr("Along the weft") : tr("Along the warp"),
-                                  axis == 0 ? tr("sample width") : tr("sample height"),
-                                  [this, axis] {
-                                      const ExperimentType type = document_.experiment() ? document_.experiment()->type : ExperimentType{};
-                                      return "experiments[" + std::to_string(document_.experimentIndex()) + "]." +
-                                             info_of(type).sample_key + "[" + std::to_string(axis) + "]";
-                                  },
-                                  [axis](const Experiment& e) { return std::optional(e.sample_mm[axis]); },
-                                  [axis](Experiment& e, double v) { e.sample_mm[axis] = v; }));
+    const DesignField size{
+        axis == 0 ? tr("Along the weft") : tr("Along the warp"),
+        axis == 0 ? tr("sample width") : tr("sample height"),
+        [this, axis] {
+            const ExperimentType type = document_.experiment() ? document_.experiment()->type : ExperimentType{};
+            return "experiments[" + std::to_string(document_.experimentIndex()) + "]." + info_of(type).sample_key + "[" +
+                   std::to_string(axis) + "]";
+        },
+        [this, axis] { return document_.experiment() ? std::optional(document_.experiment()->sample_mm[axis]) : std::nullopt; },
+        [this, axis](Design& design, std::optional<double> value) {
+            double& sample = design.experiments[static_cast<std::size_t>(document_.experimentIndex())].sample_mm[axis];
+            sample = value.value_or(sample);
+        },
+        {}};
+    return form_->addQuantity(Quantity::length(0.1, 2000), size);
 }
 
 void ExperimentPanel::addChoice()
@@ -159,20 +129,15 @@ void ExperimentPanel::addChoice()
 void ExperimentPanel::addConditions()
 {
     form_->addSection(tr("Climate"));
-    form_->addQuantity(Quantity::temperature(-10, 60),
-                       climateField(tr("Temperature"), tr("temperature"), "temperature_c", &Climate::temperature_c));
-    form_->addQuantity(Quantity::percent(0, most_humidity),
-                       climateField(tr("Humidity"), tr("relative humidity"), "relative_humidity", &Climate::relative_humidity,
-                                    tr("Relative humidity of the air, and of the fabric before the first drop.")));
-    form_->addQuantity(Quantity::speed(20), climateField(tr("Air speed"), tr("air speed"), "air_speed_m_s", &Climate::air_speed_m_s));
+    const FormOwner<Climate> climate =
+        part<Climate>([this] { return document_.experiment() && !document_.experiment()->climates.empty() ? "climate[0]." : "climate."; },
+                      [](auto& experiment) { return &experiment.climate; });
+    for (const Field<Climate>& row : fields_of<Climate>()) { form_->addNumber(climate, row.key); }
     course_ = new ClimateCourse(document_);
     form_->addWide(course_);
     form_->addSection(tr("Sample"));
     for (const std::size_t axis : {0, 1}) { size_[axis] = addSampleSize(axis); }
-    form_->addQuantity(Quantity::time(0.001, 86400),
-                       fixedField(
-                           tr("Duration"), tr("duration"), "duration_s", [](const Experiment& e) { return std::optional(e.duration_s); },
-                           [](Experiment& e, double v) { e.duration_s = v; }));
+    form_->addNumber(whole(), "duration_s");
 }
 
 /// What only some types have, each in a group of its own.
@@ -180,57 +145,31 @@ void ExperimentPanel::addTypes()
 {
     const auto group = [this](const char* field) { groups_.push_back({form_->addGroup(), field}); };
     group("volume_ul");
-    form_->addQuantity(Quantity::volume(0.001, 100000), fixedField(
-                                                            tr("Volume"), tr("volume of liquid"), "volume_ul",
-                                                            [](const Experiment& e) { return std::optional(e.volume_ul); },
-                                                            [](Experiment& e, double v) { e.volume_ul = v; }));
+    form_->addNumber(whole(), "volume_ul");
     group("feed_s");
-    form_->addQuantity(Quantity::time(0.01, 86400),
-                       fixedField(
-                           tr("Feed time"), tr("feed time"), "feed_s", [](const Experiment& e) { return std::optional(e.feed_s); },
-                           [](Experiment& e, double v) { e.feed_s = v; }, tr("Time for which the pump runs.")));
-    form_->addQuantity(
-        Quantity::volume(0, 1000),
-        fixedField(
-            tr("Drop volume"), tr("drop volume of the feed"), "drop_ul", [](const Experiment& e) { return std::optional(e.drop_ul); },
-            [](Experiment& e, double v) { e.drop_ul = v; },
-            tr("The feed comes in equal drops of at most this volume, each when the pump has delivered it. Drops join a pool "
-               "that the cloth absorbs. 0: the feed flows evenly.")));
+    form_->addNumber(whole(), "feed_s");
+    form_->addNumber(whole(), "drop_ul");
     group("direction");
     direction_ = new QComboBox;
     direction_->addItems({tr("Along the warp"), tr("Along the weft")});
     form_->addRow(tr("Strip"), direction_);
     connect(direction_, &QComboBox::activated, this,
             [this](int chosen) { edit(tr("direction of the strip"), [&](Experiment& e) { e.along_weft = chosen == 1; }); });
-    form_->addQuantity(Quantity::length(0.01, 2000),
-                       fixedField(
-                           tr("Immersion"), tr("immersion"), "immersion_mm",
-                           [](const Experiment& e) { return std::optional(e.immersion_mm); },
-                           [](Experiment& e, double v) { e.immersion_mm = v; }, tr("Depth of the strip's end below the liquid surface.")));
+    form_->addNumber(whole(), "immersion_mm");
     group("initial_water_g_m2");
-    form_->addQuantity(Quantity::arealDensity(100000),
-                       fixedField(
-                           tr("Initial water"), tr("initial water"), "initial_water_g_m2",
-                           [](const Experiment& e) { return std::optional(e.initial_water_g_m2); },
-                           [](Experiment& e, double v) { e.initial_water_g_m2 = v; },
-                           tr("Liquid water in the fabric at the start, in addition to its regain in this climate.")));
+    form_->addNumber(whole(), "initial_water_g_m2");
     group("initial");
-    form_->addQuantity(Quantity::temperature(-10, 60), fixedField(
-                                                           tr("Initial temperature"), tr("initial temperature"), "initial.temperature_c",
-                                                           [](const Experiment& e) { return std::optional(e.initial.temperature_c); },
-                                                           [](Experiment& e, double v) { e.initial.temperature_c = v; },
-                                                           tr("Temperature of the air in which the sample was conditioned.")));
-    form_->addQuantity(Quantity::percent(0, most_humidity),
-                       fixedField(
-                           tr("Initial humidity"), tr("initial humidity"), "initial.relative_humidity",
-                           [](const Experiment& e) { return std::optional(e.initial.relative_humidity); },
-                           [](Experiment& e, double v) { e.initial.relative_humidity = v; },
-                           tr("Relative humidity of the air in which the sample was conditioned.")));
+    const FormOwner<Climate> initial =
+        part<Climate>([] { return "initial."; }, [](auto& experiment) { return &experiment.initial; }, tr("initial"));
+    DesignField temperature = field_of(initial, "temperature_c"), humidity = field_of(initial, "relative_humidity");
+    temperature.label = tr("Initial temperature");
+    temperature.help = tr("Temperature of the air in which the sample was conditioned.");
+    humidity.label = tr("Initial humidity");
+    humidity.help = tr("Relative humidity of the air in which the sample was conditioned.");
+    form_->addNumber<Climate>("temperature_c", temperature);
+    form_->addNumber<Climate>("relative_humidity", humidity);
     group("rate_g_m2_h");
-    form_->addQuantity(Quantity::arealRate(100000), fixedField(
-                                                        tr("Sweat rate"), tr("sweat rate"), "rate_g_m2_h",
-                                                        [](const Experiment& e) { return std::optional(e.rate_g_m2_h); },
-                                                        [](Experiment& e, double v) { e.rate_g_m2_h = v; }));
+    form_->addNumber(whole(), "rate_g_m2_h");
     side_ = new QComboBox;
     side_->addItems({tr("Bottom"), tr("Top")});
     form_->addRow(tr("Face"), side_);

@@ -29,15 +29,21 @@ public:
     bool showField(const std::string& where);
 
 private:
-    using Read = std::function<std::optional<double>(const Experiment&)>;
-    using Write = std::function<void(Experiment&, double)>;
-    DesignField field(const QString& label, const QString& undo, std::function<std::string()> where, Read read, Write write,
-                      const QString& help = {});
-    /// One of the climate at the start.
-    DesignField climateField(const QString& label, const QString& undo, const char* where, double Climate::*member,
-                             const QString& help = {});
+    /// An object in the chosen experiment; before(): its path there, with a dot. of(experiment): it.
+    template <typename Part, typename Before, typename Of> FormOwner<Part> part(Before before, Of of, const QString& kind = {})
+    {
+        return {[this, before] { return "experiments[" + std::to_string(document_.experimentIndex()) + "]." + before(); },
+                [this, of]() -> const Part* { return document_.experiment() ? of(*document_.experiment()) : nullptr; },
+                [this, of](Design& design, const std::function<void(Part&)>& change) {
+                    change(*of(design.experiments[static_cast<std::size_t>(document_.experimentIndex())]));
+                },
+                kind};
+    }
+    FormOwner<Experiment> whole()
+    {
+        return part<Experiment>([] { return ""; }, [](auto& experiment) { return &experiment; });
+    }
     QuantityEdit* addSampleSize(std::size_t axis);
-    DesignField fixedField(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help = {});
     void addChoice();
     void addConditions();
     void addTypes();

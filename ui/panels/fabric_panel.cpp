@@ -67,24 +67,11 @@ bool FabricPanel::showField(const std::string& where)
     return weft != std::string::npos && form_->showField(std::string(where).replace(weft, 6, "].warp"));
 }
 
-DesignField FabricPanel::field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help)
-{
-    return {label,
-            undo,
-            [this, where] { return "fabrics[" + std::to_string(document_.fabricIndex()) + "]." + where; },
-            [this, read = std::move(read)] { return document_.fabric() ? read(*document_.fabric()) : std::nullopt; },
-            [this, write = std::move(write)](Design& design, std::optional<double> value) {
-                write(design.fabrics[static_cast<std::size_t>(document_.fabricIndex())], value);
-            },
-            help};
-}
-
 void FabricPanel::addConstruction()
 {
     form_->addSection(tr("Construction"));
-    addSett(tr("Ends"), tr("ends per cm"), "ends_per_cm", &Fabric::ends_per_cm, tr("Warp yarns per centimetre. You can type “89 epi”."));
-    addSett(tr("Picks"), tr("picks per cm"), "picks_per_cm", &Fabric::picks_per_cm,
-            tr("Weft yarns per centimetre. You can type “89 ppi”."));
+    addSett("ends_per_cm", &Fabric::ends_per_cm);
+    addSett("picks_per_cm", &Fabric::picks_per_cm);
     addThickness();
     addFinish();
     addFaces();
@@ -92,12 +79,9 @@ void FabricPanel::addConstruction()
     addDerived();
 }
 
-void FabricPanel::addSett(const QString& label, const QString& undo, const char* where, double Fabric::*member, const QString& help)
+void FabricPanel::addSett(const char* key, double Fabric::*member)
 {
-    QuantityEdit* edit = form_->addQuantity(Quantity::sett(0.5, 500),
-                                            field(
-                                                label, undo, where, [member](const Fabric& f) { return std::optional(f.*member); },
-                                                [member](Fabric& f, std::optional<double> v) { f.*member = v.value_or(f.*member); }, help));
+    QuantityEdit* edit = form_->addNumber(whole(), key);
     QLabel* note = form_->noteBeside(edit);
     form_->onRefresh([=, this] {
         const Fabric* f = document_.fabric();
@@ -108,12 +92,7 @@ void FabricPanel::addSett(const QString& label, const QString& undo, const char*
 
 void FabricPanel::addThickness()
 {
-    QuantityEdit* thickness = form_->addQuantity(
-        Quantity::length(0.01, 50),
-        field(
-            tr("Thickness"), tr("thickness"), "thickness_mm", [](const Fabric& f) { return f.thickness_mm; },
-            [](Fabric& f, std::optional<double> v) { f.thickness_mm = v; }, tr("Leave empty to calculate it from the yarns.")),
-        true);
+    QuantityEdit* thickness = form_->addNumber(whole(), "thickness_mm");
     auto* automatic = new QCheckBox(tr("Auto"));
     automatic->setAccessibleName(tr("Calculate the thickness from the yarns"));
     automatic->setToolTip(automatic->accessibleName());
@@ -137,14 +116,7 @@ void FabricPanel::addThickness()
 /// The contact angle, and finishes that set it.
 void FabricPanel::addFinish()
 {
-    QuantityEdit* angle = form_->addQuantity(
-        Quantity::angle(0, 180),
-        field(
-            tr("Contact angle"), tr("contact angle"), "contact_angle_deg", [](const Fabric& f) { return f.contact_angle_deg; },
-            [](Fabric& f, std::optional<double> v) { f.contact_angle_deg = v; },
-            tr("Advancing contact angle of water on the finished fabric. Leave empty to use that of each yarn's fibres. Above 90° the "
-               "yarns do not absorb water.")),
-        true);
+    QuantityEdit* angle = form_->addNumber(whole(), "contact_angle_deg");
     auto* finish = new QComboBox;
     finish->addItem(tr("As the fibres"));
     for (const Finish& one : finishes()) {
@@ -189,33 +161,10 @@ void FabricPanel::addFaces()
         form_->addDerived(tr("Receding angle"),
                           tr("Contact angle of water that draws back, of warp and weft; 0 on cotton, flax, hemp and viscose, else 20° less "
                              "than the contact angle, both assumed, unless the material gives one. Acts in the closure “pores” only."));
-    const auto add = [&](const QString& label, const QString& undo, const char* where, std::optional<double> Fabric::*member) {
-        return form_->addQuantity(
-            Quantity::angle(0, 180),
-            field(
-                label, undo, where, [member](const Fabric& f) { return f.*member; },
-                [member](Fabric& f, std::optional<double> v) { f.*member = v; },
-                tr("Contact angle of a finish on this face alone. Leave empty for the yarns' own. Acts in the closure "
-                   "“pores” only.")),
-            true);
-    };
-    QuantityEdit* face = add(tr("Finish, top face"), tr("finish of the top face"), "finish_face", &Fabric::finish_face);
-    QuantityEdit* back = add(tr("Finish, back"), tr("finish of the back"), "finish_back", &Fabric::finish_back);
-    const auto addShare = [&](const QString& label, const QString& undo, const char* where, std::optional<double> Fabric::*member,
-                              const QString& help) {
-        return form_->addQuantity(Quantity::percent(0, 1),
-                                  field(
-                                      label, undo, where, [member](const Fabric& f) { return f.*member; },
-                                      [member](Fabric& f, std::optional<double> v) { f.*member = v; }, help),
-                                  true);
-    };
-    QuantityEdit* depth =
-        addShare(tr("Finish, depth"), tr("depth of the finish"), "finish_depth", &Fabric::finish_depth,
-                 tr("How deep the finish of a face reaches, of the fabric's thickness. The yarns wick below it. Leave empty for 10 %, "
-                    "which is assumed. 100 %: the yarns that lie on the face are finished through. Acts in the closure “pores” only."));
-    QuantityEdit* holes = addShare(tr("Finish, untreated"), tr("holes of the finish"), "finish_holes", &Fabric::finish_holes,
-                                   tr("Share of the crowns and hairs on the finished face that the finish leaves untreated: liquid passes "
-                                      "there at once. Leave empty for none. Acts in the closure “pores” only."));
+    QuantityEdit* face = form_->addNumber(whole(), "finish_face");
+    QuantityEdit* back = form_->addNumber(whole(), "finish_back");
+    QuantityEdit* depth = form_->addNumber(whole(), "finish_depth");
+    QuantityEdit* holes = form_->addNumber(whole(), "finish_holes");
     form_->onRefresh([=, this] {
         const FabricQuantities* q = document_.quantities();
         for (QuantityEdit* edit : {face, back}) {
@@ -233,22 +182,8 @@ void FabricPanel::addFaces()
 
 void FabricPanel::addCrimps()
 {
-    Quantity percent = Quantity::fraction(0, 100);
-    percent.unit = "%";
-    percent.units = {TradeUnit{{"%"}}};
-    percent.step = 0.5;
-    percent.decimals = 1;
-    const auto add = [&](const QString& label, const QString& undo, const char* where, std::optional<double> Fabric::*member) {
-        return form_->addQuantity(percent,
-                                  field(
-                                      label, undo, where, [member](const Fabric& f) { return f.*member; },
-                                      [member](Fabric& f, std::optional<double> v) { f.*member = v; },
-                                      tr("How much longer the yarn is than the fabric. Leave empty to share the crimp between warp and "
-                                         "weft by their stiffness.")),
-                                  true);
-    };
-    QuantityEdit* warp = add(tr("Warp crimp"), tr("warp crimp"), "warp_crimp_percent", &Fabric::warp_crimp_percent);
-    QuantityEdit* weft = add(tr("Weft crimp"), tr("weft crimp"), "weft_crimp_percent", &Fabric::weft_crimp_percent);
+    QuantityEdit* warp = form_->addNumber(whole(), "warp_crimp_percent");
+    QuantityEdit* weft = form_->addNumber(whole(), "weft_crimp_percent");
     form_->onRefresh([=, this] {
         const FabricQuantities* q = document_.quantities();
         warp->setEnabled(document_.fabric() != nullptr);
@@ -289,54 +224,20 @@ void FabricPanel::addDerived()
 void FabricPanel::addFlyaway()
 {
     form_->addFoldable(tr("Flyaways"), false);
-    const auto add = [this](const QString& label, const QString& undo, const char* where, double Flyaway::*member, const Quantity& quantity,
-                            const QString& help) {
-        form_->addQuantity(quantity, field(
-                                         label, undo, where, [member](const Fabric& f) { return std::optional(f.flyaway.*member); },
-                                         [member](Fabric& f, std::optional<double> v) { f.flyaway.*member = v.value_or(0); }, help));
-    };
-    add(tr("Loops"), tr("loop density"), "flyaway.loop_density_per_mm", &Flyaway::loop_density_per_mm, Quantity::perMillimetre(1000),
-        tr("Fibres that leave the yarn and come back to it, per mm of yarn. With the closure “pores” they hold falling drops off dry "
-           "yarns."));
-    add(tr("Hairs"), tr("hair density"), "flyaway.hair_density_per_mm", &Flyaway::hair_density_per_mm, Quantity::perMillimetre(1000),
-        tr("Fibre ends that stand out of the yarn, per mm of yarn. With the closure “pores” they hold falling drops "
-           "off dry yarns."));
-    add(tr("Loop height"), tr("loop height"), "flyaway.loop_height_mm", &Flyaway::loop_height_mm, Quantity::length(0, 20),
-        tr("Height of the highest loop above the yarn; the lowest is half as high. Loops make the cloth thicker, and the still air among "
-           "them slows drying."));
-    add(tr("Hair length"), tr("hair length"), "flyaway.hair_length_mm", &Flyaway::hair_length_mm, Quantity::length(0, 50),
-        tr("Mean length of the fibre ends; the shortest have half of it, the longest one and a half times."));
+    const FormOwner<Flyaway> flyaway = part<Flyaway>("flyaway.", [](auto& fabric) { return &fabric.flyaway; });
+    for (const Field<Flyaway>& row : fields_of<Flyaway>()) { form_->addNumber(flyaway, row.key); }
 }
 
 void FabricPanel::addMeasured()
 {
     form_->addFoldable(tr("Measured in the laboratory"), false);
-    const auto add = [this](const QString& label, const QString& undo, const char* where, std::optional<double> Measured::*member,
-                            const Quantity& quantity) {
-        return form_->addQuantity(quantity,
-                                  field(
-                                      label, undo, where, [member](const Fabric& f) { return f.measured.*member; },
-                                      [member](Fabric& f, std::optional<double> v) { f.measured.*member = v; },
-                                      tr("Replaces the calculated value. Leave empty to use the calculated one.")),
-                                  true);
-    };
-    Quantity weight = Quantity::fraction(1, 10000);
-    weight.unit = "g/m²";
-    weight.units = trade_units(Stored::g_per_m2);
-    weight.step = 1;
-    Quantity radius = Quantity::length(0.05, 1000);
-    radius.unit = "µm";
-    radius.units = trade_units(Stored::um);
-    Quantity crimp = Quantity::fraction(0, 100);
-    crimp.unit = "%";
-    crimp.units = {TradeUnit{{"%"}}};
-    crimp.step = 0.5;
-    QuantityEdit* porosity = add(tr("Porosity"), tr("measured porosity"), "porosity", &Measured::porosity, Quantity::fraction(0.01, 0.999));
-    QuantityEdit* areal = add(tr("Weight"), tr("measured weight"), "areal_density_g_m2", &Measured::areal_density_g_m2, weight);
-    QuantityEdit* capillary =
-        add(tr("Pore radius"), tr("measured pore radius"), "capillary_radius_um", &Measured::capillary_radius_um, radius);
-    add(tr("Tortuosity"), tr("measured tortuosity"), "tortuosity", &Measured::tortuosity, Quantity::fraction(1, 20));
-    QuantityEdit* measuredCrimp = add(tr("Crimp"), tr("measured crimp"), "crimp_percent", &Measured::crimp_percent, crimp);
+    const FormOwner<Measured> measured = part<Measured>(
+        "", [](auto& fabric) { return &fabric.measured; }, tr("measured"));
+    QuantityEdit* porosity = form_->addNumber(measured, "porosity");
+    QuantityEdit* areal = form_->addNumber(measured, "areal_density_g_m2");
+    QuantityEdit* capillary = form_->addNumber(measured, "capillary_radius_um");
+    form_->addNumber(measured, "tortuosity");
+    QuantityEdit* measuredCrimp = form_->addNumber(measured, "crimp_percent");
     form_->onRefresh([=, this] {
         const FabricQuantities* q = document_.quantities();
         porosity->setDerived(q ? std::optional(q->porosity) : std::nullopt);

@@ -22,11 +22,22 @@ public:
     bool showField(const std::string& where);
 
 private:
-    using Read = std::function<std::optional<double>(const Fabric&)>;
-    using Write = std::function<void(Fabric&, std::optional<double>)>;
-    DesignField field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help = {});
+    /// An object in the chosen fabric; before: its path in the fabric, with a dot. of(fabric): it.
+    template <typename Part, typename Of> FormOwner<Part> part(const std::string& before, Of of, const QString& kind = {})
+    {
+        return {[this, before] { return "fabrics[" + std::to_string(document_.fabricIndex()) + "]." + before; },
+                [this, of]() -> const Part* { return document_.fabric() ? of(*document_.fabric()) : nullptr; },
+                [this, of](Design& design, const std::function<void(Part&)>& change) {
+                    change(*of(design.fabrics[static_cast<std::size_t>(document_.fabricIndex())]));
+                },
+                kind};
+    }
+    FormOwner<Fabric> whole()
+    {
+        return part<Fabric>("", [](auto& fabric) { return &fabric; });
+    }
     void addConstruction();
-    void addSett(const QString& label, const QString& undo, const char* where, double Fabric::*member, const QString& help);
+    void addSett(const char* key, double Fabric::*member);
     void addThickness();
     void addFinish();
     void addFaces();

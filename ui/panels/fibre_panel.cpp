@@ -17,23 +17,6 @@ namespace hygroloom {
 
 namespace {
 
-Quantity inUnit(Quantity quantity, const std::vector<std::string_view>& spellings, double step, int decimals)
-{
-    quantity.unit = QString::fromUtf8(spellings.front().data(), static_cast<qsizetype>(spellings.front().size()));
-    quantity.units = {TradeUnit{spellings}};
-    quantity.step = step;
-    quantity.decimals = decimals;
-    return quantity;
-}
-
-Quantity regain(double maximum)
-{
-    Quantity q = Quantity::percent(0, maximum);
-    q.step = 0.5;
-    q.decimals = 2;
-    return q;
-}
-
 std::string freeFibreName(const Design& design, const std::string& wish)
 {
     return free_name(wish, [&design](const std::string& name) { return name.empty() || find_material(design, name) != nullptr; });
@@ -141,18 +124,13 @@ void FibrePanel::change(const QString& undo, const std::string& where, const std
     form_.document().endStroke();
 }
 
-DesignField FibrePanel::field(const QString& label, const QString& undo, const char* where, double Material::*member, const QString& help)
+FormOwner<Material> FibrePanel::row()
 {
-    return {label,
-            undo,
-            [this, where] { return path(where); },
-            [this, member] { return own() ? std::optional(own()->*member) : std::nullopt; },
-            [this, member](Design& design, std::optional<double> value) {
-                if (own() && value) {
-                    design.materials[static_cast<std::size_t>(own() - form_.document().design()->materials.data())].*member = *value;
-                }
+    return {[this] { return path(""); }, [this] { return own(); },
+            [this](Design& design, const std::function<void(Material&)>& work) {
+                if (own()) { work(design.materials[static_cast<std::size_t>(own() - form_.document().design()->materials.data())]); }
             },
-            help};
+            tr("fibre's")};
 }
 
 /// Shapes by name, and the one number by which they act.
@@ -185,41 +163,19 @@ void FibrePanel::addCrossSection()
                           tr("Of the cross-section, over that of a circle of the same area; deep-grooved fibres reach 2.5 to 3.") + " " +
                               acts};
     fields_.push_back(form_.addQuantity(Quantity::fraction(1, 3), perimeter));
-    fields_.push_back(
-        form_.addQuantity(inUnit(Quantity::fraction(least_fibre_radius_um, most_fibre_radius_um), {"µm", "um", "micron"}, 0.5, 3),
-                          field(tr("Fibre radius"), tr("fibre radius"), "fibre_radius_um", &Material::fibre_radius_um,
-                                tr("Of a circle of the fibre's area. A yarn's filament count takes its place."))));
-    fields_.push_back(form_.addQuantity(Quantity::density(500, 3000), field(tr("Fibre density"), tr("fibre density"), "density_kg_m3",
-                                                                            &Material::density_kg_m3, tr("Of the dry fibre."))));
+    for (const char* key : {"fibre_radius_um", "density_kg_m3"}) { fields_.push_back(form_.addNumber(row(), key)); }
 }
 
 void FibrePanel::addWetting()
 {
-    fields_.push_back(form_.addQuantity(Quantity::angle(0, 180), field(tr("Contact angle"), tr("contact angle of the fibre"),
-                                                                       "contact_angle_deg", &Material::contact_angle_deg,
-                                                                       tr("Of water that advances. A fabric's finish takes its place."))));
-    DesignField receding{tr("Receding angle"),
-                         tr("receding angle of the fibre"),
-                         [this] { return path("receding_angle_deg"); },
-                         [this] { return own() ? own()->receding_angle_deg : std::nullopt; },
-                         [this](Design& design, std::optional<double> value) {
-                             if (!own()) { return; }
-                             const auto index = static_cast<std::size_t>(own() - form_.document().design()->materials.data());
-                             design.materials[index].receding_angle_deg = value;
-                         },
-                         tr("Of water that draws back; at most the contact angle. Leave empty for the assumed one. Acts in the closure "
-                            "“pores” only.")};
-    receding_ = form_.addQuantity(Quantity::angle(0, 180), receding, true);
+    fields_.push_back(form_.addNumber(row(), "contact_angle_deg"));
+    receding_ = form_.addNumber(row(), "receding_angle_deg");
     fields_.push_back(receding_);
 }
 
 void FibrePanel::addSorption()
 {
-    fields_.push_back(
-        form_.addQuantity(regain(0.5), field(tr("Standard regain"), tr("standard regain"), "standard_regain", &Material::standard_regain,
-                                             tr("Water per dry fibre at 65 % relative humidity and 20 °C, absorption."))));
-    fields_.push_back(form_.addQuantity(regain(2), field(tr("Saturation regain"), tr("saturation regain"), "saturation_regain",
-                                                         &Material::saturation_regain, tr("The same at 100 % relative humidity."))));
+    for (const char* key : {"standard_regain", "saturation_regain"}) { fields_.push_back(form_.addNumber(row(), key)); }
     isotherm_ = new QComboBox;
     isotherm_->addItems({tr("as the fibre it is based on"), tr("master curve")});
     isotherm_->setToolTip("<p>" + tr("Regain over relative humidity. The master curve goes through the standard regain.") + "</p>");
@@ -254,16 +210,9 @@ void FibrePanel::refreshIsotherm()
 
 void FibrePanel::addHeat()
 {
-    fields_.push_back(form_.addQuantity(inUnit(Quantity::fraction(0.005, 10), {"W/(m K)", "W/mK"}, 0.01, 4),
-                                        field(tr("Conductivity"), tr("thermal conductivity"), "thermal_conductivity_w_mk",
-                                              &Material::thermal_conductivity_w_mk, tr("Of heat, across the fibre."))));
-    fields_.push_back(form_.addQuantity(
-        inUnit(Quantity::fraction(100, 10000), {"J/(kg K)", "J/kgK"}, 10, 1),
-        field(tr("Specific heat"), tr("specific heat"), "specific_heat_j_kgk", &Material::specific_heat_j_kgk, tr("Of the dry fibre."))));
-    fields_.push_back(
-        form_.addQuantity(inUnit(Quantity::fraction(0, 500), {"J/g"}, 1, 2),
-                          field(tr("Heat of wetting"), tr("heat of wetting"), "heat_of_wetting_j_g", &Material::heat_of_wetting_j_g,
-                                tr("From dry to saturated, per gram of fibre. 0: what the law of sorption heats gives."))));
+    for (const char* key : {"thermal_conductivity_w_mk", "specific_heat_j_kgk", "heat_of_wetting_j_g"}) {
+        fields_.push_back(form_.addNumber(row(), key));
+    }
 }
 
 QStringList FibrePanel::usersOf(const std::string& fibre) const

@@ -32,7 +32,7 @@ private:
     std::string path(const char* field) const;
     /// Fabrics with a yarn of that fibre.
     QStringList usersOf(const std::string& fibre) const;
-    DesignField field(const QString& label, const QString& undo, const char* where, double Material::*member, const QString& help = {});
+    FormOwner<Material> row();
     void change(const QString& undo, const std::string& where, const std::function<void(Material&)>& work);
     void addChoice();
     void addCrossSection();

@@ -82,13 +82,13 @@ void LiquidPanel::addOwnLiquids()
     users_->setForegroundRole(QPalette::PlaceholderText);
     users_->setAccessibleName(tr("Experiments that use the liquid"));
     form_.addWide(users_);
-    const QString at20 = tr("At 20 °C. Other temperatures scale it as for water.");
-    fields_ = {form_.addQuantity(Quantity::surfaceTension(1, 500), field(tr("Surface tension"), tr("surface tension"),
-                                                                         "surface_tension_mn_m", &Liquid::surface_tension_mn_m, at20)),
-               form_.addQuantity(Quantity::viscosity(0.05, 1000),
-                                 field(tr("Viscosity"), tr("viscosity"), "viscosity_mpa_s", &Liquid::viscosity_mpa_s, at20)),
-               form_.addQuantity(Quantity::density(500, 2000),
-                                 field(tr("Density"), tr("density"), "density_kg_m3", &Liquid::density_kg_m3, at20))};
+    const FormOwner<Liquid> row{
+        [this] { return own() ? "liquids[" + std::to_string(own() - form_.document().design()->liquids.data()) + "]." : std::string(); },
+        [this] { return own(); },
+        [this](Design& design, const std::function<void(Liquid&)>& change) {
+            if (own()) { change(design.liquids[static_cast<std::size_t>(own() - form_.document().design()->liquids.data())]); }
+        }};
+    for (const Field<Liquid>& each : fields_of<Liquid>()) { fields_.push_back(form_.addNumber(row, each.key)); }
     form_.onRefresh([this] { refresh(); });
 }
 
@@ -105,23 +105,6 @@ QStringList LiquidPanel::usersOf(const std::string& liquid) const
         if (experiment.liquid == liquid) { names << tr("“%1”").arg(QString::fromStdString(experiment.name)); }
     }
     return names;
-}
-
-DesignField LiquidPanel::field(const QString& label, const QString& undo, const char* where, double Liquid::*member, const QString& help)
-{
-    return {label,
-            undo,
-            [this, where] {
-                return own() ? "liquids[" + std::to_string(own() - form_.document().design()->liquids.data()) + "]." + where
-                             : std::string();
-            },
-            [this, member] { return own() ? std::optional(own()->*member) : std::nullopt; },
-            [this, member](Design& design, std::optional<double> value) {
-                if (own() && value) {
-                    design.liquids[static_cast<std::size_t>(own() - form_.document().design()->liquids.data())].*member = *value;
-                }
-            },
-            help};
 }
 
 void LiquidPanel::refresh()

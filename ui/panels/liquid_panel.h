@@ -31,7 +31,6 @@ public:
 private:
     const Liquid* own() const;
     QStringList usersOf(const std::string& liquid) const;
-    DesignField field(const QString& label, const QString& undo, const char* where, double Liquid::*member, const QString& help);
     void refresh();
     void askName();
     void askRemoval();

@@ -38,7 +38,12 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
                                                                             : tr("stripe yarn")),
       section_(form.addFoldable(use == YarnUse::warp   ? tr("Warp yarn")
                                 : use == YarnUse::weft ? tr("Weft yarn")
-                                                       : tr("Yarns of the stripes")))
+                                                       : tr("Yarns of the stripes"))),
+      row_{[this] { return path(""); }, [this] { return yarn(); },
+           [this](Design& design, const std::function<void(Yarn&)>& change) {
+               writing([&](Yarn& y, std::optional<double>) { change(y); })(design, {});
+           },
+           kind_}
 {
     if (use == YarnUse::weft) {
         addSameAsWarp();
@@ -51,31 +56,9 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
     addTwist();
     addPlies();
     addColor();
-    QuantityEdit* filaments = form.addQuantity(
-        Quantity::count(fewest_filaments, most_filaments),
-        field(
-            tr("Filaments"), tr("filament count"), "filament_count", [](const Yarn& y) { return std::optional<double>(y.filament_count); },
-            [](Yarn& y, std::optional<double> v) {
-                y.filament_count.reset();
-                if (v) y.filament_count = static_cast<int>(*v);
-            },
-            tr("Of a yarn of continuous filaments. Their radius, and the pores between them, follow from it and the linear density. Leave "
-               "empty for staple yarns: the material's fibre radius counts.")),
-        true);
-    QuantityEdit* fibres = form.addQuantity(
-        Quantity::count(1, 500), field(
-                                     tr("Fibres drawn"), tr("fibre count"), "fibres_per_yarn",
-                                     [](const Yarn& y) { return std::optional<double>(y.fibres_per_yarn); },
-                                     [](Yarn& y, std::optional<double> v) { y.fibres_per_yarn = static_cast<int>(v.value_or(1)); },
-                                     tr("Per yarn, in pictures and exports. Each represents a bundle of real fibres.")));
-    QuantityEdit* evenness = form.addQuantity(
-        Quantity::percent(0, 0.4),
-        field(
-            tr("Irregularity"), tr("irregularity"), "irregularity_cv", [](const Yarn& y) { return y.irregularity_cv; },
-            [](Yarn& y, std::optional<double> v) { y.irregularity_cv = v; },
-            tr("Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for what is usual of such a yarn. "
-               "Acts in the closure “pores” only.")),
-        true);
+    QuantityEdit* filaments = form.addNumber(row_, "filament_count");
+    QuantityEdit* fibres = form.addNumber(row_, "fibres_per_yarn");
+    QuantityEdit* evenness = form.addNumber(row_, "irregularity_cv");
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
     fields_ = {fibre_,           blend_, share_,     core_,          core_share_, diameter_, count_, packing_, twist_,
@@ -83,98 +66,67 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
     form.onRefresh([this] { refresh(); });
 }
 
-DesignField YarnPanel::field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help)
-{
-    return {label,
-            kind_ + " " + undo,
-            [this, where] { return path(where); },
-            [this, read = std::move(read)] { return yarn() ? read(*yarn()) : std::nullopt; },
-            writing(std::move(write)),
-            help};
-}
-
 /// Count, diameter and packing factor determine one another. Count and diameter take each other's place; emptied, one leaves the other as
 /// it was calculated, so that the yarn keeps its size.
 void YarnPanel::addSizes()
 {
-    const auto sizeField = [&](auto&&... arguments) {
-        DesignField made = field(std::forward<decltype(arguments)>(arguments)...);
+    const auto size = [&](const char* key, Write write) {
+        DesignField made = field_of(row_, key);
+        made.write = writing(std::move(write));
         made.within = [this] { return path("").substr(0, path("").size() - 1); };
         return made;
     };
     count_ = new CountEdit;
-    form_.addField(
-        count_,
-        sizeField(
-            tr("Count"), tr("count"), "linear_density_tex", [](const Yarn& y) { return y.linear_density_tex; },
-            [this](Yarn& y, std::optional<double> v) {
-                if (v) {
-                    set_count(y, count_->count());
-                } else {
-                    y.linear_density_tex.reset();
-                    if (!y.diameter_mm && free_) { y.diameter_mm = free_->diameter; }
-                }
-            },
-            tr("As the trade writes it, with plies and filaments: %1. The diameter follows from it.").arg(QString::fromUtf8(count_forms))),
-        true);
+    DesignField count = size("linear_density_tex", [this](Yarn& y, std::optional<double> v) {
+        if (v) {
+            set_count(y, count_->count());
+        } else {
+            y.linear_density_tex.reset();
+            if (!y.diameter_mm && free_) { y.diameter_mm = free_->diameter; }
+        }
+    });
+    count.label = tr("Count");
+    count.undo = kind_ + " " + tr("count");
+    count.help =
+        tr("As the trade writes it, with plies and filaments: %1. The diameter follows from it.").arg(QString::fromUtf8(count_forms));
+    form_.addField(count_, count, true);
     count_note_ = form_.noteBeside(count_);
-    diameter_ = form_.addQuantity(Quantity::length(0.01, 10),
-                                  sizeField(
-                                      tr("Diameter"), tr("diameter"), "diameter_mm", [](const Yarn& y) { return y.diameter_mm; },
-                                      [this](Yarn& y, std::optional<double> v) {
+    diameter_ = form_.addNumber<Yarn>("diameter_mm", size("diameter_mm", [this](Yarn& y, std::optional<double> v) {
                                           if (v) {
                                               y.linear_density_tex.reset();
                                           } else if (!y.linear_density_tex && free_) {
                                               y.linear_density_tex = free_->linear_density_tex;
                                           }
                                           y.diameter_mm = v;
-                                      },
-                                      tr("Of the free, round yarn. Typed here, it takes the place of the count.")),
-                                  true);
+                                      }));
     diameter_note_ = form_.noteBeside(diameter_);
-    packing_ = form_.addQuantity(Quantity::fraction(loosest_packing, densest_packing),
-                                 sizeField(
-                                     tr("Packing"), tr("packing factor"), "packing_factor", [](const Yarn& y) { return y.packing_factor; },
-                                     [](Yarn& y, std::optional<double> v) {
+    packing_ = form_.addNumber<Yarn>("packing_factor", size("packing_factor", [](Yarn& y, std::optional<double> v) {
                                          y.packing_factor = v;
                                          if (v && y.diameter_mm && y.linear_density_tex) { y.diameter_mm.reset(); }
-                                     },
-                                     tr("Fibre volume divided by yarn volume: 0.45 to 0.68 for spun yarns.")),
-                                 true);
+                                     }));
 }
 
 void YarnPanel::addTwist()
 {
-    twist_ = form_.addQuantity(Quantity::twist(5000),
-                               field(
-                                   tr("Twist"), tr("twist"), "twist_per_m", [](const Yarn& y) { return std::optional(y.twist_per_m); },
-                                   [](Yarn& y, std::optional<double> v) { y.twist_per_m = v.value_or(0); }));
-    twist_direction_ = addDirection(tr("Twist direction"), tr("%1 twist direction").arg(kind_), "twist_direction", &Yarn::twist_direction);
+    twist_ = form_.addNumber(row_, "twist_per_m");
+    twist_direction_ = addDirection("twist_direction", &Yarn::twist_direction);
 }
 
 void YarnPanel::addPlies()
 {
-    plies_ = form_.addQuantity(Quantity::count(1, most_plies),
-                               field(
-                                   tr("Plies"), tr("plies"), "plies", [](const Yarn& y) { return std::optional<double>(y.plies); },
-                                   [](Yarn& y, std::optional<double> v) { y.plies = static_cast<int>(v.value_or(1)); },
-                                   tr("Single yarns twisted together. Diameter and linear density are those of the whole yarn.")));
-    ply_twist_ = form_.addQuantity(Quantity::twist(5000), field(
-                                                              tr("Ply twist"), tr("ply twist"), "ply_twist_per_m",
-                                                              [](const Yarn& y) { return std::optional(y.ply_twist_per_m); },
-                                                              [](Yarn& y, std::optional<double> v) { y.ply_twist_per_m = v.value_or(0); },
-                                                              tr("Turns of the plies round each other.")));
-    ply_direction_ =
-        addDirection(tr("Ply direction"), tr("%1 ply twist direction").arg(kind_), "ply_twist_direction", &Yarn::ply_twist_direction);
+    plies_ = form_.addNumber(row_, "plies");
+    ply_twist_ = form_.addNumber(row_, "ply_twist_per_m");
+    ply_direction_ = addDirection("ply_twist_direction", &Yarn::ply_twist_direction);
 }
 
-QComboBox* YarnPanel::addDirection(const QString& label, const QString& undo, const char* where, TwistDirection Yarn::*member)
+QComboBox* YarnPanel::addDirection(const char* key, TwistDirection Yarn::*member)
 {
     auto* box = new QComboBox;
     box->addItems({tr("S twist"), tr("Z twist")});
-    form_.addRow(label, box);
-    connect(box, &QComboBox::activated, this, [this, undo, where, member](int index) {
-        editYarn(undo, path(where), [=](Yarn& y) { y.*member = index == 0 ? TwistDirection::s : TwistDirection::z; });
+    const DesignField row = field_of(row_, key);
+    form_.addRow(row.label, box);
+    connect(box, &QComboBox::activated, this, [this, row, key, member](int index) {
+        editYarn(row.undo, path(key), [=](Yarn& y) { y.*member = index == 0 ? TwistDirection::s : TwistDirection::z; });
     });
     return box;
 }

@@ -28,9 +28,7 @@ Q_SIGNALS:
     void fibreRequested(int fibre);
 
 private:
-    using Read = std::function<std::optional<double>(const Yarn&)>;
     using Write = std::function<void(Yarn&, std::optional<double>)>;
-    DesignField field(const QString& label, const QString& undo, const char* where, Read read, Write write, const QString& help = {});
     const Yarn* yarn() const;
     Yarn& yarnOf(Fabric& fabric) const;
     std::size_t stripe() const;
@@ -52,7 +50,7 @@ private:
     void addSizes();
     void addTwist();
     void addPlies();
-    QComboBox* addDirection(const QString& label, const QString& undo, const char* where, TwistDirection Yarn::*member);
+    QComboBox* addDirection(const char* key, TwistDirection Yarn::*member);
     void refresh();
     void refreshSame();
     void refreshChoice();
@@ -64,6 +62,7 @@ private:
     YarnUse use_;
     QString kind_; ///< in the history: "weft"
     FormSection section_;
+    FormOwner<Yarn> row_;
     int stripe_ = 0; ///< of the extra yarns, the one last chosen; there may be fewer now
     QComboBox* choice_ = nullptr;
     QCheckBox* same_ = nullptr;

@@ -94,14 +94,15 @@ void YarnPanel::addCore()
             if (index > 0) { y.core = YarnCore{name, before.share}; }
         });
     });
-    core_share_ = form_.addQuantity(Quantity::percent(least_core_share, most_core_share),
-                                    field(
-                                        tr("Core share"), tr("core share"), "core.share",
-                                        [](const Yarn& y) { return y.core ? std::optional(y.core->share) : std::nullopt; },
-                                        [](Yarn& y, std::optional<double> v) {
-                                            if (y.core && v) { y.core->share = *v; }
-                                        },
-                                        tr("Fraction of the core, by the yarn's dry mass.")));
+    core_share_ = form_.addNumber(FormOwner<YarnCore>{[this] { return path("core."); },
+                                                      [this] { return yarn() && yarn()->core ? &*yarn()->core : nullptr; },
+                                                      [this](Design& design, const std::function<void(YarnCore&)>& change) {
+                                                          writing([&](Yarn& y, std::optional<double>) {
+                                                              if (y.core) { change(*y.core); }
+                                                          })(design, {});
+                                                      },
+                                                      kind_},
+                                  "share");
 }
 
 void YarnPanel::refreshMaterials()
