@@ -97,7 +97,7 @@ bool is_strip(ExperimentType type) { return source_of(type) == WaterSource::bath
 
 const char* name_of(Closure closure)
 {
-    constexpr const char* names[] = {"kissa", "li_zhu", "paper", "pores"};
+    constexpr const char* names[] = {"paper", "pores"};
     return names[static_cast<int>(closure)];
 }
 

@@ -48,12 +48,10 @@ constexpr int experiment_types = 7;
 
 /// How liquid moves in the pores of the yarns.
 enum class Closure {
-    kissa,  ///< D = D0 s^2: spreading as Kissa measured it
-    li_zhu, ///< D = D0 s^(1/3): pores of all radii, the small ones filled first (Li and Zhu 2003)
-    paper,  ///< the printed parameters of Mao et al. where they are stable
-    pores   ///< in yarns and between them, with threshold, residual and hysteresis (physics/pores.h)
+    paper, ///< the printed parameters of Mao et al. where they are stable
+    pores  ///< in yarns and between them, with threshold, residual and hysteresis (physics/pores.h)
 };
-constexpr int closures = 4;
+constexpr int closures = 2;
 const char* name_of(Closure closure);
 
 /// Fields that its type does not use keep their defaults.

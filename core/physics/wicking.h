@@ -6,8 +6,6 @@
 
 namespace hygroloom {
 
-constexpr double spreading_exponent = 2.0; // p of D = D0 s^p; gives Kissa's law of spreading exactly (physics/README.md)
-
 /// Effective pore radius of a bundle, m: twice the pore area over the wetted perimeter. 0 < packing < 1.
 HL_FN double bundle_pore_radius(double fibre_radius, double packing) { return fibre_radius * (1.0 - packing) / packing; }
 
@@ -34,38 +32,33 @@ HL_FN double permeability_across(double fibre_radius, double packing)
     return 0.2310 * std::pow(std::sqrt(closest / packing) - 1.0, 2.5) * fibre_radius * fibre_radius;
 }
 
+/// Whether pores draw a liquid in: below 90 degrees.
+HL_FN bool wets_pores(double surface_tension, double contact_angle)
+{
+    return adhesion_tension(surface_tension, contact_angle) > 1e-12 * surface_tension;
+}
+
 /// Liquid diffusivity along parallel pores at full saturation, m2/s; 0 when the liquid does not wet (eq. 14 corrected).
 HL_FN double saturated_liquid_diffusivity(double surface_tension, double contact_angle, double pore_radius, double viscosity)
 {
-    const double tension = adhesion_tension(surface_tension, contact_angle);
-    return tension > 1e-12 * surface_tension ? tension * pore_radius / (20.0 * viscosity) : 0.0;
+    if (!wets_pores(surface_tension, contact_angle)) return 0.0;
+    return adhesion_tension(surface_tension, contact_angle) * pore_radius / (20.0 * viscosity);
 }
 
-/// What a closure says of flow along a yarn: D = diffusivity x s^exponent.
+/// What the closure `paper` says of flow along a yarn: D = diffusivity x saturation.
 struct PoreFlow {
     double diffusivity = 0; ///< m2/s at saturation, tortuosity included; 0: does not wick
-    double exponent = spreading_exponent;
-    double fall = 0; ///< s, speed of the liquid of full pores per acceleration along them
+    double fall = 0;        ///< s, speed of the liquid of full pores per acceleration along them
 };
 
-/// The pores' permeability and suction are one closure with D: permeability x suction / viscosity = D / (p s^(p-1) porosity), so that a
-/// column that hangs in liquid stands as high as Jurin says whatever p is, s = (1 - z / h)^(1/p). Suction in Pa at an empty pore.
-HL_FN PoreFlow pore_flow(double diffusivity, double exponent, double suction, double density)
+/// The pores' permeability and suction are one closure with D: permeability x suction / viscosity = D / porosity, so that a column that
+/// hangs in liquid ends as high as Jurin says, s = 1 - z / h. Suction in Pa at an empty pore.
+HL_FN PoreFlow pore_flow(double diffusivity, double suction, double density)
 {
-    return {diffusivity, exponent, suction > 0 ? diffusivity * density / (exponent * suction) : 0.0};
+    return {diffusivity, suction > 0 ? diffusivity * density / suction : 0.0};
 }
 
-HL_FN double saturation_power(double saturation, double exponent)
-{
-    if (saturation <= 0) return 0.0;
-    if (exponent == 2.0) return saturation * saturation;
-    return std::pow(saturation, exponent);
-}
-
-/// Integral of D0 s^p from dry to s, divided by D0: flux = D0 x difference of this / distance.
-HL_FN double spreading_potential(double saturation, double exponent)
-{
-    return saturation * saturation_power(saturation, exponent) / (exponent + 1.0);
-}
+/// Integral of D from dry to s, divided by that at saturation: flux = diffusivity x difference of this / distance.
+HL_FN double spreading_potential(double saturation) { return 0.5 * saturation * saturation; }
 
 } // namespace hygroloom

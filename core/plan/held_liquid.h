@@ -79,7 +79,7 @@ inline double absorbed_by_suction_in(const SceneCounts& scene)
     return swings * swing_of(scene, drop) + uptakes * drop / scene.uptake * std::pow(times_its_room, power);
 }
 
-/// Until cloth of the older closures has absorbed a drop, s.
+/// Until cloth with the closure paper has absorbed a drop, s.
 inline double absorbed_by_diffusion_in(const SceneCounts& scene)
 {
     constexpr double uptakes = 0.68; // of its volume over the cloth's uptake

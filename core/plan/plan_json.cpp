@@ -62,7 +62,7 @@ Knobs knobs_from_json(const Json& plan, Fidelity fidelity)
 SceneCounts counts_from_json(const Json& json)
 {
     return {.type = json.at("type"),
-            .closure = json.value("closure", "kissa"), // once the only default
+            .closure = json.at("closure"),
             .drops = json.at("drops"),
             .landings = json.value("landings", 0.0),
             .drop_volume = json.at("drop_volume_m3"),

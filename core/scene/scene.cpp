@@ -69,7 +69,7 @@ PoreFlow paper_flow(const YarnType& type, const ClimateParameters& climate)
 {
     constexpr double sine_of_beta = 0.34202014332566873; // 20 degrees
     const double full = saturated_liquid_diffusivity(climate.surface_tension, type.contact_angle, paper_pore_radius, climate.viscosity);
-    return pore_flow(3.0 * sine_of_beta * sine_of_beta * full / type.tortuosity, 1.0,
+    return pore_flow(3.0 * sine_of_beta * sine_of_beta * full / type.tortuosity,
                      capillary_pressure(climate.surface_tension, type.contact_angle, paper_pore_radius), climate.density);
 }
 
@@ -81,13 +81,19 @@ double paper_uptake(const YarnType& type)
            type.fibre.standard_regain / find_library_material("cotton")->standard_regain;
 }
 
-PoreFlow flow_in(const YarnType& type, Closure closure, const ClimateParameters& climate)
+/// across: m2, of the bundle.
+void flow_by_saturation(YarnParameters& yarn, const YarnType& type, double across, const ClimateParameters& climate)
 {
-    if (closure == Closure::paper) return paper_flow(type, climate);
-    const double diffusivity =
-        saturated_liquid_diffusivity(climate.surface_tension, type.contact_angle, type.pore_radius, climate.viscosity) / type.tortuosity;
-    return pore_flow(diffusivity, closure == Closure::li_zhu ? 1.0 / 3.0 : spreading_exponent,
-                     capillary_pressure(climate.surface_tension, type.contact_angle, type.pore_radius), climate.density);
+    const PoreFlow flow = paper_flow(type, climate);
+    yarn.liquid_diffusivity = flow.diffusivity;
+    yarn.fall = flow.fall;
+    if (flow.diffusivity <= 0) return;
+    yarn.suction_radius = paper_pore_radius / std::cos(type.contact_angle);
+    // Darcy flow across the fibres from the skin to half-way to the yarn's middle.
+    const double own_radius = bundle_pore_radius(yarn.fibre_radius, type.packing_round_core());
+    yarn.intake_flux = climate.density * across * capillary_pressure(climate.surface_tension, type.contact_angle, own_radius) /
+                       (climate.viscosity * 0.25 * type.section.height);
+    yarn.intake_flux *= paper_uptake(type);
 }
 
 YarnParameters make_yarn(const YarnType& type, double crossing_pitch, Closure closure, const ClimateParameters& climate)
@@ -106,24 +112,13 @@ YarnParameters make_yarn(const YarnType& type, double crossing_pitch, Closure cl
         const double by_law = heat_of_wetting(yarn.isotherm);
         if (by_law > 0) yarn.sorption_heat_scale = 1e3 * fibre.heat_of_wetting_j_g / by_law;
     }
-    const PoreFlow flow = flow_in(type, closure, climate);
-    yarn.exponent = flow.exponent;
-    yarn.liquid_diffusivity = flow.diffusivity;
-    yarn.fall = flow.fall;
     yarn.vapour_diffusivity = vapour_diffusivity(climate.temperature) / type.tortuosity;
     yarn.face_area = type.section.width * crossing_pitch;
     yarn.adhesion = work_of_adhesion(climate.surface_tension, type.contact_angle);
     yarn.initial_regain = yarn.resting_regain = equilibrium_regain(yarn.isotherm, climate.humidity, climate.temperature);
-    if (yarn.liquid_diffusivity > 0) {
-        const bool paper = closure == Closure::paper;
-        const double own_radius = paper ? bundle_pore_radius(yarn.fibre_radius, type.packing_round_core()) : type.pore_radius;
-        yarn.suction_radius = (paper ? paper_pore_radius : type.pore_radius) / std::cos(type.contact_angle);
-        // Darcy flow across the fibres from the skin to half-way to the yarn's middle.
-        yarn.intake_flux = climate.density * permeability_across(yarn.fibre_radius, type.packing_round_core()) *
-                           capillary_pressure(climate.surface_tension, type.contact_angle, own_radius) /
-                           (climate.viscosity * 0.25 * type.section.height);
-        if (paper) yarn.intake_flux *= paper_uptake(type);
-    }
+    const double across = permeability_across(yarn.fibre_radius, type.packing_round_core());
+    yarn.absorbs = wets_pores(climate.surface_tension, type.contact_angle) && across > 0;
+    if (closure == Closure::paper) flow_by_saturation(yarn, type, across, climate);
     return yarn;
 }
 

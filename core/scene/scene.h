@@ -26,15 +26,15 @@ struct YarnParameters {
     Isotherm isotherm;
     FibreDiffusivity diffusivity;
     double sorption_heat_scale = 1; ///< of the law of sorption heats
-    double liquid_diffusivity = 0;  ///< m2/s at saturation, tortuosity included; 0: does not wick
-    double exponent = 2;            ///< of the saturation in it
-    double fall = 0;                ///< s, see PoreFlow
     double vapour_diffusivity = 0;  ///< m2/s in the pores, tortuosity included
     double open_vapour = 0;         ///< m4/s, diffusivity of vapour in air times the open cross-section beside a yarn
-    double suction_radius = 0;      ///< m, pore radius / cos(contact angle): smaller sucks harder; 0: does not wick
-    double intake_flux = 0;         ///< kg/(m2 s) through the skin of a dry yarn
+    bool absorbs = false;           ///< liquid through its skin
     double face_area = 0;           ///< m2 of one segment's skin that absorbs from drops
     double adhesion = 0;            ///< J/m2, work of adhesion
+    double liquid_diffusivity = 0;  ///< where liquid flows by saturation: m2/s at saturation, tortuosity included; 0: does not wick
+    double fall = 0;                ///< s, see PoreFlow
+    double suction_radius = 0;      ///< m, pore radius / cos(contact angle): smaller sucks harder
+    double intake_flux = 0;         ///< kg/(m2 s) through the skin of a dry yarn
     WettedPores on_face[2];         ///< where liquid flows by suction: of what lies at the bottom, and on top
     double flow_along = 0;          ///< m4/(Pa s), permeability times section over viscosity
     double face_conductance = 0;    ///< m3/(Pa s), from liquid on one segment's skin

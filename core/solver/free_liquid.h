@@ -162,7 +162,7 @@ template <typename Executor> void FreeLiquid<Executor>::load(const Scene& scene)
     rules_ = liquid_rules(scene, start_);
     about_sample_ = room_about_sample(scene);
     flow_.longest_dt = rules_.longest_step();
-    absorbed_ = std::any_of(scene.cloth.yarns.begin(), scene.cloth.yarns.end(), [](const auto& yarn) { return yarn.intake_flux > 0; });
+    absorbed_ = std::any_of(scene.cloth.yarns.begin(), scene.cloth.yarns.end(), [](const auto& yarn) { return yarn.absorbs; });
     offers_ = absorbed_ && particles_offer(scene);
     load_cloth();
     make_room();

@@ -59,7 +59,7 @@ Profile absorbing_fibre(Backend& backend, int shells, int steps)
     return {frames_at(backend, scene, {short_time}).back().regain[0]};
 }
 
-/// Liquid in a closed yarn evens out from a cosine, D = D0 s^2: the means over sixteen parts of it.
+/// Liquid in a closed yarn evens out from a cosine, D = D0 s: the means over sixteen parts of it.
 Profile levelling_yarn(Backend& backend, int cells, int steps)
 {
     constexpr double length = 0.01, diffusivity = 1e-3;
@@ -82,7 +82,7 @@ Profile levelling_yarn(Backend& backend, int cells, int steps)
     return means;
 }
 
-/// Liquid runs into a dry yarn from its end, D = D0 s^2: what the yarn absorbed. The front is a corner, where no scheme keeps its order.
+/// Liquid runs into a dry yarn from its end, D = D0 s: what the yarn absorbed. The front is a corner, where no scheme keeps its order.
 Profile absorbing_yarn(Backend& backend, int cells, int steps)
 {
     constexpr double length = 0.01, diffusivity = 1e-3;
@@ -145,7 +145,7 @@ std::vector<VerifyResult> convergence(const VerifyValues&, Backend& backend)
     results.push_back(splitting_order("splitting_temperature", dry, &Frame::temperature));
     results.push_back(splitting_order("with_vapour_regain", all, &Frame::regain));
     results.push_back(known_miss(splitting_order("with_vapour_temperature", all, &Frame::temperature),
-                                 "The steps' differences stop falling at about 10 ms; the cause has not been traced.", 0.3));
+                                 "The steps' differences stop falling at about 10 ms; the cause has not been traced.", 0.45));
     return results;
 }
 

@@ -271,7 +271,7 @@ std::vector<VerifyCase> whole_run_cases()
 {
     const std::vector<VerifyParameter> small_run{
         {"experiment", 0, 0, 0, "droplet"}, {"fabric", 0, 0, 0, "Textile F"},       {"duration_s", 1, 1e-3, 1e4, ""},
-        {"volume_ul", 3, 1e-3, 100, ""},    {"closure", 0, 0, 0, "kissa"},          on_or_off("swelling", false),
+        {"volume_ul", 3, 1e-3, 100, ""},    {"closure", 0, 0, 0, "paper"},          on_or_off("swelling", false),
         {"temperature_c", 20, -10, 60, ""}, {"contact_angle_deg", -1, -1, 180, ""}, {"fidelity", 0, 0, 0, "draft"}};
     std::vector<VerifyParameter> by_default = small_run;
     for (VerifyParameter& parameter : by_default)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Liquid along yarns and across the network against Lucas and Washburn, Darcy, and Barenblatt.
+// Liquid along yarns against Lucas and Washburn, and Darcy.
 #include "core/base/error.h"
+#include "core/physics/retention.h"
 #include "core/physics/water.h"
-#include "core/physics/wicking.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
 
@@ -15,33 +15,108 @@
 namespace hygroloom {
 namespace {
 
-/// A front so sharp that the yarn fills like a tube: D = D0 s^p with D0 / (p + 1) kept and p large.
-constexpr double tube_exponent = 1999;
-
-/// x^2 / 2t of the ideal front in a level tube, m2/s: the diffusivity that a run gives pores of that radius, without its share of 1/5.
-double tube_mobility(double temperature, double contact_angle, double radius)
+/// Pores that all fill at one suction, Pa, and let none go below three times as much: what they hold falls from all to nothing on a
+/// straight line about it, wider than suction differs from a cell of a standing tube to the next.
+Retention one_suction(double suction)
 {
-    return 5.0 * saturated_liquid_diffusivity(water_surface_tension(temperature), contact_angle, radius, water_viscosity(temperature));
+    constexpr double narrow = 2e-3, keeps = 3, stiff = 1e3; // of the suction
+    Retention pores;
+    pores.twice_shape = 0;
+    pores.quarters = 1;
+    pores.entry = suction;
+    pores.full = (1.0 - narrow) * suction;
+    pores.knee = pores.front = suction;
+    pores.at_knee = pores.threshold = 0.5;
+    pores.dry = (1.0 + narrow) * suction;
+    pores.gives = keeps * suction;
+    pores.emptying = pores.gives + pores.entry;
+    pores.breaks = pores.gives + stiff * suction;
+    return pores;
 }
 
-/// How far liquid has run at times/64, /16, /4 and 1 into a yarn whose end is in it; mobility = x^2 / 2t of the ideal front.
-std::vector<double> front_distances(Backend& backend, double temperature, double mobility, double time, double farthest)
+/// What draws water into a tube, and what lets it through.
+struct Draw {
+    double suction = 0;  ///< Pa
+    double mobility = 0; ///< m2/(Pa s), permeability over viscosity and porosity
+};
+/// A round tube's (Hagen and Poiseuille); from 90 degrees on nothing draws.
+Draw draw_of_tube(double temperature, double contact_angle, double radius)
 {
-    constexpr int cells = 1200;
-    Scene scene = bare_scene(1, cells, 1.2 * farthest / cells, temperature);
+    const double tension = water_surface_tension(temperature);
+    if (!wets_pores(tension, contact_angle)) return {capillary_pressure(tension, 0, radius), 0};
+    return {capillary_pressure(tension, contact_angle, radius), radius * radius / (8.0 * water_viscosity(temperature))};
+}
+/// Of the values that the cases of Darcy share.
+Draw draw_of_strip(const VerifyValues& v)
+{
+    const double temperature = kelvin_from_celsius(value(v, "temperature_c"));
+    return {value(v, "pressure_pa"), value(v, "permeability_m2") / (water_viscosity(temperature) * value(v, "porosity"))};
+}
+
+/// A yarn whose first cell hangs in the liquid; its picks take no part.
+Scene tube(double temperature, const Draw& draw, int cells, double cell)
+{
+    Scene scene = bare_scene(1, cells, cell, temperature);
     scene.rules.wicking = true;
-    scene.cloth.yarns[0].exponent = tube_exponent;
-    scene.cloth.yarns[0].liquid_diffusivity = mobility * (tube_exponent + 1);
+    scene.rules.saturation_change = 1e3; // steps end where the case asks
+    scene.rules.network_step = 1e12;
+    scene.cloth.by_suction = true;
+    for (YarnParameters& yarn : scene.cloth.yarns) yarn.on_face[0] = yarn.on_face[1] = {one_suction(draw.suction), 1.0};
+    scene.cloth.yarns[0].flow_along = draw.mobility * scene.cloth.yarns[0].pore_area;
+    BetweenParameters& between = scene.cloth.crossing[0].between;
+    between.volume = scene.cloth.yarns[0].pore_area * cell;
+    std::fill(std::begin(between.retention), std::end(between.retention), one_suction(draw.suction));
     scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
     scene.supply.fed[0] = 1;
-    scene.rules.network_step = time / 4000;
-    const double capacity = scene.climate.density * scene.cloth.yarns[0].pore_area;
+    scene.cloth.start.liquid.assign(static_cast<std::size_t>(scene.cloth.segments()), 0.0);
+    scene.cloth.start.liquid[0] = scene.climate.density * scene.cloth.yarns[0].pore_area * cell;
+    return scene;
+}
+
+/// kg that have run in beyond the first cell.
+double drawn_in(const Scene& scene, const Frame& frame)
+{
+    return std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + scene.cloth.picks, 0.0);
+}
+/// As length of full tube from the middle of the first cell.
+double distance_in_tube(const Scene& scene, const Frame& frame)
+{
+    const double held = drawn_in(scene, frame);
+    return held > 0 ? held / (scene.climate.density * scene.cloth.yarns[0].pore_area) + 0.5 * scene.cloth.length[0] : 0.0;
+}
+
+/// A front's distances (m) at time x (n / steps)^2, n = 1, 2, …: as it goes with the root of time, it comes as far in each step.
+constexpr int steps_of_front = 1600, cells_to_front = 500;
+template <typename Distance> std::vector<double> course_of(Backend& backend, const Scene& scene, double time, const Distance& distance)
+{
+    backend.load(scene);
     std::vector<double> distances;
-    for (const Frame& frame : frames_at(backend, scene, {time / 64, time / 16, time / 4, time})) {
-        // The water that ran in, as length of full tube from the middle of the fed segment.
-        const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + cells, 0.0);
-        distances.push_back(held > 0 ? held / capacity + 0.5 * scene.cloth.length[0] : 0.0);
+    for (int n = 1; n <= steps_of_front; ++n) {
+        const double until = time * n * n / (static_cast<double>(steps_of_front) * steps_of_front);
+        while (backend.advance(until) < until) {}
+        distances.push_back(distance(scene, backend.frame()));
     }
+    return distances;
+}
+/// s, when a course of so many seconds that begins at a distance comes to another; not a number where it does not.
+double time_at(const std::vector<double>& course, double time, double begins, double distance)
+{
+    for (std::size_t n = 0; n < course.size(); ++n) {
+        const double before = n == 0 ? begins : course[n - 1];
+        if (course[n] < distance) continue;
+        const double root = (static_cast<double>(n) + (distance - before) / (course[n] - before)) / steps_of_front;
+        return time * root * root;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+/// How far liquid has run at time/64, /16, /4 and 1 into a level yarn.
+std::vector<double> front_distances(Backend& backend, double temperature, const Draw& draw, double time, double farthest)
+{
+    const Scene scene = tube(temperature, draw, static_cast<int>(1.2 * cells_to_front), farthest / cells_to_front);
+    const std::vector<double> all = course_of(backend, scene, time, distance_in_tube);
+    std::vector<double> distances;
+    for (int part : {8, 4, 2, 1}) distances.push_back(all[static_cast<std::size_t>(steps_of_front / part - 1)]);
     return distances;
 }
 
@@ -58,37 +133,6 @@ double front_exponent(const std::vector<double>& distances)
     }
     return sum / squares;
 }
-
-/// A tube that stands in liquid: time for the front to reach each cell's end, or less than nothing when it did not.
-struct StandingTube {
-    Scene scene;
-    double cell = 0; ///< m
-
-    StandingTube(double temperature, double radius, double contact_angle, double length, double step)
-    {
-        constexpr int cells = 800;
-        cell = length / cells;
-        scene = bare_scene(1, cells, cell, temperature);
-        scene.rules.wicking = true;
-        const double suction = capillary_pressure(scene.climate.surface_tension, contact_angle, radius);
-        const double mobility = tube_mobility(temperature, contact_angle, radius);
-        const PoreFlow flow = pore_flow(mobility * (tube_exponent + 1), tube_exponent, suction, scene.climate.density);
-        scene.cloth.yarns[0].exponent = flow.exponent;
-        scene.cloth.yarns[0].liquid_diffusivity = flow.diffusivity;
-        scene.cloth.yarns[0].fall = flow.fall;
-        scene.cloth.gravity_along_warp = gravity_acceleration;
-        scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
-        scene.supply.fed[0] = 1;
-        scene.rules.network_step = step;
-    }
-    /// The liquid in it as length of full tube above the middle of the cell that hangs in the liquid; 0 when none has risen.
-    double height(const Frame& frame) const
-    {
-        const double capacity = scene.climate.density * scene.cloth.yarns[0].pore_area;
-        const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + scene.cloth.picks, 0.0);
-        return held > 0 ? held / capacity + 0.5 * cell : 0.0;
-    }
-};
 
 /// Time to rise to a height (Washburn 1921 with gravity).
 double rising_time(double radius, double equilibrium, double viscosity, double density, double height)
@@ -118,20 +162,11 @@ std::vector<VerifyResult> washburn_gravity(const VerifyValues& v, Backend& backe
         throw Error(
             fmt::format("height_mm: The liquid rises to {:.4g} mm in this tube; give less than {:.4g}.", 1e3 * highest, 980 * highest));
     const double expected = rising_time(radius, highest, water_viscosity(temperature), water_density(temperature), height);
-    constexpr int samples = 150;
-    std::vector<double> times;
-    for (int i = 1; i <= samples; ++i) times.push_back(1.5 * expected * i / samples);
-    const StandingTube tube(temperature, radius, radian_from_degree(angle), std::min(1.4 * height, 1.05 * highest), expected / 2000);
-    double before = 0, before_time = 0, computed = std::numeric_limits<double>::quiet_NaN();
-    for (const Frame& frame : frames_at(backend, tube.scene, times)) {
-        const double now = tube.height(frame);
-        if (now >= height) {
-            computed = before_time + (height - before) / (now - before) * (frame.time - before_time);
-            break;
-        }
-        before = now;
-        before_time = frame.time;
-    }
+    Scene scene = tube(temperature, draw_of_tube(temperature, radian_from_degree(angle), radius), static_cast<int>(1.2 * cells_to_front),
+                       std::min(1.4 * height, 1.05 * highest) / (1.2 * cells_to_front));
+    scene.cloth.gravity_along_warp = gravity_acceleration;
+    const double longest = 1.5 * expected;
+    const double computed = time_at(course_of(backend, scene, longest, distance_in_tube), longest, 0, height);
     return {{"time_s", computed, expected, 0.03 * expected}};
 }
 
@@ -140,47 +175,38 @@ std::vector<VerifyResult> jurin(const VerifyValues& v, Backend& backend)
     const double temperature = kelvin_from_celsius(value(v, "temperature_c")), radius = metre_from_um(value(v, "radius_um"));
     const double angle = value(v, "contact_angle_deg"), expected = wets(v) ? equilibrium_for(v, temperature, angle) : 0.0;
     const double extent = wets(v) ? expected : equilibrium_for(v, temperature, 0); // of a tube as long as it could have risen
-    const double slowness =
-        8.0 * water_viscosity(temperature) * extent / (water_density(temperature) * gravity_acceleration * radius * radius);
-    const StandingTube tube(temperature, radius, radian_from_degree(angle), 1.2 * extent, 0.02 * slowness);
-    const Frame frame = frames_at(backend, tube.scene, {12.0 * slowness}).back();
-    return {{"height_mm", 1e3 * tube.height(frame), 1e3 * expected, 0.01 * 1e3 * expected}};
+    constexpr int cells = 800;
+    constexpr double left = 12; // s
+    Draw draw = draw_of_tube(temperature, radian_from_degree(angle), radius);
+    if (draw.mobility > 0) draw.mobility = extent * extent / draw.suction; // of some seconds: only when it rests hangs on it, not where
+    Scene scene = tube(temperature, draw, cells, 1.2 * extent / cells);
+    scene.cloth.gravity_along_warp = gravity_acceleration;
+    const double height = course_of(backend, scene, left, distance_in_tube).back();
+    return {{"height_mm", 1e3 * height, 1e3 * expected, 0.01 * 1e3 * expected}};
 }
 
 /// A plane that absorbs from a round source in its middle, as one wedge of it: a yarn that widens with the distance.
 std::vector<VerifyResult> radial_wicking(const VerifyValues& v, Backend& backend)
 {
-    const double temperature = kelvin_from_celsius(value(v, "temperature_c")), porosity = value(v, "porosity");
+    const double temperature = kelvin_from_celsius(value(v, "temperature_c"));
     const double source = metre_from_mm(value(v, "source_radius_mm")), radius = metre_from_mm(value(v, "radius_mm"));
     if (radius <= source) throw Error(fmt::format("radius_mm: The front starts at the source's radius of {} mm; give more.", 1e3 * source));
-    const double mobility = value(v, "permeability_m2") * value(v, "pressure_pa") / (water_viscosity(temperature) * porosity);
-    const double expected = (0.5 * radius * radius * (std::log(radius / source) - 0.5) + 0.25 * source * source) / mobility;
-    constexpr int cells = 1000;
+    const Draw draw = draw_of_strip(v);
+    const double expected =
+        (0.5 * radius * radius * (std::log(radius / source) - 0.5) + 0.25 * source * source) / (draw.mobility * draw.suction);
+    constexpr int cells = 600;
     const double cell = (1.1 * radius - source) / cells;
-    Scene scene = bare_scene(1, cells, cell, temperature);
-    scene.rules.wicking = true;
-    scene.cloth.yarns[0].exponent = tube_exponent;
-    scene.cloth.yarns[0].liquid_diffusivity = mobility * (tube_exponent + 1);
-    constexpr double width = 1e-4; // m2 of pores per m of radius
-    scene.cloth.pores.assign(static_cast<std::size_t>(scene.cloth.segments()), 1e-12);
+    Scene scene = tube(temperature, draw, cells, cell);
+    const double width = scene.cloth.yarns[0].pore_area / radius; // m2 of pores per m of radius
+    scene.cloth.pores.assign(static_cast<std::size_t>(scene.cloth.segments()), scene.cloth.yarns[0].pore_area * cell);
     for (int i = 0; i < cells; ++i) scene.cloth.pores[static_cast<std::size_t>(i)] = width * (source + i * cell) * cell;
-    scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
-    scene.supply.fed[0] = 1;
-    scene.rules.network_step = expected / 3000;
-    constexpr int samples = 150;
-    std::vector<double> times;
-    for (int i = 1; i <= samples; ++i) times.push_back(1.2 * expected * i / samples);
-    double before = source, before_time = 0, computed = std::numeric_limits<double>::quiet_NaN();
-    for (const Frame& frame : frames_at(backend, scene, times)) {
-        const double held = std::accumulate(frame.liquid.begin() + 1, frame.liquid.begin() + cells, 0.0) / (scene.climate.density * width);
-        const double now = std::sqrt((source + 0.5 * cell) * (source + 0.5 * cell) + 2.0 * held);
-        if (now >= radius) {
-            computed = before_time + (radius - before) / (now - before) * (frame.time - before_time);
-            break;
-        }
-        before = now;
-        before_time = frame.time;
-    }
+    scene.cloth.start.liquid[0] = scene.climate.density * scene.cloth.pores[0];
+    const auto front = [&](const Scene& at, const Frame& frame) {
+        const double inner = source + 0.5 * cell;
+        return std::sqrt(inner * inner + 2.0 * drawn_in(at, frame) / (at.climate.density * width));
+    };
+    const double longest = 1.2 * expected;
+    const double computed = time_at(course_of(backend, scene, longest, front), longest, source, radius);
     return {{"time_s", computed, expected, 0.03 * expected}};
 }
 
@@ -195,7 +221,7 @@ std::vector<VerifyResult> washburn(const VerifyValues& v, Backend& backend)
     };
     const double expected = wets(v) ? front(angle) : 0.0;
     const double extent = wets(v) ? expected : front(0);
-    const std::vector<double> distances = front_distances(backend, temperature, tube_mobility(temperature, angle, radius), time, extent);
+    const std::vector<double> distances = front_distances(backend, temperature, draw_of_tube(temperature, angle, radius), time, extent);
     std::vector<VerifyResult> results{{"distance_mm", 1e3 * distances.back(), 1e3 * expected, 0.02 * 1e3 * expected}};
     if (wets(v)) results.push_back({"exponent", front_exponent(distances), 0.5, 0.02}); // what stands still has none
     return results;
@@ -204,66 +230,10 @@ std::vector<VerifyResult> washburn(const VerifyValues& v, Backend& backend)
 std::vector<VerifyResult> darcy_strip(const VerifyValues& v, Backend& backend)
 {
     const double temperature = kelvin_from_celsius(value(v, "temperature_c"));
-    const double mobility = value(v, "permeability_m2") * value(v, "pressure_pa") / (water_viscosity(temperature) * value(v, "porosity"));
-    const double time = value(v, "time_s"), expected = std::sqrt(2.0 * mobility * time);
-    const double distance = front_distances(backend, temperature, mobility, time, expected).back();
+    const Draw draw = draw_of_strip(v);
+    const double time = value(v, "time_s"), expected = std::sqrt(2.0 * draw.mobility * draw.suction * time);
+    const double distance = front_distances(backend, temperature, draw, time, expected).back();
     return {{"distance_mm", 1e3 * distance, 1e3 * expected, 0.02 * 1e3 * expected}};
-}
-
-/// Barenblatt's spreading of a finite drop on a plane: s(r, t) with front and centre.
-struct Barenblatt {
-    double p, d0, mass; ///< mass in m2: volume / (thickness x porosity)
-    double tau(double t) const { return d0 * t / (p + 1); }
-    double kappa() const { return p / (4.0 * (p + 1) * (p + 1)); }
-    double constant() const { return std::pow(mass * kappa() * (p + 1) / (pi * p), p / (p + 1)); }
-    double radius(double t) const { return std::sqrt(constant() / kappa()) * std::pow(tau(t), 0.5 / (p + 1)); }
-    double saturation(double r, double t) const
-    {
-        const double scale = std::pow(tau(t), -1.0 / (p + 1));
-        return scale * std::pow(std::max(0.0, constant() - kappa() * r * r * scale), 1.0 / p);
-    }
-};
-
-std::vector<VerifyResult> barenblatt(const VerifyValues& v, Backend& backend)
-{
-    const double porosity = value(v, "porosity"), thickness = 1e-3 * value(v, "thickness_mm"), time = value(v, "time_s");
-    const Barenblatt exact{value(v, "exponent"), value(v, "diffusivity_m2_s"), 1e-9 * value(v, "volume_ul") / (thickness * porosity)};
-    constexpr int cells = 101;
-    const double pitch = 2.3 * exact.radius(time) / cells, temperature = kelvin_from_celsius(value(v, "temperature_c"));
-    Scene scene = bare_scene(cells, cells, pitch, temperature);
-    scene.rules.wicking = true;
-    for (YarnParameters& yarn : scene.cloth.yarns) {
-        yarn.pore_area = 0.5 * thickness * porosity * pitch; // each system holds half of the plane's liquid
-        yarn.exponent = exact.p;
-        yarn.liquid_diffusivity = 2.0 * exact.d0; // and carries all of one direction's flow
-        yarn.suction_radius = 1e-5;
-    }
-    scene.cloth.crossing[0].liquid_conductance = 1e3 * scene.climate.density * scene.cloth.yarns[0].pore_area * exact.d0 / pitch;
-
-    // From the exact profile of an earlier time, once the centre is no longer over-full.
-    const double full_until = std::pow(std::pow(exact.constant(), 1.0 / exact.p), exact.p + 1) * (exact.p + 1) / exact.d0;
-    const double start = std::max(time / 16, 1.01 * full_until);
-    if (time <= start) throw Error(fmt::format("time_s: The spot's middle is more than full until {:.4g} s; give more.", start));
-    scene.cloth.start.liquid.resize(static_cast<std::size_t>(scene.cloth.segments()));
-    const auto radius_of = [&](int end, int pick) { return pitch * std::hypot(end - cells / 2, pick - cells / 2); };
-    const double capacity = scene.climate.density * scene.cloth.yarns[0].pore_area * pitch;
-    for (int end = 0; end < cells; ++end)
-        for (int pick = 0; pick < cells; ++pick) {
-            const double liquid = capacity * exact.saturation(radius_of(end, pick), start);
-            scene.cloth.start.liquid[static_cast<std::size_t>(end * cells + pick)] = liquid;
-            scene.cloth.start.liquid[static_cast<std::size_t>(scene.cloth.crossings() + pick * cells + end)] = liquid;
-        }
-    scene.rules.network_step = time / 600;
-    const Frame frame = frames_at(backend, scene, {std::max(1e-9, time - start)}).front();
-
-    const double centre = 0.5 * (frame.saturation[static_cast<std::size_t>((cells / 2) * cells + cells / 2)] +
-                                 frame.saturation[static_cast<std::size_t>(scene.cloth.crossings() + (cells / 2) * cells + cells / 2)]);
-    constexpr double front = 1e-4; // of the centre: low, because a small exponent's profile ends in a long flat foot
-    const auto wet = std::count_if(frame.saturation.begin(), frame.saturation.end(), [&](float s) { return s > front * centre; });
-    const double radius = std::sqrt(0.5 * static_cast<double>(wet) * pitch * pitch / pi);
-    const double expected_radius = exact.radius(time), expected_centre = exact.saturation(0, time);
-    return {{"radius_mm", 1e3 * radius, 1e3 * expected_radius, 0.03 * 1e3 * expected_radius},
-            {"centre_saturation", centre, expected_centre, 0.02 * expected_centre}};
 }
 
 } // namespace
@@ -302,16 +272,6 @@ std::vector<VerifyCase> wicking_cases()
           {"radius_mm", 10, 0.2, 1000, ""},
           temperature},
          radial_wicking},
-        {"barenblatt",
-         "A finite drop spreads in a plane with D = D0 s^p: front and centre against Barenblatt's solution.",
-         {{"exponent", 2, 0.3, 5, ""},
-          {"volume_ul", 50, 1e-3, 5e3, ""},
-          {"thickness_mm", 0.4, 1e-3, 10, ""},
-          {"porosity", 0.6, 0.01, 1, ""},
-          {"diffusivity_m2_s", 1e-5, 1e-9, 1e-3, ""},
-          {"time_s", 20, 1e-3, 1e5, ""},
-          temperature},
-         barenblatt},
     };
 }
 

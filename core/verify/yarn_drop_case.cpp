@@ -99,7 +99,7 @@ Scene woven(const Design& design, const Textile& textile)
 {
     Scene scene = build_scene(design, textile, design.experiments[0], ModelPlan{}, 1);
     scene.supply = {};
-    for (YarnParameters& yarn : scene.cloth.yarns) yarn.intake_flux = 0;
+    for (YarnParameters& yarn : scene.cloth.yarns) yarn.absorbs = false;
     return scene;
 }
 

@@ -63,12 +63,12 @@ std::vector<double> wear_times(const WearExperiment& wear)
 
 namespace {
 
-/// How wet the cloth over sweating skin gets, on average: 1 from 0.1 mm of liquid on, which flows everywhere then; 0 where no yarn wicks.
+/// How wet the cloth over sweating skin gets, on average: 1 from 0.1 mm of liquid on, which flows everywhere then; 0 where no yarn absorbs.
 double wetness(const GarmentScene& garment, const WearExperiment& wear)
 {
     constexpr double wet_through = 0.1e-3; // m of liquid
     const std::vector<YarnParameters>& yarns = garment.scene.cloth.yarns;
-    if (std::none_of(yarns.begin(), yarns.end(), [](const YarnParameters& yarn) { return yarn.suction_radius > 0; })) return 0;
+    if (std::none_of(yarns.begin(), yarns.end(), [](const YarnParameters& yarn) { return yarn.absorbs; })) return 0;
     const SkinSupply& skin = garment.scene.supply.skin;
     double depth = wear.initial_water_g_m2 * 1e-6;
     constexpr int times = 6;

@@ -3505,14 +3505,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Flüssigkeit</translation>
     </message>
     <message>
-        <source>Kissa (measured)</source>
-        <translation>Kissa (gemessen)</translation>
-    </message>
-    <message>
-        <source>Li and Zhu</source>
-        <translation>Li und Zhu</translation>
-    </message>
-    <message>
         <source>Mao et al. (as printed)</source>
         <translation>Mao u. a. (wie gedruckt)</translation>
     </message>

@@ -182,10 +182,6 @@ private Q_SLOTS:
                                    << "radius_um=0.5 contact_angle_deg=85 time_s=1000";
         QTest::newRow("tight strip") << "darcy_strip"
                                      << "permeability_m2=3e-14 pressure_pa=20000 porosity=0.3 time_s=200";
-        QTest::newRow("p = 1") << "barenblatt"
-                               << "exponent=1 volume_ul=20 time_s=5";
-        QTest::newRow("late p = 2") << "barenblatt"
-                                    << "time_s=60";
         QTest::newRow("early uptake") << "crank_cylinder"
                                       << "fourier=0.05";
         QTest::newRow("late uptake") << "crank_cylinder"
@@ -259,14 +255,6 @@ private Q_SLOTS:
                                    << "source_radius_mm=0.5 radius_mm=50 porosity=0.8";
         QTest::newRow("near front") << "radial_wicking"
                                     << "source_radius_mm=5 radius_mm=5.5";
-        QTest::newRow("p = 1/3") << "barenblatt"
-                                 << "exponent=0.3333 time_s=5";
-        QTest::newRow("p = 1/2") << "barenblatt"
-                                 << "exponent=0.5 time_s=5";
-        QTest::newRow("p = 3") << "barenblatt"
-                               << "exponent=3 volume_ul=200 thickness_mm=1 time_s=100";
-        QTest::newRow("p = 5") << "barenblatt"
-                               << "exponent=5 time_s=100";
         QTest::newRow("half uptake, at the axis") << "crank_cylinder"
                                                   << "fourier=0.06306 position=0";
         QTest::newRow("late uptake, at the axis") << "crank_cylinder"
@@ -455,9 +443,6 @@ private Q_SLOTS:
         QTest::newRow("half a shell") << "crank_cylinder"
                                       << "shells"
                                       << "4.5";
-        QTest::newRow("a spot more than full") << "barenblatt"
-                                               << "time_s"
-                                               << "0.01";
         QTest::newRow("no such material") << "regain"
                                           << "material"
                                           << "steel";

@@ -32,7 +32,7 @@ private Q_SLOTS:
             for (const char* fabric : fabrics) {
                 const std::string experiment = name_of(static_cast<ExperimentType>(i));
                 const double duration = durations.count(experiment) ? durations.at(experiment) : 5;
-                row(experiment, fabric, duration, by_suction.count(fabric) > 0 ? "pores" : "kissa", "0");
+                row(experiment, fabric, duration, by_suction.count(fabric) > 0 ? "pores" : "paper", "0");
             }
         for (const std::string experiment : {"droplet", "horizontal_wicking", "vertical_wicking", "drying"})
             for (const char* fabric : {"C", "Viscose challis"}) row(experiment, fabric, experiment == "droplet" ? 0.1 : 10, "pores", "1");

@@ -189,7 +189,7 @@ private Q_SLOTS:
     }
     void planNamesTheKeysThatChangeNothing()
     {
-        const QStringList plan{"plan", example("textile-F.hygro"), "--set", "experiments[0].closure=kissa"};
+        const QStringList plan{"plan", example("textile-F.hygro"), "--set", "experiments[0].closure=paper"};
         const QString text = run_cli(plan).out;
         QVERIFY2(text.contains("only the closure pores reads it: ") && text.contains("yarn.twist_per_m"), qPrintable(text));
         const QJsonArray keys = run_cli(plan + QStringList{"--json"}).json()["idle_keys"].toArray();

@@ -46,7 +46,7 @@ class TestCommandLineRuns : public QObject {
                 QString("experiments[0].droplets[0].volume_ul=") + volume,
                 "experiments[0].droplets[0].height_mm=0",
                 "fidelity.particles_per_droplet=100",
-                "experiments[0].closure=kissa", // which needs no flow through rooms between yarns
+                "experiments[0].closure=paper", // which needs no flow through rooms between yarns
                 "-o",
                 folder_.filePath("tradeoff")};
     }
@@ -97,7 +97,7 @@ private Q_SLOTS:
                               "fabrics[0].warp.material=polyester",
                               "fabrics[0].weft.material=polyester",
                               "fabrics[0].contact_angle_deg=20",
-                              "experiments[3].closure=kissa",
+                              "experiments[3].closure=paper",
                               "experiments[3].volume_ul=1",
                               "experiments[3].sample_mm=[16,16]",
                               "experiments[3].duration_s=200",

@@ -143,7 +143,7 @@ void liquid_stages(benchmark::State& state)
 BENCHMARK(liquid_stages)->ArgNames({"particles", "fall_mm"})->Args({8000, 10})->Args({8000, 0})->Args({1000000, 10})->Iterations(1);
 
 /// Argument: side of the sample in mm.
-void network_step(benchmark::State& state, bool everything, Closure closure = Closure::kissa)
+void network_step(benchmark::State& state, bool everything, Closure closure = Closure::paper)
 {
     if (!has_gpu(state)) return;
     const Scene scene = wet_cloth(static_cast<double>(state.range(0)), everything, closure);

@@ -14,7 +14,7 @@ using namespace hygroloom;
 namespace {
 
 /// Argument: side of the sample in mm.
-void step(benchmark::State& state, bool everything, int threads, Closure closure = Closure::kissa)
+void step(benchmark::State& state, bool everything, int threads, Closure closure = Closure::paper)
 {
     const Scene scene = wet_cloth(static_cast<double>(state.range(0)), everything, closure);
     Solver<CpuExecutor> solver;

@@ -17,7 +17,7 @@ inline Scene drop_scene(int particles, double height_mm)
     Design design = read_project(HYGROLOOM_SOURCE_DIR "/resources/examples/textile-F.hygro");
     design.fabrics[0].contact_angle_deg = 120; // nothing is absorbed: the number of particles stays
     Experiment experiment = standard_experiment(ExperimentType::droplet);
-    experiment.closure = Closure::kissa; // that of the figures in README.md
+    experiment.closure = Closure::paper;
     experiment.sample_mm = {20, 20};
     experiment.droplets[0].volume_ul = drop_volume_ul;
     experiment.droplets[0].height_mm = height_mm;
@@ -36,7 +36,7 @@ inline Design pool_on_textile_f(double sample_mm, double volume_ul)
     Design design = read_project(HYGROLOOM_SOURCE_DIR "/resources/examples/textile-F.hygro");
     Experiment experiment = standard_experiment(ExperimentType::moisture_management);
     experiment.name = "pool";
-    experiment.closure = Closure::kissa; // that of the figures in README.md
+    experiment.closure = Closure::paper; // by saturation, in yarns alone
     experiment.sample_mm = {sample_mm, sample_mm};
     experiment.volume_ul = volume_ul;
     experiment.drop_ul = 0;
@@ -58,7 +58,7 @@ inline double least_bytes(const Scene& scene) { return 8.0 * (scene.rules.vapour
 /// Every segment wet, steps of one length (wet_cloth_step), each with its exchange with fibres and air.
 constexpr double wet_cloth_step = 0.01; // s
 
-inline Scene wet_cloth(double side_mm, bool everything, Closure closure = Closure::kissa)
+inline Scene wet_cloth(double side_mm, bool everything, Closure closure = Closure::paper)
 {
     Design design = pool_on_textile_f(side_mm, 1);
     design.experiments[0].closure = closure;

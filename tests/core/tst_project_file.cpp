@@ -287,8 +287,7 @@ private Q_SLOTS:
         row("experiment of never", replaced(good, type, "\"type\": \"x\""), "must be one of \"droplet\", \"moisture_management\", ");
         row("experiment misspelt", replaced(good, type, "\"type\": \"dryng\""), "did you mean \"drying\"?");
         row("key of another type", replaced(good, type, type + ", \"feed_s\": 3"), "The key \"feed_s\" is not known here");
-        row("closure", replaced(good, type, type + ", \"closure\": \"mine\""),
-            "must be one of \"kissa\", \"li_zhu\", \"paper\", \"pores\"");
+        row("closure", replaced(good, type, type + ", \"closure\": \"kissa\""), "must be \"paper\" or \"pores\"; given is \"kissa\"");
         row("swelling", replaced(good, type, type + ", \"swelling\": 1"), "must be true or false; given is 1");
         row("liquid of nothing", replaced(good, "\"materials\": []", "\"liquids\": [{}]"), "liquids[0]: The key \"name\" is missing");
         row("material on nothing", replaced(good, "\"materials\": []", "\"materials\": [{\"name\": \"m\", \"based_on\": \"coton\"}]"),

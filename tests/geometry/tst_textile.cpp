@@ -52,7 +52,7 @@ private Q_SLOTS:
         QCOMPARE(warp.unevenness.cv, 0.14);
         QVERIFY(derived.weft.types[0].unevenness.cv > 0.1); // as is usual of cotton
         QVERIFY(std::abs(warp.helix_tortuosity - 1.1263) < 5e-5);
-        QCOMPARE(warp.tortuosity, 1.2); // the other closures' own
+        QCOMPARE(warp.tortuosity, 1.2); // of the closure paper
         QVERIFY(!derived.face_angle);
         QCOMPARE(*derived.back_angle, radian_from_degree(110));
         fabric.measured.tortuosity = 1.7;

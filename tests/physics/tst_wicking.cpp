@@ -234,15 +234,13 @@ private Q_SLOTS:
         QFETCH(double, degrees);
         QCOMPARE(saturated_liquid_diffusivity(tension, radian_from_degree(degrees), 8e-6, viscosity), 0.0);
     }
-    void potentialIsTheIntegralOfItsPower()
+    void potentialIsTheIntegralOfTheDiffusivity()
     {
-        for (double p : {1.0 / 3.0, 1.0, 2.0, 5.0}) {
-            double sum = 0;
-            constexpr int n = 20000;
-            for (int i = 0; i < n; ++i) sum += saturation_power((i + 0.5) / n * 0.8, p) * 0.8 / n;
-            QVERIFY(within(spreading_potential(0.8, p), sum, 1e-5));
-        }
-        QCOMPARE(spreading_potential(0.0, 2.0), 0.0);
+        double sum = 0;
+        constexpr int n = 1000;
+        for (int i = 0; i < n; ++i) sum += (i + 0.5) / n * 0.8 * 0.8 / n; // of D over that at saturation
+        QVERIFY(within(spreading_potential(0.8), sum, 1e-9));
+        QCOMPARE(spreading_potential(0.0), 0.0);
     }
     void warmWaterWicksTwoPerCentFasterPerKelvin()
     {

@@ -255,7 +255,7 @@ private Q_SLOTS:
         }
         QVERIFY(!plan_of(as_is, 2).on("cap"));
         const std::pair<std::function<void(Experiment&)>, const char*> without[] = {
-            {[](Experiment& e) { e.closure = Closure::kissa; }, "closure pores"},
+            {[](Experiment& e) { e.closure = Closure::paper; }, "closure pores"},
             {[](Experiment& e) { e.droplets[0].volume_ul = 300; }, "over the sample's edge"},
             {[](Experiment& e) {
                  e.droplets[0].at_mm = {5.5, 0};

@@ -83,12 +83,11 @@ private Q_SLOTS:
             QCOMPARE(yarn.suction_radius, cotton.suction_radius);
             QCOMPARE(yarn.adhesion, cotton.adhesion);
             QVERIFY2(std::abs(yarn.intake_flux / cotton.intake_flux / share - 1) < 1e-12, fibre);
-            QVERIFY(warp_of(fibre, Closure::kissa, {}).liquid_diffusivity != yarn.liquid_diffusivity);
+            QCOMPARE(warp_of(fibre, Closure::pores, {}).liquid_diffusivity, 0.0); // suction moves liquid there
         }
         // 3 sin2(20 deg) gamma cos(60 deg) 0.2 mm / (20 mu 1.2) at 25 C: 0.07197 N/m, 0.8900 mPa s (IAPWS).
         const YarnParameters finished = warp_of("wool", Closure::paper, 60);
         QVERIFY2(std::abs(finished.liquid_diffusivity / 1.1826e-4 - 1) < 0.005, qPrintable(QString::number(finished.liquid_diffusivity)));
-        QCOMPARE(finished.exponent, 1.0);
     }
     void thePapersClosureWetsFibresThatRepel()
     {
@@ -99,6 +98,7 @@ private Q_SLOTS:
         design.materials[0].contact_angle_deg = 95;
         design.fabrics[0].warp.material = design.fabrics[0].weft.material = {{"raw wool", 1.0}};
         design.fabrics[0].contact_angle_deg.reset();
+        design.experiments[0].closure = Closure::pores;
         QVERIFY(!plan_of(design).on("wicking"));
         design.experiments[0].closure = Closure::paper;
         QVERIFY(plan_of(design).on("wicking"));
@@ -135,6 +135,7 @@ private Q_SLOTS:
     void oneYarnThatWicksIsEnough()
     {
         Design design = drop_design();
+        design.experiments[0].closure = Closure::pores; // the closure paper gives wax the angle of cotton
         Fabric& fabric = design.fabrics[0];
         fabric.contact_angle_deg.reset();
         Material waxed = *find_library_material("cotton");
@@ -293,7 +294,7 @@ private Q_SLOTS:
         QCOMPARE(dry.size(), std::size_t(1));
         QVERIFY2(dry[0].starts_with("Dry yarns take no liquid in: at a contact angle of 80 degrees "), dry[0].c_str());
         for (double angle : {35.0, 55.0, 95.0}) QVERIFY2(notes(angle, Closure::pores).empty(), qPrintable(QString::number(angle)));
-        QVERIFY(notes(80, Closure::kissa).empty());
+        QVERIFY(notes(80, Closure::paper).empty());
     }
     /// With the closure of pores the rooms between yarns have their part of it, too.
     void aFeedIsSaidToBeAbsorbedByTheClothNotByItsYarns()
@@ -301,7 +302,7 @@ private Q_SLOTS:
         Design design = drop_design();
         design.experiments[0] = standard_experiment(ExperimentType::moisture_management);
         design.experiments[0].volume_ul = 50;
-        for (Closure closure : {Closure::pores, Closure::kissa}) {
+        for (Closure closure : {Closure::pores, Closure::paper}) {
             design.experiments[0].closure = closure;
             for (double drop : {0.0, 10.0}) {
                 design.experiments[0].drop_ul = drop;

@@ -25,7 +25,7 @@ Design small(ExperimentType type, double duration)
     design.fabrics[0].picks_per_cm = 0.8 * design.fabrics[0].ends_per_cm;
     Experiment experiment = standard_experiment(type);
     experiment.name = "drop";
-    experiment.closure = Closure::kissa;
+    experiment.closure = Closure::paper;
     experiment.drop_ul = 0;
     experiment.sample_mm = {9, 7};
     experiment.duration_s = duration;
@@ -296,11 +296,11 @@ private Q_SLOTS:
     }
     void aSpotSpreadsAsFarAndTheMoreSoTheFinerTheCells()
     {
-        const Design design = spot_design("cotton", 0.3, 20);
+        const Design design = spot_design("cotton", 0.3, 2);
         const Scene fine = scene_of(design);
         std::vector<double> reaches, bound;
         for (int of : {1, 2, 4}) {
-            const Frame end = frames_in_bundles(fine, of, {20})[0];
+            const Frame end = frames_in_bundles(fine, of, {2})[0];
             reaches.push_back(reach_of(fine, end));
             bound.push_back(end.ledger.water_bound);
             qInfo("in bundles of %d: reach %.4g mm, %.4g mg in fibres, %.4g mg evaporated", of, 1e3 * reaches.back(), 1e6 * bound.back(),

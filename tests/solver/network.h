@@ -75,7 +75,6 @@ inline YarnParameters cotton()
     y.isotherm = {0.071, 0.24, 0.03331, 10.48, 0.8627};
     y.diffusivity = {DiffusionLaw::constant, 5e-14};
     y.liquid_diffusivity = 2e-5;
-    y.exponent = 2;
     y.vapour_diffusivity = 2e-5;
     y.suction_radius = 1e-5;
     return y;

@@ -97,6 +97,7 @@ private Q_SLOTS:
         Scene scene = drop_over_plate(1e-9, 0.2e-3, 0.5, 300);
         for (YarnParameters& yarn : scene.cloth.yarns) { // so that yarns absorb some
             yarn.pore_area = 5e-8;
+            yarn.absorbs = true;
             yarn.intake_flux = 100;
             yarn.face_area = 1e-7;
         }

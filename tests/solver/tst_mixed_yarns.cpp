@@ -39,6 +39,7 @@ Design cotton_stripe_in_wax(double duration)
 {
     Design design = two_fibres("waxed cotton", "cotton", duration);
     design.fabrics[0].warp_order = {{0, 10}, {1, 8}, {0, 10}};
+    design.experiments[0].closure = Closure::pores; // the closure paper gives wax the angle of cotton
     return design;
 }
 

@@ -142,7 +142,7 @@ Design random_design(int index, double& simulated)
         experiment.liquid = "own";
     else
         experiment.liquid = dice.one_of<std::string>({"water", "saline", "sweat"});
-    experiment.closure = dice.one_of<Closure>({Closure::pores, Closure::pores, Closure::kissa, Closure::li_zhu, Closure::paper});
+    experiment.closure = dice.one_of<Closure>({Closure::pores, Closure::pores, Closure::paper});
     experiment.swelling = dice.chance(0.3);
     if (experiment.type == ExperimentType::droplet) add_droplets(dice, experiment);
     experiment.volume_ul = dice.by_decades(1e-3, 1e4);

@@ -14,7 +14,7 @@ inline Design spot_design(const char* fibre, double humidity, double duration)
     Design design = drop_design(fibre == std::string("cotton") ? 35 : 20);
     design.fabrics[0].warp.material = design.fabrics[0].weft.material = {{fibre, 1.0}};
     Experiment experiment = standard_experiment(ExperimentType::horizontal_wicking);
-    experiment.closure = Closure::kissa; // its stain goes on growing
+    experiment.closure = Closure::paper; // its stain goes on growing
     experiment.name = "drop";
     experiment.volume_ul = 1;
     experiment.sample_mm = {16, 16};

@@ -372,7 +372,7 @@ private Q_SLOTS:
         auto design = std::make_shared<Design>(drop_design(20)); // a spot on polyester that gets wider than the plan expects
         design->fabrics[0].warp.material = design->fabrics[0].weft.material = {{"polyester", 1.0}};
         Experiment experiment = standard_experiment(ExperimentType::horizontal_wicking);
-        experiment.closure = Closure::kissa;
+        experiment.closure = Closure::paper;
         experiment.volume_ul = 1;
         experiment.sample_mm = {16, 16};
         experiment.duration_s = 200;

@@ -182,7 +182,7 @@ void ExperimentPanel::addModel()
     form_->addSection(tr("Liquid"));
     liquids_ = new LiquidPanel(*form_, this);
     closure_ = new QComboBox;
-    closure_->addItems({tr("Kissa (measured)"), tr("Li and Zhu"), tr("Mao et al. (as printed)"), tr("Pores in and between yarns")});
+    closure_->addItems({tr("Mao et al. (as printed)"), tr("Pores in and between yarns")});
     closure_->setToolTip(
         tr("How liquid moves in the pores of the yarns. Mao et al.: pores of 0.2 mm, one contact angle for all "
            "fibres, uptake in proportion to regain. Pores in and between yarns: liquid follows suction, and a stain stops."));

@@ -59,7 +59,6 @@ struct ExchangeAtCrossing {
         const double scale_a = ratio_a * ratio_a * ratio_a * plain_inverse(cap_a),
                      scale_b = ratio_b * ratio_b * ratio_b * plain_inverse(cap_b);
         const double conductance = dt * liquid_conductance;
-        const double exponent = warp.exponent, integral = conductance * plain_inverse(exponent + 1.0); // see spreading_potential()
 
         double low = -(liquid_b < cap_a - liquid_a ? liquid_b : cap_a - liquid_a);
         double high = liquid_a < cap_b - liquid_b ? liquid_a : cap_b - liquid_b;
@@ -68,13 +67,12 @@ struct ExchangeAtCrossing {
         double x = 0;
         for (int round = 0; round < 60; ++round) {
             const double sa = (liquid_a - x) * scale_a, sb = (liquid_b + x) * scale_b;
-            const double power_a = saturation_power(sa, exponent), power_b = saturation_power(sb, exponent);
-            const double residual = x - integral * (sa * power_a - sb * power_b);
+            const double residual = x - conductance * (spreading_potential(sa) - spreading_potential(sb));
             if (residual > 0)
                 high = x;
             else
                 low = x;
-            const double slope = 1.0 + conductance * (power_a * scale_a + power_b * scale_b);
+            const double slope = 1.0 + conductance * (sa * scale_a + sb * scale_b);
             double next = x - residual * near_inverse(slope);
             const bool inside = next > low && next < high;
             if (!inside) next = 0.5 * (low + high);

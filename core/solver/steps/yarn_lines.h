@@ -12,7 +12,7 @@ namespace hygroloom::inline HL_PRECISION {
 
 constexpr int most_newton_rounds = 40;
 
-/// Liquid along each yarn: d(m)/dt = d/dx(rho A D0 s^p ds/dx + rho A fall g s). Leaves the mass that passed each joint in flux.
+/// Liquid along each yarn: d(m)/dt = d/dx(rho A D0 s ds/dx + rho A fall g s). Leaves the mass that passed each joint in flux.
 struct WickAlongYarn {
     Segments s;
     ClimateParameters climate;
@@ -24,16 +24,8 @@ struct WickAlongYarn {
     /// A line, and what its places share.
     struct Line {
         const YarnLine& at;
-        double exponent;
-        double share;     ///< of a place's saturation x power that is its potential
         double per_joint; ///< kg m per m2 of pores' section and unit of potential
         double per_fall;  ///< the same per unit of saturation; 0: nothing falls
-
-        HL_FN bool squares() const { return exponent == 2.0; }
-    };
-    /// A place's saturation, its power and potential.
-    struct State {
-        double saturation, power, potential;
     };
 
     HL_FN double capacity(int i) const { return climate.density * s.pores[i]; }
@@ -56,21 +48,10 @@ struct WickAlongYarn {
         return line.per_fall * section(i, plain_inverse(s.length[i] + s.length[i + 1]));
     }
 
-    // Along the line while Newton's rounds go on; powers only where they are no squares.
+    // Along the line while Newton's rounds go on.
     HL_FN double* saturation() const { return s.work0; }
     HL_FN double* joints() const { return s.work1; }
-    HL_FN double* power() const { return s.work2; }
-    HL_FN void saturate(const Line& line, int i, double value) const
-    {
-        saturation()[i] = value;
-        if (!line.squares()) power()[i] = saturation_power(value, line.exponent);
-    }
-    HL_FN State state(const Line& line, int i) const
-    {
-        const double value = saturation()[i];
-        const double to_power = line.squares() ? value * value : power()[i];
-        return {value, to_power, value * to_power * line.share};
-    }
+    HL_FN double potential(int i) const { return spreading_potential(saturation()[i]); }
 
     template <typename Team> HL_FN void operator()(const Team& team, int index) const
     {
@@ -85,10 +66,9 @@ struct WickAlongYarn {
             return;
         }
         const double gravity = at.is_warp ? gravity_along_warp : gravity_along_weft, mass = dt * climate.density;
-        const Line line{at, yarn.exponent, 1.0 / (yarn.exponent + 1.0), mass * yarn.liquid_diffusivity,
-                        gravity > 0 ? mass * yarn.fall * gravity : 0.0};
+        const Line line{at, mass * yarn.liquid_diffusivity, gravity > 0 ? mass * yarn.fall * gravity : 0.0};
         team.each(a, b, [&](int i) {
-            saturate(line, i, is_fed(i) ? 1.0 : s.liquid[i] * plain_inverse(capacity(i)));
+            saturation()[i] = is_fed(i) ? 1.0 : s.liquid[i] * plain_inverse(capacity(i));
             joints()[i] = i < b - 1 ? joint(line, i) : 0.0;
             if (there_was != nullptr) there_was[i] = s.liquid[i];
         });
@@ -97,7 +77,7 @@ struct WickAlongYarn {
 
         const auto passed = [&](int i) {
             if (is_fed(i) && is_fed(i + 1)) return 0.0; // both stand in the liquid, which bears itself
-            return joints()[i] * (state(line, i).potential - state(line, i + 1).potential) - fall(line, i) * saturation()[i + 1];
+            return joints()[i] * (potential(i) - potential(i + 1)) - fall(line, i) * saturation()[i + 1];
         };
         const bool overflows = team.each_saying(a, b, [&](int i) {
             const double out = i < b - 1 ? passed(i) : 0.0, gained = (i > a ? passed(i - 1) : 0.0) - out;
@@ -119,23 +99,22 @@ struct WickAlongYarn {
         const auto row = [&](int i) -> Equation {
             if (is_fed(i)) return {0, 1, 0, 0}; // cannot change
             const bool first = i == a, last = i == b - 1;
-            const State own = state(line, i), before = first ? State{0, 0, 0} : state(line, i - 1),
-                        next = last ? State{0, 0, 0} : state(line, i + 1);
+            const double own = saturation()[i], before = first ? 0.0 : saturation()[i - 1], next = last ? 0.0 : saturation()[i + 1];
             const double before_joint = first ? 0.0 : joints()[i - 1], next_joint = joints()[i];
             const double before_fall = first ? 0.0 : fall(line, i - 1), next_fall = last ? 0.0 : fall(line, i);
             const double cap = capacity(i);
-            const double residual = cap * own.saturation - s.liquid[i] + before_joint * (own.potential - before.potential) +
-                                    next_joint * (own.potential - next.potential) + before_fall * own.saturation -
-                                    next_fall * next.saturation;
-            return {-before_joint * before.power, cap + (before_joint + next_joint) * own.power + before_fall,
-                    -next_joint * next.power - next_fall, -residual};
+            const double residual = cap * own - s.liquid[i] + before_joint * (spreading_potential(own) - spreading_potential(before)) +
+                                    next_joint * (spreading_potential(own) - spreading_potential(next)) + before_fall * own -
+                                    next_fall * next;
+            return {-before_joint * before, cap + (before_joint + next_joint) * own + before_fall, -next_joint * next - next_fall,
+                    -residual};
         };
         team.solve(a, b, row);
         return team.each_saying(a, b, [&](int i) {
             const double before = saturation()[i];
             double updated = before + team.found(a, i);
             updated = updated < 0 ? 0.0 : updated > 1 ? 1.0 : updated;
-            saturate(line, i, updated);
+            saturation()[i] = updated;
             return updated - before >= little || before - updated >= little;
         });
     }
