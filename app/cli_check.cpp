@@ -125,7 +125,6 @@ Json fabric_json(const Fabric& fabric, const FabricQuantities& q, const std::vec
     add("thickness_mm", fabric.thickness_mm);
     add("porosity", fabric.measured.porosity);
     add("areal_density_g_m2", fabric.measured.areal_density_g_m2);
-    add("capillary_radius_um", fabric.measured.capillary_radius_um);
     add("tortuosity", fabric.measured.tortuosity);
     add("crimp_percent", fabric.measured.crimp_percent);
     return {{"name", fabric.name},
@@ -235,8 +234,7 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
         "deg");
     row("cover", text(a.cover), text(b.cover), made(m.warp.cover), made(m.weft.cover), "");
     row("gap between yarns", text(q.gap_warp_mm), text(q.gap_weft_mm), "", "", "mm");
-    row("pore radius in yarn", text(a.pore_radius_um), text(b.pore_radius_um), made_range(m.warp.pores), made_range(m.weft.pores), "um",
-        text(fabric.measured.capillary_radius_um));
+    row("pore radius in yarn", text(a.pore_radius_um), text(b.pore_radius_um), made_range(m.warp.pores), made_range(m.weft.pores), "um");
     row("contact angle", text(a.contact_angle_deg), text(b.contact_angle_deg), "", "", "deg");
     row("receding angle", text(a.receding_angle_deg), text(b.receding_angle_deg), "", "", "deg");
     row("tortuosity of the twist", text(a.helix_tortuosity), text(b.helix_tortuosity), "", "", "", text(fabric.measured.tortuosity));

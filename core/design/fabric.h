@@ -29,7 +29,6 @@ constexpr int largest_yarn_order = 100000; ///< ends or picks of one period
 struct Measured {
     std::optional<double> porosity;
     std::optional<double> areal_density_g_m2;
-    std::optional<double> capillary_radius_um;
     std::optional<double> tortuosity;
     std::optional<double> crimp_percent;
     bool operator==(const Measured&) const = default;

@@ -194,7 +194,6 @@ FabricQuantities with_measured(FabricQuantities q, const Measured& measured)
         yarn->linear_density_tex *= scale;
         yarn->packing_factor *= scale;
         yarn->packing_factor_in_fabric *= scale;
-        yarn->pore_radius_um = measured.capillary_radius_um.value_or(yarn->pore_radius_um);
     }
     q.areal_density_g_m2 *= scale;
     q.fibre_volume_fraction *= scale;

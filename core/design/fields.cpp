@@ -156,7 +156,6 @@ template <> std::span<const Field<Measured>> fields_of()
     static constexpr Field<M> rows[] = {
         {"porosity", &M::porosity, "Porosity", "porosity", 0.01, 0.999, replaces},
         {"areal_density_g_m2", &M::areal_density_g_m2, "Weight", "areal density", 1, 10000, replaces},
-        {"capillary_radius_um", &M::capillary_radius_um, "Pore radius", "capillary radius", 0.05, 1000, replaces},
         {"tortuosity", &M::tortuosity, "Tortuosity", "tortuosity", 1, 20, replaces},
         {"crimp_percent", &M::crimp_percent, "Crimp", "crimp", 0, 100, replaces}};
     return rows;

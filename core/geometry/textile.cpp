@@ -94,8 +94,8 @@ YarnType make_type(const Fabric& fabric, const Yarn& yarn, const FittedYarn& fit
     type.packing = fitted.packing_factor * fibre_scale;
     type.fibre = fitted.fibre;
     type.core = fitted.core;
-    const double packing = type.packing_round_core(), pore_radius_um = type.fibre.fibre_radius_um * (1 - packing) / packing;
-    type.pore_radius = metre_from_um(fabric.measured.capillary_radius_um.value_or(pore_radius_um));
+    const double packing = type.packing_round_core();
+    type.pore_radius = metre_from_um(type.fibre.fibre_radius_um * (1 - packing) / packing);
     type.tortuosity = fabric.measured.tortuosity.value_or(default_tortuosity);
     type.contact_angle = radian_from_degree(fabric.contact_angle_deg.value_or(type.fibre.contact_angle_deg));
     type.helix_tortuosity =

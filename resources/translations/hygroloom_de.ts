@@ -673,10 +673,6 @@
         <translation>Ort</translation>
     </message>
     <message>
-        <source>capillary radius</source>
-        <translation>Kapillarradius</translation>
-    </message>
-    <message>
         <source>contact angle</source>
         <translation>Randwinkel</translation>
     </message>

@@ -83,7 +83,7 @@ inline Design rich()
     fabric.weft.irregularity_cv = 0.125;
     fabric.weft.filament_count = 96;
     fabric.weft.yarn_class = YarnClass::textured;
-    fabric.measured = {0.8, 160.0, 12.5, 1.3, 6.0};
+    fabric.measured = {0.8, 160.0, 1.3, 6.0};
     fabric.thickness_mm.reset();
     design.fabrics.push_back(fabric);
     design.experiments[0].droplets.resize(3);

@@ -80,7 +80,6 @@ const std::map<std::string, Change> changes{
     {"finish_holes", {"0.05"}},
     {"porosity", {"0.7"}},
     {"areal_density_g_m2", {"200"}},
-    {"capillary_radius_um", {"9"}},
     {"tortuosity", {"1.5"}},
     {"crimp_percent", {"6"}},
     {"uncertainty.contact_angle_deg", {"4"}},

@@ -160,7 +160,6 @@ private Q_SLOTS:
         row("fabrics[0].weft.irregularity_cv", "range", [](Design& d) { d.fabrics[0].weft.irregularity_cv = 0.41; });
         row("fabrics[0].porosity", "range", [](Design& d) { d.fabrics[0].measured.porosity = 1; });
         row("fabrics[0].areal_density_g_m2", "range", [nan](Design& d) { d.fabrics[0].measured.areal_density_g_m2 = nan; });
-        row("fabrics[0].capillary_radius_um", "range", [](Design& d) { d.fabrics[0].measured.capillary_radius_um = 0; });
         row("fabrics[0].tortuosity", "range", [](Design& d) { d.fabrics[0].measured.tortuosity = 0.9; });
         row("fabrics[0].crimp_percent", "range", [](Design& d) { d.fabrics[0].measured.crimp_percent = -1; });
         row("fabrics[1].name", "duplicate_name", [](Design& d) { d.fabrics.push_back(d.fabrics[0]); });

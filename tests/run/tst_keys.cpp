@@ -135,7 +135,6 @@ const Change changes[] = {
      R"({ "finish_face": 120, "finish_back": 120, "finish_depth": 0.5 })"},
     {"fabric.porosity", FABRIC "porosity", "0.8"},
     {"fabric.areal_density_g_m2", FABRIC "areal_density_g_m2", "240"},
-    {"fabric.capillary_radius_um", FABRIC "capillary_radius_um", "9"},
     {"fabric.tortuosity", FABRIC "tortuosity", "1.6"},
     {"fabric.crimp_percent", FABRIC "crimp_percent", "5"},
     {"climate.temperature_c", RUN "climate/temperature_c", "30"},

@@ -226,7 +226,6 @@ constexpr const char* words[] = {
     QT_TRANSLATE_NOOP("core", "air speed"),
     QT_TRANSLATE_NOOP("core", "areal density"),
     QT_TRANSLATE_NOOP("core", "at"),
-    QT_TRANSLATE_NOOP("core", "capillary radius"),
     QT_TRANSLATE_NOOP("core", "density"),
     QT_TRANSLATE_NOOP("core", "diameter"),
     QT_TRANSLATE_NOOP("core", "drop"),

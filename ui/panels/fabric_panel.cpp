@@ -235,14 +235,12 @@ void FabricPanel::addMeasured()
         "", [](auto& fabric) { return &fabric.measured; }, tr("measured"));
     QuantityEdit* porosity = form_->addNumber(measured, "porosity");
     QuantityEdit* areal = form_->addNumber(measured, "areal_density_g_m2");
-    QuantityEdit* capillary = form_->addNumber(measured, "capillary_radius_um");
     form_->addNumber(measured, "tortuosity");
     QuantityEdit* measuredCrimp = form_->addNumber(measured, "crimp_percent");
     form_->onRefresh([=, this] {
         const FabricQuantities* q = document_.quantities();
         porosity->setDerived(q ? std::optional(q->porosity) : std::nullopt);
         areal->setDerived(q ? std::optional(q->areal_density_g_m2) : std::nullopt);
-        capillary->setDerived(q ? std::optional(q->warp.pore_radius_um) : std::nullopt);
         measuredCrimp->setDerived(q ? std::optional(q->warp.crimp_percent) : std::nullopt);
     });
 }
