@@ -2,9 +2,9 @@
 #include "core/analysis/laboratory_table.h"
 
 #include "core/analysis/outcomes.h"
+#include "core/base/csv_table.h"
 #include "core/base/error.h"
 #include "core/base/words.h"
-#include "core/project/csv_table.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 
 #include "core/analysis/laboratory_table.h"
 #include "core/analysis/series_keys.h"
+#include "core/base/csv_table.h"
 #include "core/base/error.h"
-#include "core/project/csv_table.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  base/csv_table.cpp
   base/free_memory.cpp
   base/shipped_file.cpp
   base/student.cpp
@@ -10,5 +11,6 @@ target_sources(hygroloom_core PRIVATE
 )
 # Sanitizers watch memory by operators of their own.
 if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-  target_sources(hygroloom_core PRIVATE base/large_blocks.cpp)
+  target_sources(hygroloom_core PRIVATE
+  base/csv_table.cpp base/large_blocks.cpp)
 endif()

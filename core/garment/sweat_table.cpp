@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/garment/sweat_table.h"
 
+#include "core/base/csv_table.h"
 #include "core/base/error.h"
 #include "core/base/words.h"
 #include "core/design/garment.h"
 #include "core/project/atomic_file.h"
-#include "core/project/csv_table.h"
 #include "core/project/migrations.h"
 
 #include <fmt/format.h>

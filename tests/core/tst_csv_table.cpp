@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Tables as spreadsheets write them.
+#include "core/base/csv_table.h"
 #include "core/base/error.h"
-#include "core/project/csv_table.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "core/project/csv_table.h"
+#include "core/base/csv_table.h"
 
 #include "core/base/error.h"
 #include "core/base/text.h"
