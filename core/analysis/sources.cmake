@@ -6,7 +6,6 @@ target_sources(hygroloom_core PRIVATE
   analysis/calibration_runs.cpp
   analysis/calibration_verdict.cpp
   analysis/cell_map.cpp
-  analysis/closed_forms.cpp
   analysis/comparison.cpp
   analysis/comparison_files.cpp
   analysis/comparison_report.cpp
@@ -38,7 +37,6 @@ target_sources(hygroloom_core PRIVATE
   analysis/trace_json.cpp
   analysis/tradeoff.cpp
   analysis/tradeoff_json.cpp
-  analysis/tradeoff_plot.cpp
   analysis/vtk_files.cpp
   analysis/why.cpp
   analysis/why_json.cpp

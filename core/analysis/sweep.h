@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Many runs for one answer: all variants of a trade-off, one after the other, and all fabrics of a comparison, side by side.
+// Many runs for one answer: all fabrics of a comparison, side by side.
 #pragma once
 
 #include "core/analysis/comparison.h"
-#include "core/analysis/tradeoff.h"
+#include "core/analysis/metrics.h"
 #include "core/run/run_options.h"
 #include "core/run/side_by_side.h"
 
@@ -11,27 +11,6 @@
 #include <optional>
 
 namespace hygroloom {
-
-/// The variants of one scene and what their runs gave. Writes into a result, which must outlive it.
-class TradeoffSweep {
-public:
-    explicit TradeoffSweep(Tradeoff& result) : result_(result) {}
-
-    /// A variant with its plan; one whose run would be the same as another's is noted there and left out.
-    void add(const TradeoffVariant& variant, ModelPlan plan);
-    /// Runs all variants once, then all timed ones once more, and so on up to result.repeats, so that a noisy machine favours none. run()
-    /// makes one run of a point; after each the result is up to date and changed() is called. Throws what they throw; the result then
-    /// holds what there was.
-    void run(const std::function<TradeoffOutcome(std::size_t point, int repeat)>& run, const std::function<void()>& changed);
-
-private:
-    void keep(std::size_t point, TradeoffOutcome outcome);
-    const TradeoffOutcome* outcome_named(const std::string& name) const;
-    void compare();
-
-    Tradeoff& result_;
-    std::vector<std::optional<TradeoffOutcome>> outcomes_; ///< the last of each point
-};
 
 /// What one run of a comparison gave.
 struct CandidateRun {

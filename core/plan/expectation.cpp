@@ -49,7 +49,7 @@ bool set_alike(const ModelPlan& measured, const ModelPlan& plan)
     return knobs == plan.knobs;
 }
 
-/// The run that was set as this one, or that of its fidelity, in the scene that is least unlike.
+/// That of its fidelity, in the scene that is least unlike.
 Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& measured)
 {
     Nearest nearest;
@@ -57,9 +57,7 @@ Nearest nearest_run(const ModelPlan& plan, const std::vector<MeasuredScene>& mea
     for (const MeasuredScene& scene : measured)
         for (const MeasuredRun& run : scene.runs) {
             if (run.plan.fidelity != plan.fidelity || run.seconds == 0) continue;
-            const bool as_set = set_alike(run.plan, plan);
-            if (!as_set && !run.settings.empty()) continue;
-            const double far = distance(plan, run.plan) + (as_set ? 0.0 : 1e-3);
+            const double far = distance(plan, run.plan);
             if (far >= least) continue;
             least = far;
             nearest = {&scene, &run};
@@ -105,7 +103,8 @@ std::map<std::string, double> errors_of_kind(const ModelPlan& plan, const std::v
         return std::any_of(own.runs.begin(), own.runs.end(), [&](const MeasuredRun& run) { return run.plan.fidelity == plan.fidelity; });
     };
     for (const MeasuredScene& scene : elsewhere)
-        if (std::none_of(measured.begin(), measured.end(), [&](const MeasuredScene& own) { return own.is_of(scene) && has_this(own); }))
+        if (std::none_of(measured.begin(), measured.end(),
+                         [&](const MeasuredScene& own) { return own.name == scene.name && has_this(own); }))
             take(scene);
     std::map<std::string, double> errors;
     for (const auto& [metric, of] : squares)
@@ -123,8 +122,8 @@ void take_errors_from(ModelPlan& plan, const std::vector<MeasuredScene>& measure
         return;
     plan.expected_error = nearest.run->error;
     plan.expected_errors = errors_of_kind(plan, measured, elsewhere);
-    plan.expectation_source += fmt::format(" The numerical error was measured on a run of {}, {} on {}.", nearest.scene->fabric,
-                                           nearest.scene->experiment, nearest.scene->device);
+    plan.expectation_source +=
+        fmt::format(" The numerical error was measured on a run of {} on {}.", nearest.scene->name, nearest.scene->device);
 }
 
 } // namespace
@@ -158,8 +157,8 @@ void expect(ModelPlan& plan, const std::vector<MeasuredScene>& measured, const s
     if (as_set) plan.expected_error = run.error;
     if (as_set) plan.expected_errors = errors_of_kind(plan, measured, elsewhere);
     plan.expectation_source =
-        fmt::format("Estimated from a measured run of {}, {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.fabric,
-                    scene.experiment, rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,
+        fmt::format("Estimated from a measured run of {} ({} s on {}, {}): its time is multiplied by {:.3g}.{}", scene.name,
+                    rounded_text(run.seconds, 3), scene.device, scene.date, plan.expected_seconds / run.seconds,
                     run.error && as_set ? (*run.error > 0 ? fmt::format(" The numerical error was measured on {}.",
                                                                         run.errors_from.empty() ? "that run" : "one on " + run.errors_from)
                                            : is_reference ? ""

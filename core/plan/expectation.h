@@ -10,36 +10,30 @@
 
 namespace hygroloom {
 
-/// One measured variant of a scene; tradeoff made it.
+/// A run of a scene at a fidelity; tradeoff made it.
 struct MeasuredRun {
-    ModelPlan plan;
-    KnobSettings settings;                ///< that differed from the fidelity's
-    double seconds = 0;                   ///< of wall time; 0: it was not timed
-    double bytes = 0;                     ///< largest resident set
-    std::optional<double> error;          ///< against the reference, relative; none: not measured
-    std::map<std::string, double> errors; ///< the same of each metric
-    std::string errors_from;              ///< device on which errors were found; empty: this run's
+    ModelPlan plan;                            ///< as far as expectations need it; its knobs are the fidelity's
+    double seconds = 0;                        ///< of wall time; 0: it was not timed
+    double bytes = 0;                          ///< largest resident set
+    std::optional<double> error = {};          ///< against the reference, relative; none: not measured
+    std::map<std::string, double> errors = {}; ///< the same of each metric
+    std::string errors_from = {};              ///< device on which errors were found; empty: this run's
 };
 
 struct MeasuredScene {
-    std::string fabric, experiment, backend, device, date;
-    double load = -1;              ///< processes that ran or waited when it began; less than 0: not known
-    std::vector<MeasuredRun> runs; ///< those with a time or errors
+    std::string name; ///< "one drop on Drill"
+    std::string backend, device, date;
+    std::vector<MeasuredRun> runs = {}; ///< those with a time or errors
     /// Of each metric: of the reference against one twice as fine, and of that against one four times as fine, summed.
-    std::map<std::string, double> reference_errors;
-
-    /// Whether both are the same experiment on the same fabric.
-    bool is_of(const MeasuredScene& other) const { return fabric == other.fabric && experiment == other.experiment; }
+    std::map<std::string, double> reference_errors = {};
 };
 
-/// Whether an experiment of this type leaves a wetted area with an edge. Where all of the cloth is wet alike, segments dry or get wet all
-/// at about the same time, and how many of them at a moment says nothing.
-bool wets_a_part(const std::string& type);
+/// The table of some scenes as CSV: of each a row of what its runs share, a row for each run, one of what the reference itself lacks.
+std::string measured_csv(const std::vector<MeasuredScene>& scenes);
+/// What measured_csv() wrote; where a scene lacks errors on one backend, those of the other. Throws Error with the name of the file.
+std::vector<MeasuredScene> measured_scenes(const std::string& csv, const std::string& file);
 
-/// What a file of tradeoff holds of it. Throws Error with the name of the file.
-MeasuredScene measured_scene(const std::string& json, const std::string& file);
-
-/// Those that ship with the program, of a backend ("cpu", "cuda"): resources/tradeoff/*.json.
+/// Those that ship with the program, of a backend ("cpu", "cuda"): resources/tradeoff/measured.csv.
 const std::vector<MeasuredScene>& shipped_measurements(const std::string& backend);
 /// Of all backends.
 const std::vector<MeasuredScene>& shipped_measurements();

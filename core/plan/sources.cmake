@@ -1,17 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-# The measured scenes, one after the other, as one JSON list.
-file(GLOB measured_scenes CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/resources/tradeoff/*.json)
-set(measured "")
-foreach(scene IN LISTS measured_scenes)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${scene})
-  file(READ ${scene} text)
-  string(APPEND measured "${measured_comma}${text}")
-  set(measured_comma ",")
-endforeach()
-file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes.json @ONLY CONTENT "[@measured@]\n")
-embed_text(${CMAKE_CURRENT_BINARY_DIR}/measured_scenes.json ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes_json.cpp measured_scenes_json)
+embed_text(${CMAKE_SOURCE_DIR}/resources/tradeoff/measured.csv ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes_csv.cpp measured_scenes_csv)
 target_sources(hygroloom_core PRIVATE
-  ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes_json.cpp
+  ${CMAKE_CURRENT_BINARY_DIR}/measured_scenes_csv.cpp
   plan/bounds.cpp
   plan/bundling.cpp
   plan/cap_room.cpp

@@ -10,31 +10,6 @@ using namespace hygroloom;
 
 namespace {
 
-ModelPlan plan_with(int shells)
-{
-    ModelPlan plan;
-    plan.fibre_shells = shells;
-    return plan;
-}
-
-/// draft, the same once more, reference, and half of it, which is not timed.
-void add_variants(TradeoffSweep& sweep)
-{
-    sweep.add({"draft", Fidelity::draft, {}, true}, plan_with(1));
-    sweep.add({"fibre_shells=1", Fidelity::standard, {}, true}, plan_with(1));
-    sweep.add({"reference", Fidelity::reference, {}, true}, plan_with(8));
-    sweep.add({"reference x 2", Fidelity::reference, {}, false}, plan_with(16));
-}
-
-TradeoffOutcome outcome(double radius, double wall)
-{
-    TradeoffOutcome outcome;
-    outcome.metrics["radius_mm"] = radius;
-    outcome.wall = wall;
-    outcome.backend = "cpu";
-    return outcome;
-}
-
 Candidate candidate_with(const std::string& fabric, const std::string& key, double number)
 {
     Candidate candidate;
@@ -57,46 +32,6 @@ Comparison of_drops()
 class TestSweep : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void variantsTakeTurnsAndAreComparedWithTheReference()
-    {
-        Tradeoff result;
-        result.repeats = 2;
-        TradeoffSweep sweep(result);
-        add_variants(sweep);
-        QCOMPARE(result.points.size(), std::size_t(3));
-        QCOMPARE(result.points[0].stands_for, std::vector<std::string>{"fibre_shells=1"});
-        std::vector<std::pair<std::size_t, int>> order;
-        int changes = 0;
-        const double radii[] = {9, 10, 9.5}, walls[] = {1, 7, 3};
-        sweep.run(
-            [&](std::size_t i, int repeat) {
-                order.emplace_back(i, repeat);
-                return outcome(radii[i], walls[i] + repeat);
-            },
-            [&] { ++changes; });
-        QVERIFY((order == std::vector<std::pair<std::size_t, int>>{{0, 0}, {1, 0}, {2, 0}, {0, 1}, {1, 1}}));
-        QCOMPARE(changes, 6);
-        QVERIFY(result.complete);
-        QCOMPARE(result.backend, std::string("cpu"));
-        QCOMPARE(result.points[0].walls, (std::vector<double>{1, 2}));
-        QVERIFY(result.points[2].walls.empty());
-        QVERIFY(std::abs(result.points[0].errors->largest - 0.1) < 1e-12); // 9 for 10
-        QCOMPARE(result.convergence.size(), std::size_t(1));
-        QVERIFY(std::abs(result.convergence[0].errors.largest - 0.5 / 9.5) < 1e-12); // 10 for 9.5
-    }
-    void anInterruptedTradeoffKeepsItsRuns()
-    {
-        Tradeoff result;
-        result.repeats = 1;
-        TradeoffSweep sweep(result);
-        add_variants(sweep);
-        const auto run = [](std::size_t i, int) {
-            if (i == 1) throw Cancelled();
-            return outcome(9, 1);
-        };
-        QVERIFY_EXCEPTION_THROWN(sweep.run(run, [] {}), Cancelled);
-        QVERIFY(!result.complete && result.points[0].walls.size() == 1 && !result.points[0].errors && result.points[1].walls.empty());
-    }
     void aFailedCandidateIsRankedLast()
     {
         Comparison comparison = of_drops();

@@ -62,7 +62,7 @@ def verbs(root):
         (["devices"], []),
         (["help", "simulate"], []),
         (["compare", project, "--fabrics", "Cotton plain,Cotton twill", *drop, *short, "-o", "compared"], ["compared"]),
-        (["tradeoff", *one, *drop, *short[2:], "--fidelities", "draft", "--knobs", "none", "--repeats", "1", "-o", "tradeoff"], ["tradeoff"]),
+        (["tradeoff", *one, *drop, *short[2:], "--fidelities", "draft", "--repeats", "1", "-o", "tradeoff.json"], ["tradeoff.json"]),
         (["sweep", project, "--study", "../study.json", "-o", "swept", "--set", "experiments[0].duration_s=0.05", "--quiet"], ["swept"]),
         (["calibrate", *strip, "--measured", "../strip.csv", "--free", "contact_angle_deg", "--quiet", "-o", "fitted.hygro"], ["fitted.hygro"]),
         (["garment", "import", "built-in:tee", "--fabric", "Poplin shirting", "-o", "tee.hygro"], ["tee.hygro"]),

@@ -61,10 +61,9 @@ private Q_SLOTS:
         QTest::newRow("comparison of one") << QStringList{"compare", f};
         QTest::newRow("comparison in no folder")
             << QStringList{"compare", example("three-candidates.hygro"), "--experiment", "one drop", "-o", "/dev/null/x"};
-        QTest::newRow("no such knob to vary") << QStringList{"tradeoff", f, "--knobs", "fibre_shells,speed"};
+        QTest::newRow("neither a project nor measurements") << QStringList{"tradeoff"};
         QTest::newRow("no such rung") << QStringList{"tradeoff", f, "--fidelities", "draft,best"};
         QTest::newRow("no repeats of a trade-off") << QStringList{"tradeoff", f, "--repeats", "0"};
-        QTest::newRow("folder that cannot be") << QStringList{"tradeoff", f, "-o", "/dev/null/x"};
         QTest::newRow("no such backend") << QStringList{"simulate", f, "--backend", "abacus"};
         QTest::newRow("set without value") << QStringList{"check", f, "--set", "fabrics[0].ends_per_cm"};
         QTest::newRow("set of nothing") << QStringList{"check", f, "--set", "fabrics[0].end=1"};

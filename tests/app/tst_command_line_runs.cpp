@@ -33,23 +33,6 @@ class TestCommandLineRuns : public QObject {
                 recording};
     }
 
-    QStringList small_scene(const char* duration, const char* size = "[8,8]", const char* volume = "2") const
-    {
-        return {"tradeoff",
-                example("one-drop-on-cotton.hygro"),
-                "--backend",
-                "cpu",
-                "--repeats=2",
-                "--set",
-                QString("experiments[0].duration_s=") + duration,
-                QString("experiments[0].sample_mm=") + size,
-                QString("experiments[0].droplets[0].volume_ul=") + volume,
-                "experiments[0].droplets[0].height_mm=0",
-                "fidelity.particles_per_droplet=100",
-                "experiments[0].closure=paper", // which needs no flow through rooms between yarns
-                "-o",
-                folder_.filePath("tradeoff")};
-    }
     static QStringList small_drop()
     {
         return {"experiments.one drop.duration_s=0.05", "experiments.one drop.sample_mm=[8,8]", "fidelity.particles_per_droplet=200",
@@ -172,48 +155,6 @@ private Q_SLOTS:
                                                                                   << "--json",
                                     300);
         QVERIFY(json.err.contains("outside the stages") && json.json().contains("metrics"));
-    }
-    void aTradeoffComparesVariantsWithTheReference()
-    {
-        const Answer answer = run_cli(small_scene("0.001", "[4,4]", "0.3") << "--knobs"
-                                                                           << "fibre_shells,network_step_limit_s"
-                                                                           << "--convergence",
-                                      300);
-        QVERIFY2(answer.code == 0, answer.err);
-        QVERIFY2(answer.out.contains("from reference x 2 to reference x 4: error "), answer.out);
-        const QJsonObject json = QJsonDocument::fromJson(contents(folder_.filePath("tradeoff/tradeoff.json"))).object();
-        QCOMPARE(json["format"].toString(), QString("hygroloom-tradeoff"));
-        QVERIFY(json["provenance"].toObject()["complete"].toBool());
-        const QJsonArray points = json["points"].toArray();
-        QCOMPARE(points.size(), 4 + 4 + 2);
-        for (const QJsonValue& value : points) {
-            const QJsonObject point = value.toObject();
-            const bool timed = !point["name"].toString().contains(" x ");
-            QCOMPARE(point["walls_s"].toArray().size(), timed ? 2 : 0);
-            if (timed) QVERIFY(point["peak_bytes"].toDouble() > 1e6);
-            QVERIFY(point["errors"].toObject().contains("largest"));
-            QVERIFY(!point["stages_percent"].toObject().isEmpty());
-        }
-        QCOMPARE(points[3].toObject()["errors"].toObject()["largest"].toDouble(), 0.0);
-        QVERIFY(points[0].toObject()["errors"].toObject()["largest"].toDouble() > 0);
-        QCOMPARE(contents(folder_.filePath("tradeoff/tradeoff.csv")).count('\n'), 11 + 1 + 10);
-        QVERIFY(contents(folder_.filePath("tradeoff/tradeoff.svg")).endsWith("</svg>\n"));
-    }
-    void anInterruptedTradeoffKeepsWhatWasMeasured()
-    {
-        QProcess process;
-        process.start(HYGROLOOM_CLI, small_scene("0.3") << "--knobs"
-                                                        << "none");
-        QVERIFY(process.waitForStarted());
-        QByteArray said;
-        const auto has_said = [&](const char* words) { return (said += process.readAllStandardError()).contains(words); };
-        QTRY_VERIFY_WITH_TIMEOUT(has_said("live (1 of 4): "), 60000);
-        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
-        QVERIFY(process.waitForFinished(10000));
-        QCOMPARE(process.exitCode(), 130);
-        const QJsonObject json = QJsonDocument::fromJson(contents(folder_.filePath("tradeoff/tradeoff.json"))).object();
-        QVERIFY(!json["provenance"].toObject()["complete"].toBool());
-        QVERIFY(!json["points"].toArray()[0].toObject()["walls_s"].toArray().isEmpty());
     }
     void severalFabricsRunAsEachAlone()
     {
