@@ -8,6 +8,7 @@
 #include "core/analysis/map_image.h"
 #include "core/base/words.h"
 #include "core/garment/check_garment.h"
+#include "core/wear/garment_run.h"
 #include "core/wear/wear_map.h"
 #include "core/wear/wear_metrics.h"
 #include "core/wear/wear_report.h"
@@ -73,18 +74,18 @@ std::string text_of(const WearMetrics& metrics, const WearRecord& record, bool j
 }
 
 /// The last words, and what the garment came to so far, if there is a frame.
-int print_cancelled(const WearMetrics& metrics, const WearRecord& record, bool json)
+int print_cancelled(const std::optional<WearMetrics>& metrics, const WearRecord* record, bool json)
 {
     const LastWords* const words = last_words.exchange(nullptr);
     write_note(words->note);
-    if (metrics.all().course.empty()) {
+    if (!metrics) {
         write_result(words->result);
     } else if (json) {
         Json object = Json::parse(words->result);
-        object["so_far"] = Json::parse(metrics.json());
+        object["so_far"] = Json::parse(metrics->json());
         print_json(object);
     } else {
-        print_result("Up to {:.4g} s:\n{}", metrics.all().course.back().time, text_of(metrics, record, false));
+        print_result("Up to {:.4g} s:\n{}", metrics->all().course.back().time, text_of(*metrics, *record, false));
     }
     return exit_cancelled;
 }
@@ -197,51 +198,39 @@ const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& op
 
 int simulate_wear(const Design& design, const WearExperiment& wear, const WearVerbOptions& options)
 {
-    const auto start = std::chrono::steady_clock::now();
     const GarmentParts parts = parts_of(design, wear, options.project);
     if (!options.quiet)
         for (const std::string& issue : parts.pattern.issues) print_note("{}: {}\n", parts.garment->name, issue);
     if (!options.quiet) print_misnamed(design, parts, options.project);
-    const GarmentScene garment = garment_scene(parts, resolution_of(how_of(options)));
-    if (!options.quiet && !garment.memory_is_short.empty()) print_note("{}\n", garment.memory_is_short);
     const std::unique_ptr<Backend> backend = open_backend(options);
-    backend->set_threads(options.threads);
     if (options.profile) backend->time_stages();
-    const WearRecord record{
-        design,
-        wear_layout(parts, garment),
-        options.fidelity,
-        backend->name(),
-        backend->device(),
-        fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())))};
-    std::optional<WearWriter> recording;
-    if (!options.output.empty()) recording.emplace(options.output, record);
-    WearMetrics metrics(record.layout);
+    std::shared_ptr<const WearRecord> record;
+    std::optional<WearMetrics> metrics;
+    double wall = 0;
     RunControl control;
     const LastWords words = failure_words(options.json, exit_cancelled,
                                           options.output.empty() ? "Cancelled." : "Cancelled. The recording so far: " + options.output);
     {
         const InterruptCancels cancels(control.cancel, &words);
         RunBar bar(options.quiet, 1);
-        WearCallbacks callbacks;
-        callbacks.frame = [&](const std::shared_ptr<const WearFrame>& frame) {
-            metrics.add(*frame);
-            if (recording) recording->append(*frame);
+        GarmentRunCallbacks callbacks;
+        callbacks.memory_is_short = callbacks.device_failed = [&](const std::string& sentence) {
+            if (!options.quiet) print_note("{}\n", sentence);
         };
+        callbacks.started = [&](const std::shared_ptr<const WearRecord>& begun) { record = begun; };
+        callbacks.frame = [&](const std::shared_ptr<const WearFrame>&, const WearMetrics& so_far) { metrics.emplace(so_far); };
         callbacks.progress = [&](const RunProgress& progress) { bar.show(0, progress); };
         try {
-            run_wear(garment, wear, *backend, control, callbacks);
+            wall = run_garment(parts, {how_of(options), options.threads, true, options.output}, *backend, control, callbacks);
         } catch (const Cancelled&) {
-            return print_cancelled(metrics, record, options.json);
+            return print_cancelled(metrics, record.get(), options.json);
         }
     }
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (recording) recording->finish(wall);
-    print_result("{}", text_of(metrics, record, options.json));
+    print_result("{}", text_of(*metrics, *record, options.json));
     if (options.profile) print_profile(backend->stage_times(), wall, options.json);
     if (!options.quiet) {
         print_note("{} on {}: {:.1f} s.\n", backend->name(), backend->device(), wall);
-        if (recording) print_note("Recording: {}\n", options.output);
+        if (!options.output.empty()) print_note("Recording: {}\n", options.output);
     }
     return exit_ok;
 }

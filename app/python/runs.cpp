@@ -9,8 +9,7 @@
 #include "core/base/units.h"
 #include "core/run/recording.h"
 #include "core/verify/verify_json.h"
-#include "core/wear/wear_metrics.h"
-#include "core/wear/wear_recording.h"
+#include "core/wear/garment_run.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -110,26 +109,19 @@ Results run_worn(const Design& design, const WearExperiment& wear, const std::st
     how.memory = memory_rule(arguments, "larger cells");
     const GarmentParts parts =
         garment_parts(design, wear, std::filesystem::absolute(folder), [&watch] { return watch.control.cancel.load(); });
-    const GarmentScene garment = garment_scene(parts, resolution_of(how));
-    const WearLayout layout = wear_layout(parts, garment);
     const std::unique_ptr<Backend> backend = open_backend(arguments);
-    std::optional<WearWriter> recording;
-    if (!arguments.recording.empty())
-        recording.emplace(arguments.recording,
-                          WearRecord{design, layout, arguments.fidelity, backend->name(), backend->device(), now_in_utc()});
-    WearMetrics metrics(layout);
-    WearCallbacks callbacks;
-    callbacks.frame = [&](const std::shared_ptr<const WearFrame>& frame) {
-        metrics.add(*frame);
-        if (recording) recording->append(*frame);
-    };
-    callbacks.progress = [&](const RunProgress& progress) { watch.tell(share_of(progress), in_words(progress)); };
-    run_wear(garment, wear, *backend, watch.control, callbacks);
-    if (recording) recording->finish(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    Results results{metrics.json()};
+    Results results{};
     results.notes = parts.pattern.issues;
-    if (!garment.memory_is_short.empty()) results.warnings.push_back(garment.memory_is_short);
-    results.end = metrics.ledger().time;
+    std::shared_ptr<const WearRecord> record;
+    std::optional<WearMetrics> metrics;
+    GarmentRunCallbacks callbacks;
+    callbacks.memory_is_short = callbacks.device_failed = [&](const std::string& sentence) { results.warnings.push_back(sentence); };
+    callbacks.started = [&](const std::shared_ptr<const WearRecord>& begun) { record = begun; };
+    callbacks.frame = [&](const std::shared_ptr<const WearFrame>&, const WearMetrics& so_far) { metrics.emplace(so_far); };
+    callbacks.progress = [&](const RunProgress& progress) { watch.tell(share_of(progress), in_words(progress)); };
+    run_garment(parts, {how, run_options(arguments).threads, true, arguments.recording}, *backend, watch.control, callbacks);
+    results.metrics = metrics->json();
+    results.end = metrics->ledger().time;
     return results;
 }
 

@@ -19,14 +19,16 @@ bool in_bundles(const ModelPlan& plan) { return plan.crossings_per_cell > 1 && p
 
 } // namespace
 
-Publisher::Publisher(RunRecord& run, double duration, const Session& session, const RunCallbacks& callbacks, Clock::time_point start)
-    : run_(run), duration_(duration), session_(session), callbacks_(callbacks), watch_(session.scene(), run.plan), start_(start)
+Publisher::Publisher(RunRecord& run, double duration, const Session& session, const RunCallbacks& callbacks, Clock::time_point start,
+                     std::filesystem::path recording)
+    : run_(run), duration_(duration), session_(session), callbacks_(callbacks), watch_(session.scene(), run.plan), plan_(run.plan),
+      path_(std::move(recording)), start_(start)
 {
 }
 
-void Publisher::start(const std::filesystem::path& recording)
+void Publisher::starts()
 {
-    if (!recording.empty()) recording_.emplace(recording, run_, in_bundles(run_.plan));
+    if (!path_.empty()) recording_.emplace(path_, run_, in_bundles(run_.plan));
     if (callbacks_.started) callbacks_.started(run_);
 }
 
@@ -74,7 +76,7 @@ void Publisher::progress(double reached, bool ends)
     callbacks_.progress({reached, duration_, seconds_since(start_), on.liquid_steps(), on.particles()});
 }
 
-void Publisher::device_failed(const std::string& why, double from) const
+void Publisher::device_failed(const std::string& why, double from)
 {
     if (callbacks_.device_failed) callbacks_.device_failed(fmt::format("{} The run goes on on the CPU, from {:.3g} s.", why, from));
 }
@@ -91,8 +93,16 @@ void Publisher::finish()
     if (recording_) recording_->finish(run_.wall);
 }
 
+ModelPlan Publisher::with_due() const
+{
+    ModelPlan with = plan_;
+    for (const SwitchedPart& part : due_) with = with_part(std::move(with), part.name);
+    return with;
+}
+
 void Publisher::settle_due(const char* kept_off)
 {
+    if (*kept_off == 0) plan_ = with_due();
     for (SwitchedPart& part : due_) {
         part.kept_off = kept_off;
         if (recording_) recording_->note_switched_on(part);

@@ -19,7 +19,7 @@ Session::Session(Backend& backend, Scene scene, int crossings_per_cell) : backen
 
 void Session::load()
 {
-    backend_->load(scene_);
+    backend_->load(scene());
     time_ = until_ = 0;
 }
 

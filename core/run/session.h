@@ -32,6 +32,8 @@ class Session {
 public:
     /// The scene is that of single yarns; where crossings_per_cell is over 1 it is simulated in bundles. Loads nothing yet.
     Session(Backend& backend, Scene scene, int crossings_per_cell);
+    /// The scene stays where it is, and must outlive the session; nothing can be put on it.
+    Session(Backend& backend, const Scene* scene) : backend_(&backend), given_(scene) {}
 
     /// Puts the scene on the machine, at its start.
     void load();
@@ -65,7 +67,7 @@ public:
 
     Backend& backend() const { return *backend_; }
     /// As it is simulated: of bundles where yarns go in bundles.
-    const Scene& scene() const { return scene_; }
+    const Scene& scene() const { return given_ ? *given_ : scene_; }
 
 private:
     /// Goes on with what the scene is now.
@@ -73,7 +75,8 @@ private:
 
     double time_ = 0, until_ = 0; ///< s: reached, and asked for
     std::unique_ptr<Backend> moved_to_;
-    Backend* backend_; ///< the one it began on, or moved_to_
+    Backend* backend_;             ///< the one it began on, or moved_to_
+    const Scene* given_ = nullptr; ///< in place of scene_
     Scene scene_;
     std::optional<Scene> single_; ///< where scene_ has bundles
 };

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
   run/apart.cpp
+  run/course.cpp
   run/failover.cpp
   run/frame_changes.cpp
   run/hdf5_blocks.cpp

@@ -4,6 +4,7 @@ target_sources(hygroloom_core PRIVATE
   wear/fabric_cells.cpp
   wear/garment_files.cpp
   wear/garment_grid.cpp
+  wear/garment_run.cpp
   wear/garment_scene.cpp
   wear/layer_joints.cpp
   wear/seam_joints.cpp

@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/design/wear.h"
+#include "core/run/course.h"
 #include "core/scene/ledger_closes.h"
 #include "core/solver/backend.h"
 
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
-#include <thread>
 
 namespace hygroloom {
 namespace {
@@ -143,29 +143,52 @@ std::vector<double> times_of_frames(const GarmentScene& garment, const WearExper
     return {all.begin(), all.end()};
 }
 
+using Clock = std::chrono::steady_clock;
+
+class Onlooker : public Audience {
+public:
+    Onlooker(const GarmentScene& garment, double duration, const Session& session, const WearCallbacks& callbacks)
+        : garment_(garment), duration_(duration), session_(session), callbacks_(callbacks)
+    {
+    }
+    void publish(Frame frame, double time, bool /*beside*/) override
+    {
+        frame.time = time;
+        if (!ledger_closes(frame.ledger, garment_.scene))
+            throw Error(fmt::format("At {:.4g} s {:.3g} kg of water are not accounted for.", time, frame.ledger.water_imbalance()));
+        if (callbacks_.frame) callbacks_.frame(std::make_shared<const WearFrame>(wear_frame(garment_, frame)));
+    }
+    void progress(double reached, bool /*ends*/) override
+    {
+        const double wall = std::chrono::duration<double>(Clock::now() - start_).count();
+        if (callbacks_.progress) callbacks_.progress({reached, duration_, wall, 0, 0});
+    }
+    bool takes_at_once() const override { return true; } // callers are called from one thread
+    void device_failed(const std::string& why, double from) override
+    {
+        if (callbacks_.device_failed) callbacks_.device_failed(fmt::format("{} The run goes on on the CPU, from {:.3g} s.", why, from));
+    }
+    void device_changed(double from) override
+    {
+        if (callbacks_.device_changed) callbacks_.device_changed(fmt::format("; from {:.3g} s on {}", from, session_.backend().device()));
+    }
+
+private:
+    const GarmentScene& garment_;
+    const double duration_; // s
+    const Session& session_;
+    const WearCallbacks& callbacks_;
+    const Clock::time_point start_ = Clock::now();
+};
+
 } // namespace
 
 void run_wear(const GarmentScene& garment, const WearExperiment& wear, Backend& backend, RunControl& control,
-              const WearCallbacks& callbacks)
+              const WearCallbacks& callbacks, const RunOptions& options)
 {
-    const auto start = std::chrono::steady_clock::now();
-    const auto obey = [&] {
-        while (control.pause && !control.cancel) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        if (control.cancel) throw Cancelled();
-    };
-    backend.load(garment.scene);
-    for (double until : times_of_frames(garment, wear)) {
-        for (double reached = 0; reached < until;) {
-            obey();
-            reached = backend.advance(until);
-            const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            if (callbacks.progress) callbacks.progress({reached, wear.duration_s, wall, 0, 0});
-        }
-        const auto frame = std::make_shared<const WearFrame>(wear_frame(garment, backend.frame()));
-        if (!ledger_closes(frame->ledger, garment.scene))
-            throw Error(fmt::format("At {:.4g} s {:.3g} kg of water are not accounted for.", until, frame->ledger.water_imbalance()));
-        if (callbacks.frame) callbacks.frame(frame);
-    }
+    Session session(backend, &garment.scene);
+    Onlooker onlooker(garment, wear.duration_s, session, callbacks);
+    go_through(times_of_frames(garment, wear), session, onlooker, options, control);
 }
 
 } // namespace hygroloom

@@ -2,12 +2,10 @@
 #include "ui/garment/garment_run.h"
 
 #include "core/base/error.h"
+#include "core/wear/garment_run.h"
 #include "gpu/backends.h"
 #include "ui/basics/quantity.h"
 
-#include <QDateTime>
-
-#include <chrono>
 
 namespace hygroloom {
 
@@ -79,44 +77,30 @@ void GarmentRun::open(const std::filesystem::path& recording)
 
 void GarmentRun::compute(const Request& request)
 {
-    const auto start = std::chrono::steady_clock::now();
     const WearExperiment* wear = find_wear(*request.design, request.experiment);
     const GarmentParts parts = garment_parts(*request.design, *wear, request.base, [this] { return control_.cancel.load(); });
-    const GarmentScene scene = garment_scene(parts, resolution_of(request.options));
-    if (control_.cancel) { throw Cancelled(); }
-    if (!scene.memory_is_short.empty()) {
-        post([this] { Q_EMIT memoryIsShort(); });
-    }
     const std::unique_ptr<Backend> backend = make_backend(request.backend);
-    backend->set_threads(request.threads);
-    auto record = std::make_shared<WearRecord>();
-    record->design = *request.design;
-    record->layout = wear_layout(parts, scene);
-    record->fidelity = name_of(request.options.fidelity);
-    record->backend = backend->name();
-    record->device = backend->device();
-    record->date = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-    const auto run = newWornRun(record);
-    std::optional<WearWriter> writer;
-    if (!request.recording.empty()) {
-        writer.emplace(request.recording, *record);
-        run->file = QString::fromStdString(request.recording.string());
-    }
-    run->live = true;
-    post([this, run] { Q_EMIT started(run); });
-    WearMetrics metrics(record->layout);
-    WearCallbacks callbacks;
-    callbacks.frame = [&](const std::shared_ptr<const WearFrame>& frame) {
-        metrics.add(*frame);
-        if (writer) { writer->append(*frame); }
+    std::shared_ptr<const WearRecord> record;
+    std::shared_ptr<WornRun> run;
+    GarmentRunCallbacks callbacks;
+    callbacks.memory_is_short = [this](const std::string&) { post([this] { Q_EMIT memoryIsShort(); }); };
+    callbacks.device_failed = [this](const std::string& sentence) {
+        post([this, said = QString::fromStdString(sentence)] { Q_EMIT deviceFailed(said); });
+    };
+    callbacks.started = [&](const std::shared_ptr<const WearRecord>& begun) {
+        record = begun;
+        run = newWornRun(record);
+        if (!request.recording.empty()) { run->file = QString::fromStdString(request.recording.string()); }
+        run->live = true;
+        post([this, run] { Q_EMIT started(run); });
+    };
+    callbacks.frame = [&](const std::shared_ptr<const WearFrame>& frame, const WearMetrics& metrics) {
         post([this, record, frame, most = mostWater(record->layout, *frame), now = std::make_shared<const WearMetrics>(metrics)] {
             Q_EMIT frameArrived(frame, now, most);
         });
     };
     callbacks.progress = [this](const RunProgress& progress) { post([this, progress] { Q_EMIT progressed(progress); }); };
-    run_wear(scene, *parts.wear, *backend, control_, callbacks);
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (writer) { writer->finish(wall); }
+    const double wall = run_garment(parts, {request.options, request.threads, true, request.recording}, *backend, control_, callbacks);
     post([run, wall] { run->wall = wall; });
 }
 

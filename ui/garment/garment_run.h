@@ -46,6 +46,8 @@ public:
 Q_SIGNALS:
     /// Before it begins: it takes much of the memory that is free.
     void memoryIsShort();
+    /// The device failed, and the run goes on on the CPU; a sentence.
+    void deviceFailed(const QString& sentence);
     /// The first frame follows.
     void started(const std::shared_ptr<WornRun>& run);
     /// metrics: of all frames up to this one. most: of any cell in it.

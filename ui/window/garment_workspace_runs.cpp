@@ -74,6 +74,7 @@ void GarmentWorkspace::connectRun()
 {
     connect(&run_, &GarmentRun::started, &playback_, &WearPlayback::begin);
     connect(&run_, &GarmentRun::memoryIsShort, this, [this] { Q_EMIT messageShown(memoryWarning(), 10000); });
+    connect(&run_, &GarmentRun::deviceFailed, this, [this](const QString& sentence) { Q_EMIT messageShown(sentence, 10000); });
     connect(&run_, &GarmentRun::frameArrived, &playback_, &WearPlayback::append);
     connect(&run_, &GarmentRun::ended, this, &GarmentWorkspace::finishRun);
     connect(&run_, &GarmentRun::pausedChanged, this, &GarmentWorkspace::refreshActions);

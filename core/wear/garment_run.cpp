@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/wear/garment_run.h"
+
+#include "core/base/error.h"
+#include "core/solver/backend.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+
+namespace hygroloom {
+
+double run_garment(const GarmentParts& parts, const GarmentRunOptions& options, Backend& backend, RunControl& control,
+                   const GarmentRunCallbacks& callbacks)
+{
+    const auto start = std::chrono::steady_clock::now();
+    const GarmentScene garment = garment_scene(parts, resolution_of(options.how));
+    if (control.cancel) throw Cancelled();
+    if (!garment.memory_is_short.empty() && callbacks.memory_is_short) callbacks.memory_is_short(garment.memory_is_short);
+    backend.set_threads(options.threads);
+    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    const auto record = std::make_shared<const WearRecord>(WearRecord{*parts.design, wear_layout(parts, garment),
+                                                                      name_of(options.how.fidelity), backend.name(), backend.device(),
+                                                                      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))});
+    std::optional<WearWriter> recording;
+    if (!options.recording.empty()) recording.emplace(options.recording, *record);
+    if (callbacks.started) callbacks.started(record);
+    WearMetrics metrics(record->layout);
+    WearCallbacks each;
+    each.frame = [&](const std::shared_ptr<const WearFrame>& frame) {
+        metrics.add(*frame);
+        if (recording) recording->append(*frame);
+        if (callbacks.frame) callbacks.frame(frame, metrics);
+    };
+    each.progress = callbacks.progress;
+    each.device_failed = callbacks.device_failed;
+    RunOptions course;
+    course.threads = options.threads;
+    course.may_go_on_on_cpu = options.may_go_on_on_cpu;
+    run_wear(garment, *parts.wear, backend, control, each, course);
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (recording) recording->finish(wall);
+    return wall;
+}
+
+} // namespace hygroloom

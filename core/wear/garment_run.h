@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The run of a worn garment from its parts to a recording and numbers, as command line, window and Python start it.
+#pragma once
+
+#include "core/wear/wear_metrics.h"
+#include "core/wear/wear_recording.h"
+
+namespace hygroloom {
+
+struct GarmentRunOptions {
+    WearOptions how;
+    int threads = 0;                 ///< 0: all the machine has
+    bool may_go_on_on_cpu = false;   ///< when the device fails
+    std::filesystem::path recording; ///< empty: none is written
+};
+
+/// All from the thread of the run.
+struct GarmentRunCallbacks {
+    std::function<void(const std::string&)> memory_is_short; ///< it takes much of what is free; a sentence
+    std::function<void(std::shared_ptr<const WearRecord>)> started;
+    std::function<void(std::shared_ptr<const WearFrame>, const WearMetrics&)> frame; ///< with what all frames so far come to
+    std::function<void(const RunProgress&)> progress;
+    std::function<void(const std::string&)> device_failed; ///< the run is about to go on on the CPU; a sentence
+};
+
+/// To the end, in the calling thread; returns the wall time, s. Throws NotEnoughMemory before anything runs, Cancelled within 0.2 s when
+/// asked to stop (the recording so far is complete and readable), DeviceError, FileError or Error. Precondition: validate() found no error.
+double run_garment(const GarmentParts& parts, const GarmentRunOptions& options, Backend& backend, RunControl& control,
+                   const GarmentRunCallbacks& callbacks);
+
+} // namespace hygroloom
