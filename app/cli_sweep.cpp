@@ -242,7 +242,7 @@ void add_sweep(CLI::App& app, Verb& chosen)
     auto options = std::make_shared<SweepOptions>();
     CLI::App& verb = *app.add_subcommand("sweep", "Run a study of many points: change values of a project and see what follows");
     verb.footer("Example: hygroloom-cli sweep cloth.hygro --study study.json -o swept\n"
-                "The folder receives results.csv and study.h5, a row for each point, fabric, experiment and replicate.\n"
+                "The folder receives results.csv and study.sqlite, a row for each point, fabric, experiment and replicate.\n"
                 "Ctrl-C keeps the finished runs; hygroloom-cli sweep -o out --resume goes on.\n"
                 "What matters most? hygroloom-cli sweep -o out --analyse");
     add_project_options(verb, *options, false);

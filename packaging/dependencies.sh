@@ -8,13 +8,13 @@ packages="
   cmake ninja-build ccache g++ git python3
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-charts-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
   libgl-dev libegl-dev libgl1-mesa-dri fonts-dejavu-core
-  libeigen3-dev libassimp-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libpng-dev zlib1g-dev libcsv-dev libcairo2-dev
+  libeigen3-dev libassimp-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libsqlite3-dev libpng-dev zlib1g-dev libcsv-dev libcairo2-dev
   libboost-dev
 "
 if [ "${1:-all}" != run ]; then
   packages="$packages
   libopenturns-dev
-  python3-dev pybind11-dev python3-numpy python3-xarray python3-pandas python3-h5py python3-pytest
+  python3-dev pybind11-dev python3-numpy python3-xarray python3-pandas python3-pytest
   libbenchmark-dev clang-format-14
   xvfb xauth
   slurm-wlm munge

@@ -7,6 +7,7 @@
 #include "core/analysis/calibration.h"
 #include "core/analysis/jobs.h"
 #include "core/project/atomic_file.h"
+#include "core/run/recording_target.h"
 #include "core/run/side_by_side.h"
 
 #include <fmt/format.h>
@@ -125,9 +126,10 @@ py::str compare(const Design& design, const std::vector<std::string>& fabrics, c
     return text(watched(progress, [=](Watch& watch) { return compared_fabrics(design, asked, arguments, watch); }));
 }
 
-/// As a whole.
+/// A recording, as a whole.
 void copy_file(const std::string& from, const std::string& to)
 {
+    bring_in_left_over(from);
     write_file_with(to, [&](const std::filesystem::path& temporary) {
         std::error_code failure;
         if (!std::filesystem::exists(from, failure)) throw FileError(from + ": The file is not there any more.");

@@ -134,7 +134,7 @@ const char* looks_like(std::string_view text)
     static constexpr std::array kinds{Kind{"\x89PNG"sv, "a PNG picture"},
                                       Kind{"\xff\xd8\xff"sv, "a JPEG picture"},
                                       Kind{"GIF8"sv, "a GIF picture"},
-                                      Kind{"\x89HDF"sv, "an HDF5 file, such as a recording"},
+                                      Kind{"SQLite format 3"sv, "an SQLite database, such as a recording"},
                                       Kind{"PK\x03\x04"sv, "a zip archive"},
                                       Kind{"\x1f\x8b"sv, "a gzip archive"},
                                       Kind{"%PDF"sv, "a PDF document"},

@@ -13,12 +13,12 @@ namespace hygroloom {
 
 namespace {
 
-/// Whether a file is HDF5, as recordings are; they may be larger than a project.
+/// Whether a file is a database, as recordings are; they may be larger than a project.
 bool is_recording(const std::filesystem::path& path)
 {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(path, ignored)) return false;
-    constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+    constexpr std::string_view signature = "SQLite format 3";
     char begin[signature.size()] = {};
     std::ifstream(path, std::ios::binary).read(begin, sizeof begin);
     return std::string_view(begin, sizeof begin) == signature;

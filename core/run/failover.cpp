@@ -2,19 +2,12 @@
 #include "core/run/failover.h"
 
 #include "core/base/error.h"
+#include "core/run/clock.h"
 
 #include <algorithm>
 #include <new>
 
 namespace hygroloom {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-} // namespace
-
 bool Failover::is_due(long frame) const { return may_fail_over() && frame > 0 && seconds_since(kept_) >= pause_; }
 
 void Failover::keep(long frame)

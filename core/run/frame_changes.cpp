@@ -2,8 +2,8 @@
 #include "core/run/frame_changes.h"
 
 #include "core/base/error.h"
-#include "core/run/hdf5_reader.h"
-#include "core/run/recording_layout.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
@@ -12,11 +12,10 @@
 
 namespace hygroloom {
 
-namespace h5 = hdf5;
-
 namespace {
 
-constexpr const char *in_frame = "changes", *of_file = "changes", *rows_name = "rows", *bundles_name = "in_bundles", *back_name = "back";
+constexpr const char* back_name = "changes/back";
+constexpr int changes_level = 5;             // of zlib
 constexpr int whole_every = 16;              // frames
 constexpr int most_followed = 64;            // frames that a reader follows: a stranger's file could lead back through all of them
 constexpr std::int64_t most_steps = 1 << 24; // of which a float is the exact number
@@ -47,6 +46,8 @@ static_assert(std::all_of(std::begin(frame_fields), std::end(frame_fields), [](c
               "a field that is not rounded has no codes");
 ValueCodes codes_of(const FrameField& field) { return field.bits > 0 ? ValueCodes{0, field.bits} : ValueCodes{field.step, 0}; }
 
+std::string number_name(const std::string& field) { return "changes/" + field; }
+
 /// The file has one number for either: a step is a power of two up to 1, what is more are bits.
 double stored(const ValueCodes& how) { return how.bits > 0 ? how.bits : static_cast<double>(how.step); }
 std::optional<ValueCodes> from_stored(double number)
@@ -61,8 +62,8 @@ std::optional<ValueCodes> from_stored(double number)
 
 bool keeps_changes(std::size_t values, bool shows_cells)
 {
-    constexpr std::size_t least = 4096; // fewer take little room, and whoever reads them elsewhere has plain values
-    constexpr std::size_t most = h5::largest_chunk / sizeof(std::uint32_t); // a row is one piece
+    constexpr std::size_t least = 4096;   // fewer take little room, and whoever reads them elsewhere has plain values
+    constexpr std::size_t most = 4 << 20; // what is followed lies in memory as a whole
     return values >= least && values <= most && !shows_cells;
 }
 
@@ -92,17 +93,10 @@ float ValueCodes::value(std::int32_t code) const
 }
 
 /// Along a yarn the next segment but one lies on the same face of plain weave; bundles lie on both.
-ChangesWriter::ChangesWriter(hid_t file, bool in_bundles) : back_(in_bundles ? 1 : 2), codes_(std::size(frame_fields))
+ChangesWriter::ChangesWriter(RunFileWriter& file, bool in_bundles) : back_(in_bundles ? 1 : 2), codes_(std::size(frame_fields))
 {
-    std::string names;
-    const h5::Handle all = h5::create_group(file, of_file);
-    h5::write_number(all.get(), bundles_name, in_bundles);
-    h5::write_number(all.get(), back_name, static_cast<double>(back_));
-    for (const FrameField& field : frame_fields) {
-        names += (names.empty() ? "" : ",") + std::string(field.name);
-        h5::write_number(all.get(), field.name, stored(codes_of(field)));
-    }
-    h5::write_text(all.get(), rows_name, names);
+    file.number(back_name, static_cast<double>(back_));
+    for (const FrameField& field : frame_fields) file.number(number_name(field.name), stored(codes_of(field)));
 }
 
 /// From the last frame to this one. Returns whether changes_ tells all of it.
@@ -126,76 +120,74 @@ bool ChangesWriter::follow(const Frame& frame)
     return tells_all;
 }
 
-bool ChangesWriter::write(hid_t group, const Frame& frame)
+bool ChangesWriter::write(RunRow& row, const Frame& frame)
 {
     if (!follow(frame)) {
         since_whole_ = 0;
         return false;
     }
-    h5::write_rows(group, in_frame, changes_, codes_.size());
+    const std::size_t n = frame.saturation.size();
+    row.number(follows_column, 1);
+    for (std::size_t k = 0; k < codes_.size(); ++k)
+        row.field(frame_fields[k].name, std::span<const std::uint32_t>(changes_).subspan(k * n, n), changes_level);
     return true;
 }
 
-ChangesReader::ChangesReader(hid_t file)
+ChangesReader::ChangesReader(const RunFileReader& file)
 {
     constexpr long farthest = 64;
-    constexpr std::size_t most_rows = 100;
-    const h5::Handle all = h5::open_group(file, of_file);
-    in_bundles_ = h5::read_count(all.get(), bundles_name, 0, 1) == 1;
-    back_ = static_cast<std::size_t>(h5::read_count(all.get(), back_name, 1, farthest));
-    const std::string names = h5::read_text(all.get(), rows_name);
-    for (std::size_t first = 0; first < names.size();) {
-        const std::size_t last = std::min(names.find(',', first), names.size());
-        const std::string field = names.substr(first, last - first);
-        const std::optional<ValueCodes> how = from_stored(h5::read_number(all.get(), field));
-        if (!how) throw FileError(fmt::format("\"{}/{}\" does not say how values are rounded.", of_file, field));
-        if (rows_.size() == most_rows) throw FileError(fmt::format("\"{}/{}\" names too many fields.", of_file, rows_name));
-        rows_.push_back({field, *how, -1, -1, {}});
-        first = last + 1;
+    back_ = static_cast<std::size_t>(file.count(back_name, 1, farthest));
+    for (const TableColumn& column : file.columns()) {
+        const std::string name = number_name(column.name);
+        if (!file.has(name)) continue;
+        const std::optional<ValueCodes> how = from_stored(file.number(name));
+        if (!how) throw FileError(fmt::format("\"{}\" does not say how values are rounded.", name));
+        fields_[column.name].how = *how;
     }
 }
 
 /// At the last frame up to this one that has the field's values, or at the one that was found last.
-void ChangesReader::begin(Row& row, hid_t frames, int number, std::size_t count)
+void ChangesReader::begin(Field& field, const std::string& name, const RunFileReader& file, std::int64_t number, std::size_t count)
 {
-    const int farthest = number - most_followed; // whatever was found before
-    for (; number >= std::max(0, farthest); --number) {
-        if (row.number == number && row.codes.size() == count && row.whole >= farthest) return;
-        const h5::Handle group = h5::open_group(frames, frame_name(number));
-        if (h5::exists(group.get(), in_frame)) continue;
-        row.number = -1;
-        if (!to_codes(row.how, h5::read_floats(group.get(), row.field, count), row.codes))
-            throw FileError(fmt::format("\"{}\" of frame {}, from which it follows, has values that no frame shows.", row.field, number));
-        row.number = row.whole = number;
+    const std::int64_t farthest = number - most_followed; // whatever was found before
+    for (; number >= std::max<std::int64_t>(0, farthest); --number) {
+        if (field.number == number && field.codes.size() == count && field.whole >= farthest) return;
+        const StoredRow row = file.row(number, {follows_column, name});
+        if (row.has(follows_column)) continue;
+        field.number = -1;
+        if (!to_codes(field.how, row.floats(name, count), field.codes))
+            throw FileError(fmt::format("\"{}\" of frame {}, from which it follows, has values that no frame shows.", name, number));
+        field.number = field.whole = number;
         return;
     }
-    throw FileError(fmt::format("the frames from which its \"{}\" follows lead too far back.", row.field));
+    throw FileError(fmt::format("the frames from which its \"{}\" follows lead too far back.", name));
 }
 
-void ChangesReader::add(Row& row, std::size_t place, hid_t frames, int number, std::size_t count)
+void ChangesReader::add(Field& field, const std::string& name, const RunFileReader& file, std::int64_t number, std::size_t count)
 {
-    const h5::Handle group = h5::open_group(frames, frame_name(number));
-    const std::vector<std::uint32_t> changes = h5::read_row(group.get(), in_frame, rows_.size(), count, place);
-    row.number = -1; // until it is whole
+    const std::vector<std::uint32_t> changes = file.row(number, {name}).counts(name, count);
+    field.number = -1; // until it is whole
     change_.resize(count);
-    const std::int64_t most = row.how.most();
+    const std::int64_t most = field.how.most();
     for (std::size_t i = 0; i < count; ++i) {
-        const std::int64_t change = unfolded(changes[i]) + (i < back_ ? 0 : change_[i - back_]), code = row.codes[i] + change;
-        if (code < 0 || code > most) throw FileError(fmt::format("\"{}\" changes to what is no value.", row.field));
+        const std::int64_t change = unfolded(changes[i]) + (i < back_ ? 0 : change_[i - back_]), code = field.codes[i] + change;
+        if (code < 0 || code > most) throw FileError(fmt::format("\"{}\" changes to what is no value.", name));
         change_[i] = change;
-        row.codes[i] = static_cast<std::int32_t>(code);
+        field.codes[i] = static_cast<std::int32_t>(code);
     }
-    row.number = number;
+    field.number = number;
 }
 
-std::optional<std::vector<float>> ChangesReader::values(hid_t frames, int number, const std::string& field, std::size_t count)
+std::vector<float> ChangesReader::values(const RunFileReader& file, std::int64_t number, const std::string& name, std::size_t count)
 {
-    const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& one) { return one.field == field; });
-    if (row == rows_.end() || !h5::exists(h5::open_group(frames, frame_name(number)).get(), in_frame)) return std::nullopt;
-    begin(*row, frames, number, count);
-    while (row->number < number) add(*row, static_cast<std::size_t>(row - rows_.begin()), frames, row->number + 1, count);
+    const auto found = fields_.find(name);
+    if (found == fields_.end())
+        throw FileError(fmt::format("\"{}\" is missing; the recording is damaged or no recording.", number_name(name)));
+    Field& field = found->second;
+    begin(field, name, file, number, count);
+    while (field.number < number) add(field, name, file, field.number + 1, count);
     std::vector<float> values(count);
-    for (std::size_t i = 0; i < count; ++i) values[i] = row->how.value(row->codes[i]);
+    for (std::size_t i = 0; i < count; ++i) values[i] = field.how.value(field.codes[i]);
     return values;
 }
 

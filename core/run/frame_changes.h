@@ -2,15 +2,16 @@
 // Frames of recordings that hold how far each value moved since the frame before, in steps of its rounding and over what its neighbour
 // moved: half as many bytes as the values. Every 16th frame has the values, so that each is found from 15 others at most.
 //
-// In the file: a value is a whole number, of steps where its field's number in the group "changes" is one (at most 1), else of the leading
-// bits of a float of which that number is significant. A change is what it moved since the frame before, less what the value "back" places
-// before moved, as 0, 1, 2, 3 … for 0, -1, 1, -2 …. A frame's "changes" has a row for each field, in the order of "rows".
+// In the file: a value is a whole number, of steps where its field's number "changes/FIELD" is one (at most 1), else of the leading bits of
+// a float of which that number is significant. A change is what it moved since the frame before, less what the value "changes/back" places
+// before moved, as 0, 1, 2, 3 … for 0, -1, 1, -2 …. A frame that has such changes in the place of its values says so in "follows".
 #pragma once
 
-#include "core/run/hdf5_file.h"
+#include "core/run/run_file.h"
 #include "core/scene/frame.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,9 +32,9 @@ struct ValueCodes {
 class ChangesWriter {
 public:
     /// Notes in the file what readers need to know. Throws FileError.
-    ChangesWriter(hid_t file, bool in_bundles);
-    /// Into the frame's group, if its changes tell what it holds. Else it is to be written whole. Throws FileError.
-    bool write(hid_t group, const Frame& frame);
+    ChangesWriter(RunFileWriter& file, bool in_bundles);
+    /// Into the frame's row, if its changes tell what it holds. Else it is to be written whole. Throws FileError.
+    bool write(RunRow& row, const Frame& frame);
 
 private:
     bool follow(const Frame& frame);
@@ -49,27 +50,27 @@ private:
 class ChangesReader {
 public:
     /// Throws FileError where what is said of the changes cannot be.
-    explicit ChangesReader(hid_t file);
-    bool in_bundles() const { return in_bundles_; }
-    /// Of a frame by its number in the file; none where it has its values by their name. Throws FileError.
-    std::optional<std::vector<float>> values(hid_t frames, int number, const std::string& field, std::size_t count);
+    explicit ChangesReader(const RunFileReader& file);
+    /// Of a frame whose row says that it follows. Throws FileError.
+    std::vector<float> values(const RunFileReader& file, std::int64_t number, const std::string& field, std::size_t count);
 
 private:
-    struct Row {
-        std::string field;
+    struct Field {
         ValueCodes how;
-        int number;                      ///< of the frame that was found last; less than 0: none was
-        int whole;                       ///< of the frame from which that was found, which has its values
+        std::int64_t number = -1;        ///< of the frame that was found last; less than 0: none was
+        std::int64_t whole = -1;         ///< of the frame from which that was found, which has its values
         std::vector<std::int32_t> codes; ///< its values
     };
-    void begin(Row& row, hid_t frames, int number, std::size_t count);
-    void add(Row& row, std::size_t place, hid_t frames, int number, std::size_t count);
+    void begin(Field& field, const std::string& name, const RunFileReader& file, std::int64_t number, std::size_t count);
+    void add(Field& field, const std::string& name, const RunFileReader& file, std::int64_t number, std::size_t count);
 
-    bool in_bundles_ = false;
     std::size_t back_ = 1;
-    std::vector<Row> rows_;
+    std::map<std::string, Field> fields_;
     std::vector<std::int64_t> change_; ///< of one field
 };
+
+/// The column that says whether a frame's fields hold changes.
+constexpr const char* follows_column = "follows";
 
 /// Whether the frames of a recording are kept so: not where a few values or cells are shown.
 bool keeps_changes(std::size_t values, bool shows_cells);

@@ -2,6 +2,7 @@
 #include "core/run/publisher.h"
 
 #include "core/base/error.h"
+#include "core/run/clock.h"
 #include "core/run/session.h"
 #include "core/scene/ledger_closes.h"
 
@@ -9,10 +10,6 @@
 
 namespace hygroloom {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Whether frames are spread from bundles over their yarns, and recorded as bundles.
 bool in_bundles(const ModelPlan& plan) { return plan.crossings_per_cell > 1 && plan.shown_ends == 0; }

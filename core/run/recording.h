@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The recording .hygrorec: an HDF5 file, one group per frame, whole after each so that a killed run leaves a readable file.
+// The recording .hygrorec of a sample: an SQLite database, a row per frame, whole after each so that a killed run leaves a readable file.
 #pragma once
 
 #include "core/run/run_record.h"

@@ -2,85 +2,90 @@
 #include "core/run/recording_source.h"
 
 #include "core/base/error.h"
-#include "core/run/byte_lock.h"
+#include "core/run/recording_head.h"
+#include "core/run/writer_lock.h"
 
-#include <algorithm>
-#include <chrono>
+#include <fmt/format.h>
+
+#include <cerrno>
 #include <cstring>
 #include <sys/stat.h>
-#include <thread>
-#include <unistd.h>
 
 namespace hygroloom {
 namespace {
 
-bool read_all(int file, std::uint64_t at, char* bytes, std::size_t count)
+/// Throws FileError where the file is none of this program.
+void require_form(const std::filesystem::path& path)
 {
-    while (count > 0) {
-        const ssize_t got = ::pread(file, bytes, count, static_cast<off_t>(at));
-        if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return false;
-        at += static_cast<std::uint64_t>(got);
-        bytes += got;
-        count -= static_cast<std::size_t>(got);
+    const RecordingHead head = recording_head(path);
+    switch (head.is) {
+    case RecordingHead::Is::empty: throw FileError("the file is empty.");
+    case RecordingHead::Is::older_form: throw FileError("this was written by an older version of the program; run it again.");
+    case RecordingHead::Is::other:
+        if (path.extension() != ".hygro") throw FileError("this is not a Hygroloom recording.");
+        throw FileError(fmt::format("this is a project, not a recording. Run it first: hygroloom-cli simulate {} -o {}.", path.string(),
+                                    std::filesystem::path(path).replace_extension(".hygrorec").string()));
+    case RecordingHead::Is::recording: break;
     }
-    return true;
-}
-
-/// A run holds the index for a millisecond at a time; one that was halted while it did is not waited for.
-void share_index(int file)
-{
-    for (int i = 0; i < 200 && !try_lock(file, LockedByte::index, true); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (head.version > recording_version)
+        throw FileError(
+            fmt::format("this has version {}; this program reads up to {}. Use a newer program.", head.version, recording_version));
+    if (head.version < 1) throw FileError(fmt::format("this has version {}, which there is not; it is damaged.", head.version));
 }
 
 } // namespace
 
-RecordingSource::RecordingSource(const std::filesystem::path& path) : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK))
+/// At the file as it is now.
+struct RecordingSource::Look {
+    std::pair<std::uint64_t, std::uint64_t> file;
+    std::uint64_t size;
+    bool is_being_written;
+    std::uint64_t size_beside;
+};
+
+RecordingSource::Look RecordingSource::look() const
 {
-    if (file_ < 0)
+    struct stat status {};
+    if (::stat(path_.c_str(), &status) != 0)
         throw FileError(errno == ENOENT ? "there is no such file."
                                         : std::string("the file cannot be opened: ") + std::strerror(errno) + ".");
-    struct stat status {};
-    const bool known = ::fstat(file_, &status) == 0;
-    if (!known || !S_ISREG(status.st_mode)) {
-        ::close(file_);
-        throw FileError(known && S_ISDIR(status.st_mode) ? "this is a folder; give the name of a recording."
-                                                         : "this is not a regular file.");
+    if (S_ISDIR(status.st_mode)) throw FileError("this is a folder; give the name of a recording.");
+    if (!S_ISREG(status.st_mode)) throw FileError("this is not a regular file.");
+    Look now{{status.st_dev, status.st_ino}, static_cast<std::uint64_t>(status.st_size), hygroloom::is_being_written(path_), 0};
+    std::error_code none;
+    if (const auto beside = std::filesystem::file_size(wal_of(path_), none); !none) now.size_beside = beside;
+    return now;
+}
+
+RecordingSource::RecordingSource(const std::filesystem::path& path) : path_(path)
+{
+    const Look now = look();
+    file_ = now.file;
+    is_being_written_ = now.is_being_written;
+    size_ = now.size + now.size_beside;
+    open();
+}
+
+std::shared_ptr<const Database> RecordingSource::open() const
+{
+    if (kept_) return kept_;
+    constexpr int most_tries = 5; // while runs come and go
+    for (int i = 0; i < most_tries; ++i) {
+        const Look now = look();
+        if (now.file != file_) throw FileError("another run has replaced this recording.");
+        if (!now.is_being_written) require_form(path_);
+        const auto access = now.is_being_written  ? Database::Access::beside_run
+                            : now.size_beside > 0 ? Database::Access::left_over
+                                                  : Database::Access::finished;
+        auto opened = std::make_shared<const Database>(path_, access);
+        Statement form = opened->statement("PRAGMA application_id"); // reads the file's first page
+        if (!form.step() || form.whole(0) != recording_application) throw FileError("this is not a Hygroloom recording.");
+        const Look after = look();
+        if (after.is_being_written != now.is_being_written || after.file != now.file) continue;
+        if (!now.is_being_written) kept_ = opened;
+        return opened;
     }
-    is_being_written_ = is_locked(file_, LockedByte::writer);
-    if (is_being_written_) share_index(file_);
-    size_ = ::fstat(file_, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
-    check_ = {[this](std::uint64_t at, void* bytes, std::size_t count) { return read_plain(at, bytes, count); }, size_};
-    std::string end(std::min<std::uint64_t>(size_, log_foot_bytes), '\0');
-    if (!read_all(file_, size_ - end.size(), end.data(), end.size())) return;
-    const std::uint64_t length = length_of_log(end);
-    if (length == 0 || length > size_) return;
-    end.resize(length);
-    if (read_all(file_, size_ - length, end.data(), length)) changes_ = changes_in_log(end, size_);
-}
-
-RecordingSource::~RecordingSource() { ::close(file_); }
-
-bool RecordingSource::begins_as_hdf5()
-{
-    constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
-    std::string begin(signature.size(), '\0');
-    return read_plain(0, begin.data(), begin.size()) && begin == signature;
-}
-
-void RecordingSource::release_index() { unlock(file_, LockedByte::index); }
-
-bool RecordingSource::read(std::uint64_t at, void* bytes, std::size_t count, hdf5::BlockKind kind)
-{
-    return check_.allows(at, count, kind) && read_plain(at, bytes, count);
-}
-
-bool RecordingSource::read_plain(std::uint64_t at, void* bytes, std::size_t count)
-{
-    if (at > size_ || count > size_ - at) return false;
-    if (!read_all(file_, at, static_cast<char*>(bytes), count)) return false;
-    apply(changes_, at, static_cast<char*>(bytes), count);
-    return true;
+    throw FileError("runs replace this recording all the time.");
 }
 
 } // namespace hygroloom

@@ -2,41 +2,33 @@
 // The file that a recording is read from, also while a run writes it.
 #pragma once
 
-#include "core/run/hdf5_driver.h"
-#include "core/run/redo_log.h"
+#include "core/run/database.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 
 namespace hygroloom {
 
-class RecordingSource : public hdf5::Storage {
+class RecordingSource {
 public:
-    /// Throws FileError without the file's name. At once, also for a pipe.
+    /// Throws FileError without the file's name: it cannot be opened, or is none of this program. At once, also for a pipe.
     explicit RecordingSource(const std::filesystem::path& path);
-    ~RecordingSource() override;
-    RecordingSource(const RecordingSource&) = delete;
-    RecordingSource& operator=(const RecordingSource&) = delete;
 
-    bool is_being_written() const { return is_being_written_; }
-    /// Bytes of the file when it was opened.
-    std::uint64_t size() const override { return size_; }
-    bool begins_as_hdf5();
-    /// From here on a run may change what leads to the frames. Frames and what was read stay.
-    void release_index();
-
-    bool read(std::uint64_t at, void* bytes, std::size_t count, hdf5::BlockKind kind) override;
-    bool is_written() const override { return false; }
-    bool write(std::uint64_t, const void*, std::size_t, bool) override { return false; }
-    void resize(std::uint64_t) override {}
+    bool is_being_written() const { return is_being_written_; } ///< when it was opened
+    std::uint64_t size() const { return size_; }                ///< bytes, with what a killed run left beside it
+    /// To be let go of soon: while a run writes the file, one that is kept holds its end up. Throws FileError.
+    std::shared_ptr<const Database> open() const;
 
 private:
-    bool read_plain(std::uint64_t at, void* bytes, std::size_t count);
+    struct Look;
+    Look look() const;
 
-    int file_ = -1;
-    std::uint64_t size_ = 0;
+    std::filesystem::path path_;
+    std::pair<std::uint64_t, std::uint64_t> file_{}; ///< device and number
     bool is_being_written_ = false;
-    Changes changes_; ///< that a run was about to make
-    hdf5::BlockCheck check_;
+    std::uint64_t size_ = 0;
+    mutable std::shared_ptr<const Database> kept_; ///< of a file that nobody writes any more
 };
 
 } // namespace hygroloom

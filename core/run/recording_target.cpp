@@ -3,43 +3,24 @@
 
 #include "core/base/error.h"
 #include "core/project/atomic_file.h"
-#include "core/run/byte_lock.h"
+#include "core/run/recording_head.h"
+#include "core/run/run_tables.h"
 #include "core/run/unfinished.h"
+#include "core/run/wal_pages.h"
+#include "core/run/writer_lock.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstring>
+#include <fcntl.h>
 #include <sys/stat.h>
-#include <thread>
 #include <unistd.h>
-#include <utility>
 
 namespace hygroloom {
 namespace {
 
-constexpr std::chrono::milliseconds patience{20}; ///< with readers, before a commit is put off
-constexpr std::chrono::seconds longest_wait{2};   ///< of a commit, for readers
 constexpr std::chrono::milliseconds between{200}; ///< commits
-constexpr std::size_t small = 4096;               ///< bytes of data that wait, too: of them there are many
-
-/// An error number, or 0.
-int write_all(int file, std::uint64_t at, std::string_view bytes)
-{
-    while (!bytes.empty()) {
-        const ssize_t written = ::pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(at));
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return written < 0 ? errno : ENOSPC;
-        at += static_cast<std::uint64_t>(written);
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return 0;
-}
-
-std::string reason(int code)
-{
-    return code == ENOSPC || code == EDQUOT ? "the disk is full" : std::string("it cannot be written: ") + std::strerror(code);
-}
+constexpr std::chrono::seconds between_checkpoints{2};
 
 /// What to do where a recording cannot be created.
 const char* advice(int code)
@@ -59,6 +40,18 @@ bool is_at(int file, const std::filesystem::path& path)
 
 } // namespace
 
+void bring_in_left_over(const std::filesystem::path& recording)
+{
+    std::error_code none;
+    if (std::filesystem::file_size(wal_of(recording), none) == 0 || none || is_being_written(recording)) return;
+    if (recording_head(recording).is != RecordingHead::Is::recording) return;
+    try {
+        Database(recording, Database::Access::write).become_one_file();
+    } catch (const FileError&) {
+        // it stays as it is
+    }
+}
+
 RecordingTarget::RecordingTarget(const std::filesystem::path& path) : given_(path), target_(behind_links(path))
 {
     part_ = target_;
@@ -70,6 +63,7 @@ RecordingTarget::RecordingTarget(const std::filesystem::path& path) : given_(pat
     } catch (...) {
         if (file_ >= 0) {
             ::unlink(part_.c_str());
+            forget_written_here(file_);
             ::close(file_);
         }
         throw;
@@ -78,8 +72,10 @@ RecordingTarget::RecordingTarget(const std::filesystem::path& path) : given_(pat
 
 RecordingTarget::~RecordingTarget()
 {
+    database_.reset();
     forget_unfinished(part_.c_str());
     if (!part_.empty() && is_at(file_, part_)) ::unlink(part_.c_str());
+    forget_written_here(file_);
     ::close(file_);
 }
 
@@ -94,7 +90,7 @@ bool RecordingTarget::open_part()
 {
     const int file = ::open(part_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (file < 0) throw FileError(given_.string() + ": the recording cannot be created: " + std::strerror(errno) + "." + advice(errno));
-    if (!try_lock(file, LockedByte::writer, false)) {
+    if (!lock_as_writer(file)) {
         ::close(file);
         throw FileError(given_.string() + ": another run is writing this recording. Wait for its end or choose another name.");
     }
@@ -103,22 +99,18 @@ bool RecordingTarget::open_part()
         return false;
     }
     file_ = file;
+    note_written_here(file_);
     return true;
 }
 
 void RecordingTarget::check_target()
 {
-    const int old = ::open(target_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (old < 0 && errno == ENOENT) return;
-    std::string begin(8, '\0');
     struct stat status {};
-    const bool is_file = old >= 0 && ::fstat(old, &status) == 0 && S_ISREG(status.st_mode);
-    const bool is_written = is_file && is_locked(old, LockedByte::writer);
-    const bool is_other =
-        is_file && status.st_size > 0 && (::pread(old, begin.data(), begin.size(), 0) != 8 || begin != "\x89HDF\r\n\x1a\n");
-    if (old >= 0) ::close(old);
-    if (is_written) throw FileError(given_.string() + ": another run is writing this recording. Wait for its end or choose another name.");
-    if (is_other)
+    if (::stat(target_.c_str(), &status) != 0 && errno == ENOENT) return;
+    const bool is_file = S_ISREG(status.st_mode);
+    if (is_file && is_being_written(target_))
+        throw FileError(given_.string() + ": another run is writing this recording. Wait for its end or choose another name.");
+    if (is_file && status.st_size > 0 && recording_head(target_).is == RecordingHead::Is::other)
         throw FileError(given_.string() +
                         ": there is a file of this name already and it is no recording. Choose another name for the recording.");
     has_older_ = is_file && status.st_size > 0;
@@ -127,120 +119,82 @@ void RecordingTarget::check_target()
     ::fchmod(file_, status.st_mode & 07777);
 }
 
-bool RecordingTarget::read(std::uint64_t at, void* bytes, std::size_t count, hdf5::BlockKind)
+const Database& RecordingTarget::open()
 {
-    std::memset(bytes, 0, count); // what was never written
-    for (std::size_t done = 0; done < count;) {
-        const ssize_t got = ::pread(file_, static_cast<char*>(bytes) + done, count - done, static_cast<off_t>(at + done));
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return false;
-        if (got == 0) break;
-        done += static_cast<std::size_t>(got);
+    if (!database_ && in_place()) database_.emplace(target_, Database::Access::write);
+    if (!database_) {
+        database_.emplace(part_, Database::Access::create);
+        mark_as_recording(*database_);
     }
-    apply(staged_, at, static_cast<char*>(bytes), count);
-    return true;
-}
-
-bool RecordingTarget::write(std::uint64_t at, const void* bytes, std::size_t count, bool is_metadata)
-{
-    if (!failure_.empty()) return true;
-    const std::string_view given(static_cast<const char*>(bytes), count);
-    end_ = std::max(end_, at + count);
-    if (is_metadata || count <= small || touches(staged_, at, count)) {
-        stage(staged_, at, given);
-        return true;
-    }
-    if (const int code = write_all(file_, at, given); code != 0) {
-        give_up(reason(code));
-        return false;
-    }
-    return true;
-}
-
-void RecordingTarget::give_up(const std::string& why)
-{
-    failure_ = why;
-    staged_.clear();
-    if (::ftruncate(file_, static_cast<off_t>(committed_)) != 0) return; // what lies behind is not read
+    if (!in_transaction_) database_->run("BEGIN IMMEDIATE");
+    in_transaction_ = true;
+    return *database_;
 }
 
 bool RecordingTarget::is_due() const { return !in_place() || std::chrono::steady_clock::now() - last_commit_ >= between; }
 
-bool RecordingTarget::commit(Commit when, bool may_replace)
+void RecordingTarget::commit(bool may_replace)
 {
-    if (!failure_.empty()) throw FileError(failure_);
-    const auto now = std::chrono::steady_clock::now();
-    const bool may_wait = when == Commit::may_wait && part_.empty() && now - last_commit_ < longest_wait;
-    while (!try_lock(file_, LockedByte::index, false)) {
-        const auto waited = std::chrono::steady_clock::now() - now;
-        if (may_wait && waited > patience) return false;
-        if (waited > longest_wait) break; // a reader that was halted
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    open().run("COMMIT");
+    in_transaction_ = false;
+    last_commit_ = std::chrono::steady_clock::now();
+    if (!in_place()) {
+        if (may_replace || !has_older_) publish();
+    } else if (last_commit_ - last_checkpoint_ >= between_checkpoints) {
+        if (may_checkpoint()) database_->checkpoint();
+        last_checkpoint_ = last_commit_;
     }
-    try {
-        write_changes(staged_);
-    } catch (...) {
-        unlock(file_, LockedByte::index);
-        throw;
-    }
-    unlock(file_, LockedByte::index);
-    committed_ = end_;
-    staged_.clear();
-    last_commit_ = now;
-    if (!part_.empty() && (may_replace || !has_older_)) publish();
-    return true;
 }
 
-/// First all that changes nothing that is in use, then, when that and the log of the rest stand in the file, the rest.
-void RecordingTarget::write_changes(const Changes& changes)
-{
-    Changes rest;
-    const auto keep = [&](int code) {
-        if (code == 0) return;
-        give_up(reason(code));
-        throw FileError(failure_);
-    };
-    std::uint64_t begin = 0;
-    std::string run; // of changes that follow each other, written at once
-    const auto write_run = [&] { keep(write_all(file_, begin, std::exchange(run, {}))); };
-    for (const auto& [at, bytes] : changes) {
-        if (at < committed_) {
-            rest.emplace(at, bytes);
-            continue;
-        }
-        if (at != begin + run.size()) write_run();
-        if (run.empty()) begin = at;
-        run += bytes;
-    }
-    write_run();
-    if (!rest.empty()) {
-        const auto& [last, bytes] = *rest.rbegin();
-        keep(write_all(file_, std::max({end_, committed_, last + bytes.size()}), redo_log(rest)));
-    }
-    for (const auto& [at, bytes] : rest) {
-        const int code = write_all(file_, at, bytes);
-        if (code == 0) continue;
-        failure_ = reason(code); // the log stays, so that a reader makes the changes
-        throw FileError(failure_);
-    }
-    keep(::ftruncate(file_, static_cast<off_t>(end_)) == 0 ? 0 : errno);
-}
-
+/// What a killed run left beside the older recording is not the new one's. Opened anew, SQLite names what stands beside it by the target.
 void RecordingTarget::publish()
 {
+    pages_ = database_->pages();
+    database_.reset();
     sync();
+    ::unlink(wal_of(target_).c_str());
+    ::unlink(shm_of(target_).c_str());
     if (::rename(part_.c_str(), target_.c_str()) != 0)
         throw FileError(std::string("the recording cannot be put in place: ") + std::strerror(errno));
     forget_unfinished(part_.c_str());
     part_.clear();
+    last_checkpoint_ = last_commit_;
 }
 
-void RecordingTarget::sync()
+/// New pages first: whoever gets the file alone after a kill finds what the others lead to.
+bool RecordingTarget::may_checkpoint()
 {
-    if (::fsync(file_) != 0 && errno != EINVAL && errno != EROFS) {
-        give_up(reason(errno));
-        throw FileError(failure_);
+    if (!write_new_pages(wal_of(target_), file_, pages_)) return false;
+    pages_ = database_->pages();
+    return true;
+}
+
+/// SQLite does not sync: a run that is cancelled ends within a moment, and of one that ends well everything is on the disk before the file
+/// beside it goes.
+void RecordingTarget::close(bool to_disk)
+{
+    if (!in_place()) return;
+    if (database_) {
+        database_->run("PRAGMA synchronous=OFF");
+        if (may_checkpoint()) database_->checkpoint();
+        if (to_disk) sync();
+        database_->become_one_file();
     }
+    database_.reset();
+    if (to_disk) sync();
+}
+
+void RecordingTarget::give_up()
+{
+    database_.reset();
+    in_transaction_ = false;
+}
+
+void RecordingTarget::sync() const
+{
+    if (::fsync(file_) != 0 && errno != EINVAL && errno != EROFS)
+        throw FileError(errno == ENOSPC || errno == EDQUOT ? "the disk is full"
+                                                           : std::string("it cannot be written: ") + std::strerror(errno));
 }
 
 } // namespace hygroloom

@@ -2,63 +2,58 @@
 // The file that a run writes: beside its target until it is worth the target's name, and at any moment what the last commit made of it.
 #pragma once
 
-#include "core/run/hdf5_driver.h"
-#include "core/run/redo_log.h"
+#include "core/run/database.h"
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 
 namespace hygroloom {
 
-/// What the library writes as data goes to the file, beyond all that is in use; metadata and small data wait for the commit. A run that is
-/// killed, or has no room, leaves the file as the last commit made it.
-class RecordingTarget : public hdf5::Storage {
+/// Beside the target it is a plain file that nobody reads. Under its name frames go into a second file first, NAME-wal, which is brought in
+/// every two seconds: whoever reads, or finds what a kill left, sees whole commits.
+class RecordingTarget {
 public:
     /// Takes the name: throws FileError when another run writes there, or nothing can be written there. What is there stays.
     explicit RecordingTarget(const std::filesystem::path& path);
     /// Removes the file unless it got the target's name.
-    ~RecordingTarget() override;
+    ~RecordingTarget();
     RecordingTarget(const RecordingTarget&) = delete;
     RecordingTarget& operator=(const RecordingTarget&) = delete;
 
-    enum class Commit { may_wait, now };
+    /// Within a transaction. A commit may replace it by another: no statement of it may live on.
+    const Database& open();
     /// Lets what was written take effect, all or nothing, and gives the file the target's name, if it may replace an older recording or
-    /// there is none. While a reader looks for frames it may wait for the next time. Throws FileError; the file stays as it was and takes
-    /// nothing more.
-    /// Returns whether it did.
-    bool commit(Commit when, bool may_replace);
+    /// there is none. Throws FileError.
+    void commit(bool may_replace);
     /// Whether a commit is worth its work: the file has not its name yet, or the last one was a while ago. A kill costs what came since.
     bool is_due() const;
     /// Whether the file has the target's name.
     bool in_place() const { return part_.empty(); }
-    /// Why nothing more can be written; empty: it can.
-    const std::string& failure() const { return failure_; }
-    /// From here on what the library writes is dropped.
-    void give_up(const std::string& why);
-    /// To the disk.
-    void sync();
-
-    std::uint64_t size() const override { return end_; }
-    bool read(std::uint64_t at, void* bytes, std::size_t count, hdf5::BlockKind kind) override;
-    bool is_written() const override { return true; }
-    bool write(std::uint64_t at, const void* bytes, std::size_t count, bool is_metadata) override;
-    void resize(std::uint64_t size) override { end_ = size; }
+    /// After a commit: one file, closed; with to_disk it is on the disk. Throws FileError.
+    void close(bool to_disk);
+    /// What was not committed is dropped; nothing more can be written.
+    void give_up();
 
 private:
     void take_place();
     bool open_part();
     void check_target();
-    void write_changes(const Changes& changes);
     void publish();
+    bool may_checkpoint();
+    void sync() const;
 
     std::filesystem::path given_, target_, part_; ///< as named; behind links; beside it, empty when renamed
     bool has_older_ = false;                      ///< the target is a recording with content
-    int file_ = -1;
-    std::uint64_t end_ = 0;       ///< of what was written
-    std::uint64_t committed_ = 0; ///< end of the file as the last commit made it
-    Changes staged_;
-    std::string failure_;
-    std::chrono::steady_clock::time_point last_commit_{};
+    int file_ = -1;                               ///< holds the writer's lock
+    std::optional<Database> database_;
+    bool in_transaction_ = false;
+    std::uint32_t pages_ = 0; ///< of the file, without what stands beside it
+    std::chrono::steady_clock::time_point last_commit_{}, last_checkpoint_{};
 };
+
+/// What a killed run left beside its recording goes into it, so that it can be linked, copied and moved as one file. Does nothing where
+/// there is nothing left, or it cannot be done.
+void bring_in_left_over(const std::filesystem::path& recording);
 
 } // namespace hygroloom

@@ -2,24 +2,25 @@
 target_sources(hygroloom_core PRIVATE
   run/apart.cpp
   run/course.cpp
+  run/database.cpp
   run/failover.cpp
   run/frame_changes.cpp
-  run/hdf5_blocks.cpp
-  run/hdf5_driver.cpp
-  run/hdf5_file.cpp
-  run/hdf5_messages.cpp
-  run/hdf5_packed.cpp
-  run/hdf5_reader.cpp
   run/learned_times.cpp
+  run/packed_numbers.cpp
   run/part_watch.cpp
   run/plan_run.cpp
   run/publisher.cpp
   run/recording.cpp
+  run/recording_head.cpp
   run/recording_source.cpp
   run/recording_target.cpp
   run/recording_writer.cpp
-  run/redo_log.cpp
+  run/run_file_reader.cpp
+  run/run_file_writer.cpp
+  run/run_tables.cpp
   run/runner.cpp
   run/session.cpp
   run/side_by_side.cpp
+  run/wal_pages.cpp
+  run/writer_lock.cpp
 )

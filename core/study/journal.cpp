@@ -5,7 +5,7 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/project/atomic_file.h"
-#include "core/run/byte_lock.h"
+#include "core/run/writer_lock.h"
 #include "core/study/csv_rows.h"
 #include "core/study/results.h"
 
@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -138,7 +139,7 @@ Journal::Journal(const std::filesystem::path& file, const std::string& mark) : p
     file_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (file_ < 0) fail(file, errno);
     try {
-        if (!try_lock(file_, LockedByte::writer, false))
+        if (!lock_as_writer(file_))
             throw FileError(file.string() + ": Another program runs this part of the study now. Wait for it, or end it.");
         const std::string text = whole_lines(file);
         if (::ftruncate(file_, static_cast<off_t>(text.size())) != 0) fail(file, errno);

@@ -49,9 +49,10 @@ StudyTable read_results(const std::filesystem::path& file);
 StudyTable parse_results(std::string_view text, const std::string& name);
 std::string format_results(const StudyTable& table);
 
-/// From DIR/study.h5, which has the same columns. Throws FileError.
-StudyTable read_results_hdf5(const std::filesystem::path& file);
+/// From DIR/study.sqlite, which has the same columns. Throws FileError.
+StudyTable read_results_database(const std::filesystem::path& file);
 /// project and study: their texts, which stand beside the columns. Throws FileError.
-void write_results_hdf5(const StudyTable& table, const std::string& project, const std::string& study, const std::filesystem::path& file);
+void write_results_database(const StudyTable& table, const std::string& project, const std::string& study,
+                            const std::filesystem::path& file);
 
 } // namespace hygroloom

@@ -7,7 +7,7 @@ target_sources(hygroloom_core PRIVATE
   study/points.cpp
   study/quantiles.cpp
   study/results.cpp
-  study/results_hdf5.cpp
+  study/results_database.cpp
   study/slurm.cpp
   study/study.cpp
   study/study_check.cpp

@@ -186,7 +186,7 @@ KeptRows prepared_rows(const StudyFolder& study, const std::filesystem::path& fo
                       read_file(folder / "project.hygro", largest_project_bytes) == study.project_text;
     std::error_code none;
     const bool has_parts = !std::filesystem::is_empty(folder / "parts", none) && !none;
-    if (!has_study && (is_there(folder / "results.csv") || is_there(folder / "study.h5")))
+    if (!has_study && (is_there(folder / "results.csv") || is_there(folder / "study.sqlite")))
         throw Error(folder.string() + ": The folder has results of something else; give another folder.");
     if (has_parts && !same)
         throw Error(folder.string() + ": The folder has the rows of another study or project (see study.json and project.hygro there). "
@@ -229,7 +229,7 @@ MergeResult merge_study(const std::filesystem::path& folder)
     const StudyTable table = TableMaker(study, kept).make();
     if (table.rows() == 0) require_parts_of(folder / "results.csv");
     write_file(folder / "results.csv", format_results(table));
-    write_results_hdf5(table, study.project_text, study.study_text, folder / "study.h5");
+    write_results_database(table, study.project_text, study.study_text, folder / "study.sqlite");
     return {frame.rows(), table.rows(), kept.count(KeptRows::State::failed), missing_points(frame, kept)};
 }
 

@@ -26,7 +26,7 @@ struct MergeResult {
     std::size_t failed = 0;
     std::string missing; ///< the first points that lack rows, in words; empty: all are there
 };
-/// Writes results.csv and study.h5 from the parts, atomically. Throws FileError.
+/// Writes results.csv and study.sqlite from the parts, atomically. Throws FileError.
 MergeResult merge_study(const std::filesystem::path& folder);
 
 // For study_run.cpp and slurm.cpp.

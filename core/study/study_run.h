@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Runs a study in a folder: project.hygro and study.json say what it is, parts/ keeps each row as soon as it has ended, results.csv and
-// study.h5 are made from the parts. What a row holds depends neither on its order nor on who ran it.
+// study.sqlite are made from the parts. What a row holds depends neither on its order nor on who ran it.
 #pragma once
 
 #include "core/run/run_options.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The recording of a worn garment: HDF5, cells instead of yarns, one group per frame. Written and read as recordings of samples are.
+// The recording of a worn garment: cells instead of yarns. Written and read as recordings of samples are.
 #pragma once
 
 #include "core/wear/wear_layout.h"

@@ -103,7 +103,7 @@ private Q_SLOTS:
         const QString recording = folder_.filePath("drop.hygrorec");
         QFile file(recording);
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write("\x89HDF\r\n\x1a\n and the rest");
+        file.write("SQLite format 3 and the rest");
         file.close();
         for (const char* verb : {"simulate", "check", "plan"}) {
             const Answer answer = run_cli({verb, recording});

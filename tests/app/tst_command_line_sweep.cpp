@@ -64,7 +64,7 @@ private Q_SLOTS:
                        "maximum_wetted_radius_top_mm,maximum_wetted_radius_bottom_mm,wall_s,device,commit,reason"));
         QVERIFY(lines[1].startsWith("0,0,26,done,"));
         QVERIFY(lines[3].startsWith("2,0,36,done,"));
-        QVERIFY(contents(out + "/study.h5").startsWith("\x89HDF"));
+        QVERIFY(contents(out + "/study.sqlite").startsWith("SQLite format 3"));
 
         const Answer again = run_cli({"sweep", drop, "--study", folder.filePath("study.json"), "-o", out, "--set", soon});
         QCOMPARE(again.code, 2);

@@ -240,7 +240,7 @@ private Q_SLOTS:
         row("comma too many", replaced(good, "0.2,", "0.2,,"), "line 10, column 28");
         row("two documents", good + "{}", "not valid JSON");
         row("a picture", "\x89PNG\r\n\x1a\n", "This is a PNG picture, not JSON text.");
-        row("a recording", "\x89HDF\r\n\x1a\n", "an HDF5 file, such as a recording, not JSON text");
+        row("a recording", "SQLite format 3", "an SQLite database, such as a recording, not JSON text");
         row("not utf-8", replaced(good, "Textile F", "Textile \xff"), "line 7, column");
         row("a number too large", replaced(good, "0.635", "1e400"),
             "line 27, column 23: fabrics[0].thickness_mm: The number 1e400 is beyond those that there are, up to 1.8e+308. "

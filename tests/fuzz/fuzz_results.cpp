@@ -2,26 +2,11 @@
 // Any bytes, as the table of a study in either form, either are refused with a FileError, or are a table that is written and read again.
 #include "core/base/error.h"
 #include "core/study/results.h"
-
-#include <cstdint>
-#include <cstdlib>
-#include <sys/mman.h>
-#include <unistd.h>
+#include "tests/fuzz/as_file.h"
 
 using namespace hygroloom;
 
 namespace {
-
-StudyTable from_hdf5(std::string_view bytes)
-{
-    const int file = ::memfd_create("study", MFD_CLOEXEC);
-    if (file < 0 || ::write(file, bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size())) std::abort();
-    struct Closer {
-        int file;
-        ~Closer() { ::close(file); }
-    } const closer{file};
-    return read_results_hdf5("/proc/self/fd/" + std::to_string(file));
-}
 
 std::string again(const std::string& text) { return format_results(parse_results(text, "written.csv")); }
 
@@ -31,7 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     const std::string_view bytes(reinterpret_cast<const char*>(data), size);
     try {
-        const StudyTable table = bytes.starts_with("\x89HDF") ? from_hdf5(bytes) : parse_results(bytes, "input.csv");
+        const StudyTable table = bytes.starts_with("SQLite format 3") ? read_results_database(as_file(data, size, "study.sqlite"))
+                                                                      : parse_results(bytes, "input.csv");
         const std::string once = again(format_results(table)); // words that are numbers are written as numbers from here on
         if (again(once) != once) std::abort();
     } catch (const FileError&) {

@@ -16,5 +16,5 @@ int main(int count, char** values)
                             {"replicate", Role::replicate, true, {0, 0}, {}, {}},
                             {"radius_mm", Role::metric, true, {4.5, 6}, {}, {}},
                             {"status", Role::status, false, {}, {row_done, row_failed}, {0, 1}}}};
-    write_results_hdf5(table, "{}", "{}", values[3]);
+    write_results_database(table, "{}", "{}", values[3]);
 }

@@ -4,7 +4,10 @@
 #include "core/run/frame_changes.h"
 #include "core/run/recording.h"
 #include "core/solver/backend.h"
+#include "tests/support/crafted_recording.h"
 #include "tests/support/drop_design.h"
+
+#include <fmt/format.h>
 
 #include <QFileInfo>
 #include <QTemporaryDir>
@@ -61,23 +64,19 @@ void move(Frame& frame, std::mt19937& random)
     frame.round_fields();
 }
 
-struct Open {
-    explicit Open(const std::string& path) : id(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)) {}
-    ~Open() { H5Fclose(id); }
-    hid_t id;
-};
-
 /// Writes one number of a frame's changes of saturation.
-void put_change(hid_t file, const char* frame, std::uint32_t number)
+void put_change(const std::string& path, int frame, std::uint32_t number)
 {
-    const hid_t set = H5Dopen2(file, (std::string("frames/") + frame + "/changes").c_str(), H5P_DEFAULT), space = H5Dget_space(set);
-    const hsize_t at[2] = {0, 7}, one[2] = {1, 1};
-    H5Sselect_hyperslab(space, H5S_SELECT_SET, at, nullptr, one, nullptr);
-    const hid_t memory = H5Screate_simple(2, one, nullptr);
-    QVERIFY(H5Dwrite(set, H5T_NATIVE_UINT32, memory, space, H5P_DEFAULT, &number) >= 0);
-    H5Sclose(memory);
-    H5Sclose(space);
-    H5Dclose(set);
+    const RunFileReader file(path);
+    std::vector<std::uint32_t> changes = file.row(frame, {"saturation"}).counts("saturation", 9800);
+    changes[7] = number;
+    NumberPacker packer;
+    const Database database(path, Database::Access::write);
+    database.statement("UPDATE frames SET saturation=?1 WHERE number=?2")
+        .bind_bytes(1, packer.packed(std::span<const std::uint32_t>(changes)))
+        .bind(2, std::int64_t{frame})
+        .run();
+    database.become_one_file();
 }
 
 } // namespace
@@ -207,9 +206,7 @@ private Q_SLOTS:
     {
         const std::string path = at("damaged.hygrorec");
         const std::vector<Frame> frames = write(path);
-        {
-            H5Ldelete(Open(path).id, "frames/000003/changes", H5P_DEFAULT);
-        }
+        QVERIFY(craft_by_sql(path, "UPDATE frames SET follows=NULL, saturation=NULL WHERE number=3"));
         QCOMPARE(complaint(path, 5),
                  QString("Frame 5 cannot be read: \"frames/000003/saturation\" is missing; the recording is damaged or no recording."));
         QVERIFY(are_alike(Recording(path).frame(2), frames[2]) && are_alike(Recording(path).frame(16), frames[16]));
@@ -224,15 +221,13 @@ private Q_SLOTS:
         const std::string path = at("endless.hygrorec");
         write(path);
         for (const std::uint32_t number : {3U, 0x7fffffffU, 0xffffffffU}) {
-            {
-                put_change(Open(path).id, "000002", number);
-            }
+            put_change(path, 2, number);
             QCOMPARE(complaint(path, 2), QString("Frame 2 cannot be read: \"saturation\" changes to what is no value."));
         }
     }
     void whatIsReadInOnePieceIsKeptSo()
     {
-        constexpr std::size_t most = hdf5::largest_chunk / 4;
+        constexpr std::size_t most = 4 << 20;
         QVERIFY(keeps_changes(most, false) && !keeps_changes(most + 1, false) && !keeps_changes(most, true) && !keeps_changes(4095, false));
     }
     void framesThatLeadTooFarBackAreRefused()
@@ -246,13 +241,11 @@ private Q_SLOTS:
                 writer.append(frames[0]);
             }
             writer.finish(0);
-            const Open file(path);
-            for (int k = 16; k < 80; k += 16) {
-                const std::string group = "frames/0000" + std::to_string(k) + "/";
-                QVERIFY(H5Lcreate_hard(file.id, "frames/000001/changes", file.id, (group + "changes").c_str(), H5P_DEFAULT, H5P_DEFAULT) >=
-                        0);
-            }
         }
+        for (const FrameField& field : frame_fields)
+            QVERIFY(craft_by_sql(path, fmt::format("UPDATE frames SET follows=1, {0}=(SELECT {0} FROM frames WHERE number=1) "
+                                                   "WHERE number>0 AND number%16=0",
+                                                   field.name)));
         Recording recording(path);
         for (int k = 0; k <= 64; ++k) QVERIFY(are_alike(recording.frame(k), frames[0]));
         QVERIFY_THROWS_EXCEPTION(Error, recording.frame(65)); // though the one before was found
@@ -261,25 +254,20 @@ private Q_SLOTS:
     }
     void otherFormsOfChangesAreRefused_data()
     {
-        QTest::addColumn<QString>("attribute");
+        QTest::addColumn<QString>("of");
         QTest::addColumn<double>("number");
-        QTest::newRow("no step") << "temperature" << 0.3;
-        QTest::newRow("no bits") << "liquid" << 24.0;
-        QTest::newRow("no neighbour") << "back" << 0.0;
+        QTest::newRow("no step") << "changes/temperature" << 0.3;
+        QTest::newRow("no bits") << "changes/liquid" << 24.0;
+        QTest::newRow("no neighbour") << "changes/back" << 0.0;
         QTest::newRow("no answer") << "in_bundles" << 2.0;
     }
     void otherFormsOfChangesAreRefused()
     {
-        QFETCH(QString, attribute);
+        QFETCH(QString, of);
         QFETCH(double, number);
         const std::string path = at("form.hygrorec");
         write(path);
-        {
-            const Open file(path);
-            const hid_t group = H5Gopen2(file.id, "changes", H5P_DEFAULT);
-            hdf5::write_number(group, attribute.toStdString(), number);
-            H5Gclose(group);
-        }
+        QVERIFY(craft_by_sql(path, fmt::format("UPDATE meta SET value={} WHERE name='{}'", number, of.toStdString())));
         QVERIFY_EXCEPTION_THROWN(Recording{path}, FileError);
     }
     void smallRecordingsHoldValuesAlone()
@@ -290,8 +278,9 @@ private Q_SLOTS:
         options.recording = at("plain.hygrorec");
         RunControl control;
         run_experiment(design, "cloth", "drop", options, *make_cpu_backend(), control, {});
-        const Open file(at("plain.hygrorec"));
-        QVERIFY(!hdf5::exists(file.id, "changes") && hdf5::exists(file.id, "frames/000001/saturation"));
+        const RunFileReader file(at("plain.hygrorec"));
+        const StoredRow row = file.row(1, {follows_column, "saturation"});
+        QVERIFY(!file.has("changes/back") && !row.has(follows_column) && row.has("saturation"));
     }
 };
 

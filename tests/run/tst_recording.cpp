@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Recordings: what is written is read back, a cut one reads to its last frame, and anything else is refused with a sentence.
 #include "core/base/error.h"
-#include "core/run/hdf5_file.h"
-#include "core/run/hdf5_reader.h"
 #include "core/run/recording.h"
+#include "core/run/run_file.h"
 #include "core/scene/liquid_points.h"
 #include "core/solver/backend.h"
+#include "tests/support/crafted_recording.h"
 #include "tests/support/drop_design.h"
 
 #include <QFile>
@@ -147,8 +147,7 @@ private Q_SLOTS:
             frames[0].unsolved_lines = unsolved;
             writer.append(frames[0]);
             writer.finish(0);
-            const hdf5::Handle file(H5Fopen(at("noted.hygrorec").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "no file");
-            QCOMPARE(hdf5::has_number(hdf5::open_group(file.get(), "provenance").get(), "unsolved_lines"), unsolved > 0);
+            QCOMPARE(RunFileReader(at("noted.hygrorec")).has("provenance/unsolved_lines"), unsolved > 0);
             QCOMPARE(Recording(at("noted.hygrorec")).run().unsolved_lines, unsolved);
         }
     }
@@ -176,9 +175,7 @@ private Q_SLOTS:
     void aRecordingThatLacksARequiredFieldIsRefusedByName()
     {
         record_run(at("lacking.hygrorec"), 0.02);
-        const hid_t file = H5Fopen(at("lacking.hygrorec").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-        QVERIFY(H5Ldelete(file, "frames/000001/temperature", H5P_DEFAULT) >= 0);
-        H5Fclose(file);
+        QVERIFY(craft_by_sql(at("lacking.hygrorec"), "UPDATE frames SET temperature=NULL WHERE number=1"));
         const Recording recording(at("lacking.hygrorec"));
         QCOMPARE(recording.frame(0).temperature.size(), std::size_t(recording.run().textile.segments()));
         try {
@@ -219,6 +216,7 @@ private Q_SLOTS:
         QByteArray scrambled = whole;
         for (int i = 600; i < 4000; ++i) scrambled[i] = char(i * 37);
         QTest::newRow("scrambled") << scrambled;
+        QTest::newRow("of another program") << QByteArray(whole).replace(68, 4, "XXXX");
     }
     void otherFilesAreRefusedWithASentence()
     {
@@ -228,6 +226,23 @@ private Q_SLOTS:
         file.write(content);
         file.close();
         QVERIFY_EXCEPTION_THROWN(Recording{at("bad.hygrorec")}, FileError);
+    }
+    void anOlderFormIsNamed()
+    {
+        const std::string path = at("old.hygrorec");
+        QFile file(QString::fromStdString(path));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("\x89HDF\r\n\x1a\n" + QByteArray(2000, 'x'));
+        file.close();
+        try {
+            const Recording recording(path);
+            QFAIL("it was read");
+        } catch (const FileError& e) {
+            QCOMPARE(QString(e.what()),
+                     QString::fromStdString(path) + ": this was written by an older version of the program; run it again.");
+        }
+        record_run(path, 0.01); // in its place
+        QVERIFY(Recording(path).finished());
     }
     void aMissingFolderIsNamed()
     {

@@ -11,9 +11,8 @@
 #include <QTest>
 
 #include <csignal>
-#include <hdf5.h>
+#include <sqlite3.h>
 #include <sys/resource.h>
-#include <zlib.h>
 
 using namespace hygroloom;
 using Role = StudyColumnRole;
@@ -36,7 +35,7 @@ StudyColumn words(const char* name, Role role, const std::vector<std::string>& v
 QString refusal_of(const std::string& study)
 {
     try {
-        read_results_hdf5(study);
+        read_results_database(study);
     } catch (const FileError& error) {
         return error.what();
     }
@@ -85,7 +84,7 @@ private Q_SLOTS:
     void bothFormsGiveTheSameTable()
     {
         const QTemporaryDir folder;
-        const std::filesystem::path file = folder.filePath("study.h5").toStdString();
+        const std::filesystem::path file = folder.filePath("study.sqlite").toStdString();
         const StudyTable table = table_of(9);
         const std::string text = format_results(table);
         const StudyTable read = parse_results(text, "results.csv");
@@ -94,8 +93,8 @@ private Q_SLOTS:
         QCOMPARE(format_results(read), text);
         QVERIFY(std::isnan(read.find("absorbency_time_s")->numbers[4]));
         QCOMPARE(read.find("reason")->word(4), std::string("Too wet, it says"));
-        write_results_hdf5(table, "the project", "the study", file);
-        QCOMPARE(format_results(read_results_hdf5(file)), text);
+        write_results_database(table, "the project", "the study", file);
+        QCOMPARE(format_results(read_results_database(file)), text);
     }
 
     void theSameTableHasTheSameBytes()
@@ -103,8 +102,8 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         QByteArray bytes[2];
         for (int i = 0; i < 2; ++i) {
-            const QString file = folder.filePath(QString("study%1.h5").arg(i));
-            write_results_hdf5(table_of(5000), "p", "s", file.toStdString());
+            const QString file = folder.filePath(QString("study%1.sqlite").arg(i));
+            write_results_database(table_of(5000), "p", "s", file.toStdString());
             QFile read(file);
             QVERIFY(read.open(QIODevice::ReadOnly));
             bytes[i] = read.readAll();
@@ -146,24 +145,24 @@ private Q_SLOTS:
         QCOMPARE(table.find("x")->word(1), std::string("wide"));
     }
 
-    void aTornHdf5FileIsRefused()
+    void aTornDatabaseIsRefused()
     {
         const QTemporaryDir folder;
-        const QString name = folder.filePath("study.h5");
-        write_results_hdf5(table_of(5000), "p", "s", name.toStdString());
+        const QString name = folder.filePath("study.sqlite");
+        write_results_database(table_of(5000), "p", "s", name.toStdString());
         QFile file(name);
         QVERIFY(file.resize(file.size() / 2));
-        QVERIFY_EXCEPTION_THROWN(read_results_hdf5(name.toStdString()), FileError);
+        QVERIFY_EXCEPTION_THROWN(read_results_database(name.toStdString()), FileError);
     }
 
     void columnsOfOtherTypesAreRefused()
     {
         const QTemporaryDir place;
-        const std::filesystem::path file = place.filePath("study.h5").toStdString();
+        const std::filesystem::path file = place.filePath("study.sqlite").toStdString();
         const auto accepted = [&](const StudyTable& table) {
-            write_results_hdf5(table, "{}", "{}", file);
+            write_results_database(table, "{}", "{}", file);
             try {
-                return read_results_hdf5(file).rows() == 5;
+                return read_results_database(file).rows() == 5;
             } catch (const FileError&) {
                 return false;
             }
@@ -183,11 +182,11 @@ private Q_SLOTS:
         }
     }
 
-    void aHurtHdf5FileIsReadOrRefused()
+    void aHurtDatabaseIsReadOrRefused()
     {
         const QTemporaryDir place;
-        const QString name = place.filePath("study.h5");
-        write_results_hdf5(table_of(20), "{}", "{}", name.toStdString());
+        const QString name = place.filePath("study.sqlite");
+        write_results_database(table_of(20), "{}", "{}", name.toStdString());
         QFile file(name);
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QByteArray whole = file.readAll();
@@ -197,12 +196,12 @@ private Q_SLOTS:
             for (std::uint64_t k = 0; k < 1 + trial % 4; ++k)
                 bytes[static_cast<int>(random_bits(trial, 1, k) % static_cast<std::uint64_t>(bytes.size()))] =
                     static_cast<char>(random_bits(trial, 2, k));
-            QFile hurt(place.filePath("hurt.h5"));
+            QFile hurt(place.filePath("hurt.sqlite"));
             QVERIFY(hurt.open(QIODevice::WriteOnly));
             hurt.write(bytes);
             hurt.close();
             try {
-                read_results_hdf5(hurt.fileName().toStdString());
+                read_results_database(hurt.fileName().toStdString());
             } catch (const FileError&) {
                 ++refused;
             }
@@ -210,91 +209,59 @@ private Q_SLOTS:
         QVERIFY2(refused > 50, qPrintable(QString::number(refused)));
     }
 
-    /// A column that claims to lie in its header, which has room for less: HDF5 read on behind it.
-    void aColumnWithFewerBytesThanRowsIsRefused()
+    void whatIsNotAsExpectedIsNamed_data()
     {
+        QTest::addColumn<QString>("sql");
+        QTest::addColumn<QString>("sentence");
+        const auto row = [](const char* name, const char* sql, const char* sentence) {
+            QTest::newRow(name) << QString(sql) << QString(sentence);
+        };
+        row("a word for a number", "UPDATE rows SET point='x' WHERE number=3", "rows/point: This must be numbers.");
+        row("bytes for a number", "UPDATE rows SET point=x'00' WHERE number=3", "rows/point: This must be numbers.");
+        row("bytes for a word", "UPDATE rows SET status=x'00' WHERE number=3", "rows/status: This must be words.");
+        row("no row", "DELETE FROM rows WHERE number=3", "rows: The rows are not counted one by one; the file is damaged.");
+        row("rows without end", "ALTER TABLE rows RENAME TO r; CREATE VIEW rows AS SELECT * FROM r",
+            "it holds \"r\", which recordings do not; it is damaged or no recording.");
+        row("no table", "DROP TABLE rows", "its table \"rows\" is missing; it is damaged or no recording.");
+        row("one more column", "ALTER TABLE rows ADD COLUMN more REAL", "its table \"rows\" has another form than recordings have.");
+        row("no columns", "DELETE FROM meta WHERE name='columns'", "\"columns\" is missing; the recording is damaged or no recording.");
+        row("a recording", "UPDATE meta SET value='hygroloom-recording' WHERE name='format'", "This is no table of a study.");
+        row("a role that there is not", "UPDATE meta SET value='[[\"point\",99]]' WHERE name='columns'",
+            "columns: This is no table of a study.");
+    }
+    void whatIsNotAsExpectedIsNamed()
+    {
+        QFETCH(QString, sql);
+        QFETCH(QString, sentence);
         const QTemporaryDir place;
-        const QString name = place.filePath("study.h5");
-        write_results_hdf5(table_of(20), "{}", "{}", name.toStdString());
-        QFile file(name);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArray whole = file.readAll();
-        const QByteArray chunked("\x03\x02\x02", 3), in_header("\x03\x00\x08\x00", 4); // version, layout; dimensions and one more, or bytes
-        std::size_t columns = 0;
-        for (qsizetype at = whole.indexOf(chunked); at >= 0; at = whole.indexOf(chunked, at + 1)) {
-            if (at < 8 || whole[at - 8] != 8 || whole[at - 7] != 0) continue; // no message of a layout
-            QFile hurt(place.filePath("hurt.h5"));
-            QVERIFY(hurt.open(QIODevice::WriteOnly));
-            hurt.write(QByteArray(whole).replace(at, in_header.size(), in_header));
-            hurt.close();
-            const QString said = refusal_of(hurt.fileName().toStdString());
-            QVERIFY2(said.contains("does not lie in chunks"), qPrintable(said));
-            ++columns;
-        }
-        QCOMPARE(columns, table_of(1).columns.size());
+        const std::string file = place.filePath("study.sqlite").toStdString();
+        write_results_database(table_of(20), "{}", "{}", file);
+        sqlite3* opened = nullptr;
+        QCOMPARE(sqlite3_open(file.c_str(), &opened), SQLITE_OK);
+        QCOMPARE(sqlite3_exec(opened, qPrintable(sql), nullptr, nullptr, nullptr), SQLITE_OK);
+        sqlite3_close(opened);
+        QCOMPARE(refusal_of(file), QString::fromStdString(file) + ": " + sentence);
     }
 
-    /// HDF5 read on behind it.
-    void aPartThatUnpacksToFewerBytesIsRefused_data()
+    void columnsWhoseNamesDifferInTheirLettersAlone()
     {
-        QTest::addColumn<QByteArray>("set");
-        QTest::newRow("numbers") << QByteArray("/rows/point");
-        QTest::newRow("words") << QByteArray("/rows/status");
-    }
-    void aPartThatUnpacksToFewerBytesIsRefused()
-    {
-        QFETCH(QByteArray, set);
         const QTemporaryDir place;
-        const std::string file = place.filePath("study.h5").toStdString();
-        write_results_hdf5(table_of(20), "{}", "{}", file);
-        const Bytef few[8] = {};
-        Bytef packed[64];
-        uLongf size = sizeof packed;
-        QCOMPARE(compress(packed, &size, few, sizeof few), Z_OK);
-        const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), column = H5Dopen2(opened, set.constData(), H5P_DEFAULT);
-        const hsize_t first = 0;
-        QVERIFY(H5Dwrite_chunk(column, H5P_DEFAULT, 0, &first, size, packed) >= 0);
-        H5Dclose(column);
-        H5Fclose(opened);
-        const QString said = refusal_of(file);
-        QVERIFY2(said.contains("cannot be unpacked"), qPrintable(said));
+        const std::string file = place.filePath("study.sqlite").toStdString();
+        StudyTable table = table_of(3);
+        table.columns[3].name = "Number";
+        table.columns[4].name = "STATUS \"x\"";
+        table.columns[6].name = "Status";
+        write_results_database(table, "{}", "{}", file);
+        const StudyTable read = read_results_database(file);
+        for (std::size_t k = 0; k < table.columns.size(); ++k) QCOMPARE(read.columns[k].name, table.columns[k].name);
+        QCOMPARE(format_results(read), format_results(table));
     }
 
-    void columnsOfOtherFilesAreRefused_data()
-    {
-        QTest::addColumn<bool>("made_of_sets");
-        QTest::newRow("external storage") << false;
-        QTest::newRow("a virtual set") << true;
-    }
-    void columnsOfOtherFilesAreRefused()
-    {
-        QFETCH(bool, made_of_sets);
-        const QTemporaryDir place;
-        const std::string file = place.filePath("study.h5").toStdString(), other = place.filePath("other").toStdString();
-        write_results_hdf5(table_of(20), "{}", "{}", file);
-        const hid_t opened = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), properties = H5Pcreate(H5P_DATASET_CREATE);
-        const hsize_t rows = 20;
-        const hid_t space = H5Screate_simple(1, &rows, nullptr);
-        if (made_of_sets)
-            QVERIFY(H5Pset_virtual(properties, space, other.c_str(), "/set", space) >= 0);
-        else
-            QVERIFY(H5Pset_external(properties, other.c_str(), 0, rows * sizeof(double)) >= 0);
-        QVERIFY(H5Ldelete(opened, "/rows/point", H5P_DEFAULT) >= 0);
-        const hid_t column = H5Dcreate2(opened, "/rows/point", H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
-        QVERIFY(column >= 0);
-        H5Dclose(column);
-        H5Sclose(space);
-        H5Pclose(properties);
-        H5Fclose(opened);
-        const QString said = refusal_of(file);
-        QVERIFY2(said.endsWith("rows/point: This is missing or damaged."), qPrintable(said)); // by what looks at each block
-    }
-
-    /// A limit on the size of files stands for a disk that is full; the program used to end when HDF5 closed the file.
+    /// A limit on the size of files stands for a disk that is full.
     void aFullDiskIsAnError()
     {
         const QTemporaryDir place;
-        const std::filesystem::path file = place.filePath("study.h5").toStdString();
+        const std::filesystem::path file = place.filePath("study.sqlite").toStdString();
         rlimit before{};
         getrlimit(RLIMIT_FSIZE, &before);
         std::signal(SIGXFSZ, SIG_IGN);
@@ -302,15 +269,15 @@ private Q_SLOTS:
         setrlimit(RLIMIT_FSIZE, &tight);
         QString said;
         try {
-            write_results_hdf5(table_of(500), "{}", "{}", file);
+            write_results_database(table_of(500), "{}", "{}", file);
         } catch (const FileError& error) {
             said = error.what();
         }
         setrlimit(RLIMIT_FSIZE, &before);
-        QVERIFY2(said.contains("study.h5: The file cannot be written"), qPrintable(said));
+        QVERIFY2(said.contains("study.sqlite: The file cannot be written"), qPrintable(said));
         QVERIFY(!std::filesystem::exists(file));
-        write_results_hdf5(table_of(500), "{}", "{}", file);
-        QCOMPARE(read_results_hdf5(file).rows(), std::size_t{500});
+        write_results_database(table_of(500), "{}", "{}", file);
+        QCOMPARE(read_results_database(file).rows(), std::size_t{500});
     }
 };
 

@@ -3,17 +3,42 @@
 
 #include "tests/support/drop_design.h"
 
-#include <hdf5.h>
-
-#include <algorithm>
-#include <limits>
+#include <fmt/format.h>
+#include <sqlite3.h>
 
 namespace hygroloom {
 namespace {
 
-constexpr double values[] = {0,     1,    -1,     2,      0.5,
-                             1e300, 1e18, -1e300, 1e-310, std::numeric_limits<double>::quiet_NaN(),
-                             3e9,   1e38, 4000,   -0.0,   std::numeric_limits<double>::infinity()};
+/// As SQL: numbers, texts and bytes that no recording has there. A field says how many bytes its numbers are, in 8 bytes.
+constexpr const char* values[] = {"0",
+                                  "1",
+                                  "-1",
+                                  "2",
+                                  "0.5",
+                                  "1e300",
+                                  "-1e300",
+                                  "1e-310",
+                                  "9e999",
+                                  "3e9",
+                                  "4000",
+                                  "-0.0",
+                                  "9223372036854775807",
+                                  "NULL",
+                                  "''",
+                                  "'text'",
+                                  "x''",
+                                  "x'00'",
+                                  "x'0000000000000000'",
+                                  "x'0400000000000000'",
+                                  "x'FFFFFFFFFFFFFFFF'",
+                                  "x'0000000000000080'",
+                                  "x'801800000000000000'",
+                                  "x'8018000000000000789C030000000001'",
+                                  "zeroblob(8)",
+                                  "zeroblob(6280)",
+                                  "zeroblob(1000000)",
+                                  "randomblob(6280)",
+                                  "replace(hex(zeroblob(100000)),'0','a')"};
 
 constexpr const char* words[] = {"",
                                  "hygroloom-recording",
@@ -30,222 +55,155 @@ constexpr const char* words[] = {"",
                                  "2026-11-22T18:40:12Z",
                                  "null"};
 
-/// Closes on the way out; a craft that the library refuses is left undone.
-class Owned {
+/// An open file; SQL that fails is left undone.
+class Opened {
 public:
-    Owned(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-    ~Owned()
+    explicit Opened(const std::string& path)
     {
-        if (id_ >= 0) close_(id_);
+        sqlite3_open(path.c_str(), &file_);
+        sqlite3_db_config(file_, SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
+        run("PRAGMA synchronous=OFF");
     }
-    Owned(const Owned&) = delete;
-    Owned& operator=(const Owned&) = delete;
-    operator hid_t() const { return id_; }
+    ~Opened() { sqlite3_close(file_); }
+    Opened(const Opened&) = delete;
+    Opened& operator=(const Opened&) = delete;
+
+    bool run(const std::string& sql) const { return sqlite3_exec(file_, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK; }
+    std::string bytes(const std::string& sql) const
+    {
+        std::string found;
+        sqlite3_stmt* row = nullptr;
+        sqlite3_prepare_v2(file_, sql.c_str(), -1, &row, nullptr);
+        if (sqlite3_step(row) == SQLITE_ROW && sqlite3_column_bytes(row, 0) > 0)
+            found.assign(static_cast<const char*>(sqlite3_column_blob(row, 0)), static_cast<std::size_t>(sqlite3_column_bytes(row, 0)));
+        sqlite3_finalize(row);
+        return found;
+    }
 
 private:
-    hid_t id_;
-    herr_t (*close_)(hid_t);
+    sqlite3* file_ = nullptr;
 };
 
-Owned text_type(std::size_t size)
+std::string in_hex(const std::string& bytes)
 {
-    const hid_t type = H5Tcopy(H5T_C_S1);
-    H5Tset_size(type, size);
-    return {type, H5Tclose};
-}
-
-Owned strange_type(std::size_t which)
-{
-    switch (which) {
-    case 0: return {H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose};
-    case 1: return {H5Tcopy(H5T_NATIVE_FLOAT), H5Tclose};
-    case 2: return {H5Tcopy(H5T_IEEE_F64BE), H5Tclose};
-    case 3: return {H5Tcopy(H5T_STD_I8LE), H5Tclose};
-    case 4: return {H5Tcopy(H5T_NATIVE_LLONG), H5Tclose};
-    case 5: return text_type(1);
-    case 6: return text_type(4000);
-    case 7: return text_type(H5T_VARIABLE);
-    case 8: return {H5Tcreate(H5T_OPAQUE, 64), H5Tclose};
-    case 9: {
-        const hid_t type = H5Tcreate(H5T_COMPOUND, 4096);
-        H5Tinsert(type, "value", 4088, H5T_NATIVE_DOUBLE);
-        return {type, H5Tclose};
-    }
-    case 10: {
-        const std::array<hsize_t, 2> extents{64, 64};
-        return {H5Tarray_create2(H5T_NATIVE_DOUBLE, 2, extents.data()), H5Tclose};
-    }
-    case 11: return {H5Tvlen_create(H5T_NATIVE_DOUBLE), H5Tclose};
-    case 12: return {H5Tcopy(H5T_STD_REF_OBJ), H5Tclose};
-    case 13: {
-        const hid_t type = H5Tcopy(H5T_IEEE_F64LE); // of 16 bits at a strange place
-        H5Tset_fields(type, 40, 30, 8, 5, 20);
-        return {type, H5Tclose};
-    }
-    default: return {H5Tenum_create(H5T_NATIVE_INT), H5Tclose};
-    }
-}
-constexpr std::size_t strange_types = 15;
-
-Owned strange_space(std::size_t which)
-{
-    constexpr hsize_t unlimited[] = {H5S_UNLIMITED, 13};
-    const auto simple = [](std::vector<hsize_t> sizes) {
-        return Owned(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
-    };
-    switch (which) {
-    case 0: return {H5Screate(H5S_SCALAR), H5Sclose};
-    case 1: return {H5Screate(H5S_NULL), H5Sclose};
-    case 2: return simple({1});
-    case 3: return simple({4000});
-    case 4: return simple({0});
-    case 5: return simple({3, 13});
-    case 6: return simple({20'000'000, 13});
-    case 7: return simple({1, 1, 1, 1, 1, 1, 1, 1});
-    case 8: return simple({2'000, 3});
-    case 9: return simple({std::uint64_t(1) << 40, 3});
-    case 10: {
-        const hsize_t now[] = {3, 13};
-        return {H5Screate_simple(2, now, unlimited), H5Sclose};
-    }
-    default: return simple({65536});
-    }
-}
-constexpr std::size_t strange_spaces = 12;
-
-Owned strange_layout(std::size_t which, int rank)
-{
-    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
-    const std::vector<hsize_t> small(static_cast<std::size_t>(rank), 1), large(static_cast<std::size_t>(rank), 4'000'000'000 / 8);
-    const auto chunked = [&](const std::vector<hsize_t>& chunk) {
-        if (rank > 0) H5Pset_chunk(properties, rank, chunk.data());
-    };
-    switch (which) {
-    case 1: H5Pset_layout(properties, H5D_COMPACT); break;
-    case 2: chunked(small); break;
-    case 3: chunked(large); break;
-    case 4: H5Pset_external(properties, "/etc/passwd", 0, H5F_UNLIMITED); break;
-    case 5:
-        chunked(small);
-        H5Pset_deflate(properties, 9);
-        break;
-    case 6:
-        chunked(small);
-        H5Pset_fletcher32(properties);
-        break;
-    case 7:
-        chunked(small);
-        H5Pset_filter(properties, 32001, H5Z_FLAG_OPTIONAL, 0, nullptr);
-        break;
-    case 8:
-        chunked(small);
-        H5Pset_shuffle(properties);
-        H5Pset_nbit(properties);
-        break;
-    default: break;
-    }
-    return {properties, H5Pclose};
-}
-constexpr std::size_t strange_layouts = 9;
-
-/// As many bytes as the values take, at least one number.
-std::vector<double> filled(hid_t space, hid_t type, double value)
-{
-    const hssize_t count = std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space));
-    return std::vector<double>(static_cast<std::size_t>(count) * H5Tget_size(type) / sizeof(double) + 1, value);
+    std::string text = "x'";
+    for (const unsigned char byte : bytes) text += fmt::format("{:02x}", byte);
+    return text + "'";
 }
 
 template <typename Names> const char* one_of(const Names& names, Choices& choices) { return names[choices.of(std::size(names))]; }
 
-std::string change_number(hid_t file, const CraftTargets& targets, Choices& choices)
+/// A place of a value, as in UPDATE TABLE SET COLUMN=... WHERE ...
+struct Place {
+    std::string table, column, where;
+    std::string set(const std::string& to) const { return fmt::format("UPDATE {} SET \"{}\"={} WHERE {}", table, column, to, where); }
+    std::string get() const { return fmt::format("SELECT \"{}\" FROM {} WHERE {}", column, table, where); }
+};
+
+Place in_meta(const char* name) { return {"meta", "value", fmt::format("name='{}'", name)}; }
+Place in_frames(const CraftTargets& targets, Choices& choices)
 {
-    const auto& [group_name, name] = targets.numbers[choices.of(targets.numbers.size())];
-    const Owned group(H5Gopen2(file, group_name, H5P_DEFAULT), H5Gclose);
-    if (group < 0) return "nothing";
-    H5Adelete(group, name);
-    const std::size_t how = choices.of(3), type_choice = choices.of(strange_types), space_choice = choices.of(4);
-    if (how == 0) return std::string("no ") + name;
-    const Owned type = how == 1 ? strange_type(0) : strange_type(type_choice);
-    const Owned space = how == 1 ? strange_space(0) : strange_space(space_choice);
-    const Owned attribute(H5Acreate2(group, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    const std::vector<double> content = filled(space, type, values[choices.of(std::size(values))]);
-    if (attribute >= 0 && type_choice != 7 && type_choice != 11) H5Awrite(attribute, type, content.data());
-    return std::string("number ") + group_name + "/" + name + " as type " + std::to_string(how == 1 ? 0 : type_choice) + ", space " +
-           std::to_string(how == 1 ? 0 : space_choice) + " of " + std::to_string(content[0]);
+    return {"frames", one_of(targets.columns, choices), fmt::format("number={}", choices.of(3))};
 }
 
-std::string change_text(hid_t file, const CraftTargets& targets, Choices& choices)
+Place any_value(const CraftTargets& targets, Choices& choices)
 {
-    const char* name = one_of(targets.texts, choices);
-    const std::string word = one_of(words, choices);
-    H5Ldelete(file, name, H5P_DEFAULT);
-    const Owned type = text_type(word.size() + 1), space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Owned set(H5Dcreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-    if (set >= 0) H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, word.c_str());
-    return std::string("text ") + name + " is " + word;
-}
-
-std::string change_set(hid_t file, const CraftTargets& targets, Choices& choices)
-{
-    const char* name = choices.of(2) == 0 ? one_of(targets.texts, choices) : one_of(targets.sets, choices);
-    H5Ldelete(file, name, H5P_DEFAULT);
-    const std::size_t type_choice = choices.of(strange_types), space_choice = choices.of(strange_spaces),
-                      layout_choice = choices.of(strange_layouts);
-    const Owned type = strange_type(type_choice), space = strange_space(space_choice);
-    const Owned layout = strange_layout(layout_choice, H5Sget_simple_extent_ndims(space));
-    const Owned set(H5Dcreate2(file, name, type, space, H5P_DEFAULT, layout, H5P_DEFAULT), H5Dclose);
-    const bool is_small = H5Sget_simple_extent_npoints(space) <= 6000 && H5Tget_size(type) <= 4096;
-    if (set >= 0 && is_small && layout_choice != 4 && type_choice != 7 && type_choice != 11) {
-        const std::vector<double> content = filled(space, type, values[choices.of(std::size(values))]);
-        H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data());
-    }
-    return std::string("set ") + name + " as type " + std::to_string(type_choice) + ", space " + std::to_string(space_choice) +
-           ", layout " + std::to_string(layout_choice);
-}
-
-std::string change_link(hid_t file, const CraftTargets& targets, Choices& choices)
-{
-    const std::size_t kind = choices.of(3);
-    const char* name = kind == 0   ? one_of(targets.texts, choices)
-                       : kind == 1 ? one_of(targets.sets, choices)
-                                   : one_of(targets.groups, choices);
-    H5Ldelete(file, name, H5P_DEFAULT);
-    switch (choices.of(6)) {
-    case 0: return std::string("no ") + name;
-    case 1: H5Lcreate_soft("/nowhere", file, name, H5P_DEFAULT, H5P_DEFAULT); return std::string("dangling ") + name;
-    case 2: H5Lcreate_soft(name, file, name, H5P_DEFAULT, H5P_DEFAULT); return std::string("link to itself ") + name;
-    case 3: H5Lcreate_external("/etc/passwd", "/", file, name, H5P_DEFAULT, H5P_DEFAULT); return std::string("external ") + name;
-    case 4: H5Lcreate_hard(file, "/", file, name, H5P_DEFAULT, H5P_DEFAULT); return std::string("the root as ") + name;
-    default: H5Lcreate_hard(file, "/ledger", file, name, H5P_DEFAULT, H5P_DEFAULT); return std::string("the ledger as ") + name;
+    switch (choices.of(5)) {
+    case 0: return in_meta(one_of(targets.numbers, choices));
+    case 1: return in_meta(one_of(targets.texts, choices));
+    case 2: return targets.fields.empty() ? in_frames(targets, choices) : in_meta(one_of(targets.fields, choices));
+    default: return in_frames(targets, choices);
     }
 }
 
-/// In place, as a flipped bit would.
-std::string change_values(hid_t file, const CraftTargets& targets, Choices& choices)
+std::string change_value(const Opened& file, const CraftTargets& targets, Choices& choices)
 {
-    const char* name = one_of(targets.sets, choices);
-    const Owned set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
-    const Owned space(H5Dget_space(set), H5Sclose);
-    const hssize_t count = set < 0 ? 0 : H5Sget_simple_extent_npoints(space);
-    if (count <= 0 || count > 100'000) return "nothing";
-    std::vector<double> content(static_cast<std::size_t>(count));
-    H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data());
-    const std::size_t at = choices.of(content.size());
-    content[at] = values[choices.of(std::size(values))];
-    H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, content.data());
-    return std::string("value ") + std::to_string(at) + " of " + name + " is " + std::to_string(content[at]);
+    const std::string sql = any_value(targets, choices).set(one_of(values, choices));
+    file.run(sql);
+    return sql;
+}
+
+std::string change_text(const Opened& file, const CraftTargets& targets, Choices& choices)
+{
+    const std::string sql = in_meta(one_of(targets.texts, choices)).set(fmt::format("CAST({} AS TEXT)", in_hex(one_of(words, choices))));
+    file.run(sql);
+    return sql;
+}
+
+std::string remove_row(const Opened& file, const CraftTargets& targets, Choices& choices)
+{
+    const std::string sql = choices.of(3) == 0 ? fmt::format("DELETE FROM frames WHERE number={}", choices.of(3))
+                                               : fmt::format("DELETE FROM meta WHERE name='{}'",
+                                                             one_of(choices.of(2) == 0 ? targets.texts : targets.numbers, choices));
+    file.run(sql);
+    return sql;
+}
+
+/// In place, as a flipped bit would; or cut.
+std::string change_bytes(const Opened& file, const CraftTargets& targets, Choices& choices)
+{
+    const Place place = any_value(targets, choices);
+    std::string bytes = file.bytes(place.get());
+    if (bytes.empty()) return "nothing";
+    const std::size_t at = (choices.of(256) * 256 + choices.of(256)) % bytes.size();
+    if (choices.of(4) == 0)
+        bytes.resize(at);
+    else
+        bytes[choices.of(2) == 0 ? at % 12 % bytes.size() : at] = static_cast<char>(choices.of(256));
+    const bool is_text = place.table == "meta" && file.bytes(fmt::format("SELECT typeof(value) FROM meta WHERE {}", place.where)) == "text";
+    file.run(place.set(is_text ? fmt::format("CAST({} AS TEXT)", in_hex(bytes)) : in_hex(bytes)));
+    return fmt::format("byte {} of {} of {}", at, place.column, place.where);
+}
+
+/// Tables that are none, or others.
+std::string change_tables(const Opened& file, const CraftTargets&, Choices& choices)
+{
+    constexpr const char* changes[] = {
+        "DROP TABLE meta",
+        "DROP TABLE frames",
+        "ALTER TABLE frames RENAME TO f; CREATE VIEW frames AS SELECT * FROM f",
+        "ALTER TABLE meta RENAME TO m; CREATE VIEW meta AS SELECT * FROM m",
+        "ALTER TABLE frames RENAME TO f; CREATE VIEW frames AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i+1 FROM n) SELECT i AS "
+        "number FROM n",
+        "CREATE TRIGGER t AFTER INSERT ON meta BEGIN DELETE FROM frames; END",
+        "CREATE INDEX i ON meta(name)",
+        "CREATE TABLE other(x)",
+        "ALTER TABLE frames ADD COLUMN more REAL DEFAULT 1",
+        "ALTER TABLE frames ADD COLUMN more AS (zeroblob(100000000))",
+        "ALTER TABLE frames DROP COLUMN liquid",
+        "ALTER TABLE frames RENAME COLUMN time_s TO time",
+        "CREATE VIRTUAL TABLE v USING fts5(x)",
+        "INSERT INTO meta SELECT * FROM meta",
+        "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i+1 FROM n LIMIT 3000) INSERT INTO meta SELECT 'name'||i, i, '' FROM n",
+        "WITH RECURSIVE n(i) AS (SELECT 10 UNION ALL SELECT i+1 FROM n LIMIT 3000) INSERT INTO frames(number,time_s,ledger_time_s) SELECT "
+        "i, i, i FROM n",
+        "UPDATE frames SET number=number-5",
+        "UPDATE frames SET number=9223372036854775000+number",
+        "UPDATE frames SET number=number*1000",
+        "PRAGMA writable_schema=ON; UPDATE sqlite_schema SET rootpage=5-rootpage",
+        "PRAGMA writable_schema=ON; UPDATE sqlite_schema SET rootpage=1",
+        "PRAGMA writable_schema=ON; UPDATE sqlite_schema SET rootpage=4000000000",
+        "PRAGMA writable_schema=ON; UPDATE sqlite_schema SET type='view' WHERE name='meta'",
+        "PRAGMA writable_schema=ON; UPDATE sqlite_schema SET sql='CREATE TABLE frames(number INTEGER PRIMARY KEY)' WHERE name='frames'",
+        "PRAGMA writable_schema=ON; UPDATE sqlite_schema SET sql=replace(sql,'REAL','INTEGER')",
+        "PRAGMA user_version=0",
+        "PRAGMA user_version=77",
+        "PRAGMA application_id=1",
+        "PRAGMA encoding='UTF-16'; VACUUM",
+        "PRAGMA page_size=512; VACUUM",
+        "PRAGMA auto_vacuum=FULL; VACUUM",
+        "PRAGMA journal_mode=WAL"};
+    const char* const sql = one_of(changes, choices);
+    file.run(sql);
+    return sql;
 }
 
 /// A number in a text of JSON.
-std::string change_json(hid_t file, const CraftTargets& targets, Choices& choices)
+std::string change_json(const Opened& file, const CraftTargets& targets, Choices& choices)
 {
     const char* name = one_of(targets.jsons, choices);
-    const Owned set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
-    const Owned type(H5Dget_type(set), H5Tclose), extent(H5Dget_space(set), H5Sclose);
-    if (set < 0 || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || H5Sget_simple_extent_npoints(extent) != 1)
-        return "nothing";
-    std::string text(H5Tget_size(type), '\0');
-    if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()) < 0 || text.empty()) return "nothing";
+    std::string text = file.bytes(in_meta(name).get());
+    if (text.empty()) return "nothing";
     const std::size_t from = (choices.of(256) * 256 + choices.of(256)) % text.size();
     const std::size_t digit = text.find_first_of("0123456789", from);
     if (digit == std::string::npos) return "nothing";
@@ -254,14 +212,13 @@ std::string change_json(hid_t file, const CraftTargets& targets, Choices& choice
                                        "1e-300", "null", "\"\"",  "[]",         "99999999999999999999"};
     const std::string value = one_of(strange, choices);
     text.replace(digit, (end == std::string::npos ? text.size() : end) - digit, value);
-    H5Ldelete(file, name, H5P_DEFAULT);
-    const Owned new_type = text_type(text.size()), space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Owned again(H5Dcreate2(file, name, new_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-    if (again >= 0) H5Dwrite(again, new_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data());
-    return std::string("number at ") + std::to_string(digit) + " of " + name + " is " + value;
+    file.run(in_meta(name).set(fmt::format("CAST({} AS TEXT)", in_hex(text))));
+    return fmt::format("number at {} of {} is {}", digit, name, value);
 }
 
 } // namespace
+
+bool craft_by_sql(const std::string& path, const std::string& sql) { return Opened(path).run(sql); }
 
 RunRecord small_run()
 {
@@ -303,35 +260,25 @@ void write_small_recording(const std::string& path)
 
 const CraftTargets& targets_of_a_sample()
 {
-    static const CraftTargets targets{{{"/", "version"},
-                                       {"/", "wall_s"},
-                                       {"/provenance", "threads"},
-                                       {"/provenance", "wall_s"},
-                                       {"/provenance/switched_on/heat", "time_s"},
-                                       {"/provenance/switched_on/heat", "share"},
-                                       {"/provenance/switched_on/heat", "estimate"},
-                                       {"/frames/000000", "time_s"},
-                                       {"/frames/000001", "time_s"},
-                                       {"/frames/000001", "water_top_kg"},
-                                       {"/frames/000002", "water_bottom_kg"}},
-                                      {"/format", "/design", "/provenance/fabric", "/provenance/experiment", "/provenance/backend",
-                                       "/provenance/device", "/provenance/all_devices", "/provenance/plan", "/provenance/date",
-                                       "/provenance/seed", "/provenance/switched_on/heat/kept_off"},
-                                      {"/ledger", "/frames/000000/saturation", "/frames/000001/liquid", "/frames/000001/temperature",
-                                       "/frames/000001/particle_position", "/frames/000001/particle_velocity", "/frames/000002/bound_water",
-                                       "/frames/000002/vapour_concentration", "/frames/000002/liquid_between", "/textile/length"},
-                                      {"/frames", "/frames/000000", "/frames/000001", "/provenance", "/provenance/switched_on", "/textile"},
-                                      {"/provenance/plan", "/design"}};
+    static const CraftTargets targets{{"wall_s", "in_bundles", "provenance/threads", "provenance/switched_on/heat/time_s",
+                                       "provenance/switched_on/heat/share", "provenance/switched_on/heat/estimate"},
+                                      {"format", "design", "provenance/fabric", "provenance/experiment", "provenance/backend",
+                                       "provenance/device", "provenance/all_devices", "provenance/plan", "provenance/date",
+                                       "provenance/seed", "provenance/switched_on/heat/kept_off"},
+                                      {"textile/length"},
+                                      {"time_s", "ledger_time_s", "water_delivered_kg", "free_until_s", "water_top_kg", "water_bottom_kg",
+                                       "follows", "saturation", "liquid", "bound_water", "vapour_concentration", "temperature",
+                                       "liquid_between", "particle_position", "particle_velocity", "cap_place", "cap_size", "wet"},
+                                      {"provenance/plan", "design"}};
     return targets;
 }
 
 std::string craft(const std::string& path, Choices choices, const CraftTargets& targets)
 {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    const Owned file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
-    if (file < 0) return "not opened";
-    using Change = std::string (*)(hid_t, const CraftTargets&, Choices&);
-    constexpr Change changes[] = {change_number, change_text, change_set, change_set, change_link, change_values, change_json, change_json};
+    const Opened file(path);
+    using Change = std::string (*)(const Opened&, const CraftTargets&, Choices&);
+    constexpr Change changes[] = {change_value, change_value, change_text,   remove_row,
+                                  change_bytes, change_bytes, change_tables, change_json};
     std::string did;
     do did += (did.empty() ? "" : "; ") + changes[choices.of(std::size(changes))](file, targets, choices);
     while (choices.any_left());

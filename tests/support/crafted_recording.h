@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Recordings as a stranger would make them: a valid one whose objects get other types, extents, links and contents, as bytes choose.
+// Recordings as a stranger would make them: a valid one whose values, fields and tables get other types, sizes and contents, as bytes
+// choose.
 #pragma once
 
 #include "core/run/recording.h"
@@ -39,13 +40,16 @@ void write_small_recording(const std::string& path);
 
 /// What a recording holds that can be changed.
 struct CraftTargets {
-    std::vector<std::array<const char*, 2>> numbers; ///< group and attribute
-    std::vector<const char*> texts, sets, groups;
-    std::vector<const char*> jsons; ///< texts that are JSON
+    std::vector<const char*> numbers, texts, fields; ///< in its table "meta"
+    std::vector<const char*> columns;                ///< of its three frames
+    std::vector<const char*> jsons;                  ///< texts that are JSON
 };
 const CraftTargets& targets_of_a_sample();
 
-/// Changes some of the objects of the recording at a path. Returns what it did, in words.
+/// Changes some of what stands in the recording at a path. Returns what it did, in words.
 std::string craft(const std::string& path, Choices choices, const CraftTargets& targets = targets_of_a_sample());
+
+/// Runs SQL on a recording, as a stranger could; what SQLite refuses is left undone.
+bool craft_by_sql(const std::string& path, const std::string& sql);
 
 } // namespace hygroloom

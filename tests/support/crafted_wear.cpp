@@ -92,13 +92,12 @@ void write_small_wear_recording(const std::string& path)
 const CraftTargets& targets_of_a_garment()
 {
     static const CraftTargets targets{
-        {{"/", "version"}, {"/", "wall_s"}, {"/cells", "count"}, {"/shape", "vertices"}, {"/shape", "triangles"}},
-        {"/format", "/design", "/layout", "/provenance/fidelity", "/provenance/backend", "/provenance/device", "/provenance/date"},
-        {"/ledger", "/cells/panel", "/cells/end", "/cells/pick", "/cells/zone", "/cells/x", "/cells/y", "/cells/area", "/cells/capacity",
-         "/cells/skin_contact", "/shape/places", "/shape/flat", "/shape/corners", "/frames/000000/inside", "/frames/000001/outside",
-         "/frames/000001/temperature", "/frames/000002/evaporated", "/frames/000002/on_skin"},
-        {"/frames", "/frames/000000", "/frames/000002", "/provenance", "/cells", "/shape"},
-        {"/layout", "/layout", "/layout", "/design"}};
+        {"wall_s", "cells/count", "shape/vertices", "shape/triangles"},
+        {"format", "design", "layout", "provenance/fidelity", "provenance/backend", "provenance/device", "provenance/date"},
+        {"cells/panel", "cells/end", "cells/pick", "cells/zone", "cells/x", "cells/y", "cells/area", "cells/capacity", "cells/skin_contact",
+         "shape/places", "shape/flat", "shape/corners"},
+        {"time_s", "ledger_time_s", "water_delivered_kg", "inside", "outside", "temperature", "evaporated", "on_skin"},
+        {"layout", "layout", "layout", "design"}};
     return targets;
 }
 

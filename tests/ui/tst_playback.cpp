@@ -7,22 +7,18 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <hdf5.h>
-
 using namespace hygroloom;
 
 class TestPlayback : public QObject {
     Q_OBJECT
     QTemporaryDir folder_;
 
-    /// A valid one without an object.
-    QString without(const char* object) const
+    /// A valid one of which a frame lacks its temperature.
+    QString without(int frame) const
     {
         const QString path = folder_.filePath("damaged.hygrorec");
         write_small_recording(path.toStdString());
-        const hid_t file = H5Fopen(qPrintable(path), H5F_ACC_RDWR, H5P_DEFAULT);
-        H5Ldelete(file, object, H5P_DEFAULT);
-        H5Fclose(file);
+        craft_by_sql(path.toStdString(), "UPDATE frames SET temperature=NULL WHERE number=" + std::to_string(frame));
         return path;
     }
 
@@ -35,7 +31,7 @@ private Q_SLOTS:
     void damagedFramesAreNamedAndTheOthersShown()
     {
         QFETCH(int, frame);
-        const QString path = without(qPrintable(QString("/frames/00000%1/temperature").arg(frame)));
+        const QString path = without(frame);
         Playback playback;
         QSignalSpy opened(&playback, &Playback::opened), failed(&playback, &Playback::failed);
         playback.open(path);
@@ -57,12 +53,14 @@ private Q_SLOTS:
     }
     void whatIsNoRecordingIsRefusedWithASentence()
     {
-        const QString path = without("/ledger");
+        const QString path = folder_.filePath("damaged.hygrorec");
+        write_small_recording(path.toStdString());
+        QVERIFY(craft_by_sql(path.toStdString(), "DROP TABLE frames"));
         Playback playback;
         QSignalSpy failed(&playback, &Playback::failed);
         playback.open(path);
         QTRY_COMPARE(failed.count(), 1);
-        QVERIFY(failed[0][0].toString().contains("\"ledger\" is missing"));
+        QVERIFY(failed[0][0].toString().contains("\"frames\" is missing"));
     }
     void whatIsStillOpeningDoesNotReplaceARunThatHasBegun()
     {

@@ -49,6 +49,12 @@ bool linkOver(const QString& from, const QString& to)
     return !error;
 }
 
+/// What a killed run left beside a recording that is gone.
+void removeBeside(const QString& recording)
+{
+    for (const char* ending : {"-wal", "-shm"}) { QFile::remove(recording + ending); }
+}
+
 void removeIfEmpty(const QString& folder)
 {
     if (!holdsRuns(folder)) {
@@ -164,6 +170,7 @@ void copyRecording(const QString& from, const QString& to, const CopyStep& step)
         }
         if (source.error() != QFile::NoError) { throw Error(source.errorString().toStdString()); }
         if (!copy.flush()) { throw Error(copy.errorString().toStdString()); }
+        removeBeside(to);
     });
 }
 
@@ -189,6 +196,7 @@ void deleteRun(const QString& recording)
         if (marked) { setMarked(recording, true); }
         throw Error(QObject::tr("%1 cannot be deleted: %2.").arg(recording, file.errorString()).toStdString());
     }
+    removeBeside(recording);
     removeIfEmpty(QFileInfo(recording).absolutePath());
 }
 

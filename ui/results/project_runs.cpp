@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/run/recording.h"
+#include "core/run/recording_target.h"
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 #include "ui/document/run_folder.h"
@@ -68,6 +69,8 @@ bool isBeingWritten(const QString& recording)
 }
 
 } // namespace
+
+void makeOneFile(const QString& recording) { bring_in_left_over(recording.toStdString()); }
 
 ProjectRuns::ProjectRuns(Document& document, Recovery& recovery, RunHistory& history, QObject* parent)
     : QObject(parent), document_(document), recovery_(recovery), history_(history), known_(folder())
@@ -204,6 +207,7 @@ void ProjectRuns::bring(const QStringList& recordings)
         const bool is_unsaved = folderOf(folderOf(from)) == folderOf(recovery_.runFolder()); // this window's, or recovered
         const Waiting one{from, folder(), is_unsaved ? Bring::move : Bring::copy};
         try {
+            makeOneFile(one.from);
             if (const QString to = linkRun(one.from, one.folder, one.how); !to.isEmpty()) {
                 takeMoved(from, to);
             } else {

@@ -169,7 +169,7 @@ std::shared_ptr<const StudyData> readStudyData(const QString& path)
     if (QFileInfo(path).isDir()) {
         readFolder(*data, file);
     } else {
-        data->table = path.endsWith(".h5") ? read_results_hdf5(file) : read_results(file);
+        data->table = path.endsWith(".sqlite") ? read_results_database(file) : read_results(file);
         data->rows = data->table.rows();
     }
     if (const StudyColumn* status = data->table.find(Role::status)) {

@@ -49,7 +49,7 @@ struct StudyData {
 /// Which rows a brush keeps; empty: all.
 using KeptPoints = std::vector<char>;
 
-/// A folder of a study, or its results.csv or study.h5. Throws Error.
+/// A folder of a study, or its results.csv or study.sqlite. Throws Error.
 std::shared_ptr<const StudyData> readStudyData(const QString& path);
 
 /// "minutes: 12" of each factor and metric of a row, on a line.

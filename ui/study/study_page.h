@@ -52,7 +52,7 @@ public:
     /// A study file. False after failed().
     bool openStudy(const QString& path);
     bool saveStudy(const QString& path);
-    /// A folder of a study, or results.csv or study.h5. shown() or failed() follows.
+    /// A folder of a study, or results.csv or study.sqlite. shown() or failed() follows.
     void openResults(const QString& path);
     void setFolder(const QString& folder);
     QString folder() const;

@@ -302,6 +302,7 @@ void SimulateWorkspace::copyRecording(const QString& from, const QString& to)
     copier_.run([this, from, to](const NewestJob::Turn& turn) {
         QString why;
         try {
+            makeOneFile(from);
             hygroloom::copyRecording(from, to, [&](double share) {
                 const int percent = static_cast<int>(100 * share);
                 turn.deliver([this, to, percent] { Q_EMIT messageShown(tr("Saving %1: %2 %").arg(to).arg(percent), 4000); });

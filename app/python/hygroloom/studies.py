@@ -224,7 +224,7 @@ def sweep(
             :meth:`Project.set` takes it, and ``values``, or ``low`` and ``high``, or a ``distribution``. ``design`` has a ``type``
             ("grid", "latin_hypercube", "sobol", "one_at_a_time") and ``points``. ``fabrics``, ``experiments``, ``metrics``,
             ``fidelity``, ``replicates`` and ``seed`` may be left out.
-        folder: keeps each row as soon as it has ended, then results.csv and study.h5; without one nothing is kept.
+        folder: keeps each row as soon as it has ended, then results.csv and study.sqlite; without one nothing is kept.
         resume: goes on in a folder that has rows already: runs what is missing.
         retry_failed: with resume: also runs what failed.
         backend: as in :func:`simulate`.

@@ -3,7 +3,7 @@
 
     python3 sweep_to_table.py [folder]
 
-With a folder each row is kept as soon as it has ended, and results.csv and study.h5 at the end.
+With a folder each row is kept as soon as it has ended, and results.csv and study.sqlite at the end.
 """
 # %% The project, and what is to change
 import pathlib
