@@ -10,6 +10,7 @@
 #include "core/analysis/map_picture.h"
 #include "core/analysis/metrics_json.h"
 #include "core/analysis/outcomes.h"
+#include "core/analysis/recording_netcdf.h"
 #include "core/analysis/report.h"
 #include "core/analysis/vtk_files.h"
 #include "core/base/text.h"
@@ -31,6 +32,7 @@ struct MeasureOptions : CommonOptions {
     std::string output;
     std::string report;
     std::string vtk;
+    std::string netcdf;
     int every = 1;
 };
 
@@ -87,10 +89,23 @@ void write_vtk_files(const Recording& recording, const MeasureOptions& options)
     if (!options.quiet) print_note("{} frames are in {}; open yarns.pvd.\n", frames, options.vtk);
 }
 
+void write_netcdf_file(const Recording& recording, const Metrics& metrics, const MeasureOptions& options)
+{
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
+    FileBar bar(options.quiet);
+    write_netcdf(recording, metrics, options.cells, options.netcdf, [&](double share) {
+        bar.show(share);
+        return !cancel;
+    });
+    bar.clear();
+    if (!options.quiet) print_note("NetCDF: {}\n", options.netcdf);
+}
+
 /// What is written must not take the place of what is read.
 void require_other_files(const MeasureOptions& options)
 {
-    std::vector<std::filesystem::path> written{options.output, options.report};
+    std::vector<std::filesystem::path> written{options.output, options.report, options.netcdf};
     if (!options.vtk.empty()) {
         std::error_code none;
         for (const auto& entry : std::filesystem::directory_iterator(options.vtk, none))
@@ -137,7 +152,7 @@ int measure(const MeasureOptions& options)
     if (options.map.empty() != options.output.empty()) throw Stop(exit_usage, "--map (the side) and -o (the file) go together.");
     if (options.quantity != "water" && options.map.empty()) throw Stop(exit_usage, "--quantity says what a map shows; it goes with --map.");
     if (WearRecording::is_one(options.recording)) {
-        if (!options.map.empty() || !options.vtk.empty())
+        if (!options.map.empty() || !options.vtk.empty() || !options.netcdf.empty())
             throw Stop(exit_usage, options.recording + ": This is the recording of a worn garment; `garment map` writes its maps.");
         return measure_garment(options.recording, options, options.report, options.time);
     }
@@ -154,6 +169,7 @@ int measure(const MeasureOptions& options)
     const Metrics metrics = collector.metrics();
     if (!options.report.empty()) write_report(*recording, metrics, options);
     if (!options.vtk.empty()) write_vtk_files(*recording, options);
+    if (!options.netcdf.empty()) write_netcdf_file(*recording, metrics, options);
     print_metrics(recording->run(), metrics, options.json);
     return exit_ok;
 }
@@ -246,6 +262,11 @@ void add_measure(CLI::App& app, Verb& verb)
             .add_option("--vtk", options->vtk, "Write the yarns and the liquid of all frames to this folder for ParaView (.vtp, .pvd)")
             ->type_name("FOLDER")
             ->check(given);
+    measure_verb
+        .add_option("--netcdf", options->netcdf,
+                    "Write maps, values of the segments and series of all frames as NetCDF (.nc), which xarray opens")
+        ->type_name("FILE")
+        ->check(given);
     measure_verb.add_option("--every", options->every, "With --vtk: write every Nth frame")->check(CLI::Range(1, 1000000))->needs(vtk);
     add_common_options(measure_verb, *options);
     measure_verb.callback([&verb, options] { verb = [options] { return measure(*options); }; });

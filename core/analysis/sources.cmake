@@ -22,9 +22,11 @@ target_sources(hygroloom_core PRIVATE
   analysis/metrics.cpp
   analysis/metrics_json.cpp
   analysis/moisture_tester.cpp
+  analysis/netcdf_file.cpp
   analysis/outcomes.cpp
   analysis/plots.cpp
   analysis/poly_data.cpp
+  analysis/recording_netcdf.cpp
   analysis/replicate_file.cpp
   analysis/replicate_range.cpp
   analysis/report.cpp
