@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Keys end in their unit, which is cut off and put behind the number.
+// Numbers by the labels of their rows, with the unit that their key ends in.
 #include "core/analysis/report_inputs.h"
 
 #include "core/analysis/report_parts.h"
 #include "core/analysis/svg.h"
 #include "core/base/text.h"
+#include "core/base/trade_units.h"
+#include "core/design/field_labels.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,45 +17,9 @@
 namespace hygroloom {
 namespace {
 
-struct Ending {
-    const char* key;
-    const char* unit;
-};
-
-/// The longer of two that fit goes first.
-constexpr Ending endings[] = {{"_g_m2_h", "g/(m² h)"},
-                              {"_g_m2", "g/m²"},
-                              {"_m2_s", "m²/s"},
-                              {"_kg_m3", "kg/m³"},
-                              {"_mn_m", "mN/m"},
-                              {"_mpa_s", "mPa s"},
-                              {"_w_mk", "W/(m K)"},
-                              {"_j_kgk", "J/(kg K)"},
-                              {"_j_g", "J/g"},
-                              {"_m_s", "m/s"},
-                              {"_per_cm", "/cm"},
-                              {"_per_mm", "/mm"},
-                              {"_per_m", "/m"},
-                              {"_percent", "%"},
-                              {"_tex", "tex"},
-                              {"_deg", "°"},
-                              {"_mm", "mm"},
-                              {"_um", "µm"},
-                              {"_ul", "µl"},
-                              {"_s", "s"},
-                              {"_c", "°C"}};
-
 /// Those whose key says too little or too much.
-constexpr std::pair<const char*, const char*> own_words[] = {{"irregularity_cv", "irregularity, CV"},
-                                                             {"twist_per_m", "twist"},
-                                                             {"based_on", "based on"},
-                                                             {"closure", "wicking model"},
-                                                             {"at_mm", "place"},
-                                                             {"time_s", "at"},
-                                                             {"color", "colour"},
-                                                             {"material", "fibre"},
-                                                             {"fibres_per_yarn", "fibres drawn"},
-                                                             {"initial_water_g_m2", "water at the start"}};
+constexpr std::pair<const char*, const char*> own_words[] = {
+    {"closure", "wicking model"}, {"at_mm", "place"}, {"color", "colour"}, {"material", "fibre"}};
 
 /// Those of two lengths that are a place, not a size.
 constexpr const char* places[] = {"at_mm", "outline_mm"};
@@ -65,10 +31,9 @@ struct KeyWords {
 
 KeyWords words_of(const std::string& key)
 {
-    KeyWords words{key, {}};
-    for (const Ending& ending : endings)
-        if (words.unit.empty() && key.ends_with(ending.key))
-            words = {key.substr(0, key.size() - std::string(ending.key).size()), ending.unit};
+    const std::string_view unit = trade_units(stored_kind(key)).front().spellings.front();
+    KeyWords words{label_of_key(key), std::string(unit)};
+    if (words.name.empty()) words.name = key.ends_with("_mm") ? key.substr(0, key.size() - 3) : key;
     for (const auto& [from, to] : own_words)
         if (key == from) words.name = to;
     words.is_size = words.unit == "mm" && std::find(std::begin(places), std::end(places), key) == std::end(places);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/design/fields.h"
 
+#include "core/design/field_labels.h"
 #include "core/design/yarn_class.h"
 #include "core/design/yarn_sections.h"
+
+#include <cctype>
 
 namespace hygroloom {
 namespace {
@@ -153,11 +156,10 @@ template <> std::span<const Field<Flyaway>> fields_of()
 template <> std::span<const Field<Measured>> fields_of()
 {
     using M = Measured;
-    static constexpr Field<M> rows[] = {
-        {"porosity", &M::porosity, "Porosity", "porosity", 0.01, 0.999, replaces},
-        {"areal_density_g_m2", &M::areal_density_g_m2, "Weight", "areal density", 1, 10000, replaces},
-        {"tortuosity", &M::tortuosity, "Tortuosity", "tortuosity", 1, 20, replaces},
-        {"crimp_percent", &M::crimp_percent, "Crimp", "crimp", 0, 100, replaces}};
+    static constexpr Field<M> rows[] = {{"porosity", &M::porosity, "Porosity", "porosity", 0.01, 0.999, replaces},
+                                        {"areal_density_g_m2", &M::areal_density_g_m2, "Weight", "areal density", 1, 10000, replaces},
+                                        {"tortuosity", &M::tortuosity, "Tortuosity", "tortuosity", 1, 20, replaces},
+                                        {"crimp_percent", &M::crimp_percent, "Crimp", "crimp", 0, 100, replaces}};
     return rows;
 }
 
@@ -315,6 +317,28 @@ template <> std::span<const Field<Wearer>> fields_of()
     static constexpr Field<Wearer> rows[] = {
         {"skin_temperature_c", &Wearer::skin_temperature_c, "Skin temperature", "temperature of the skin", 10, 45}};
     return rows;
+}
+
+namespace {
+
+template <typename... Owners> std::string label_in(std::string_view key)
+{
+    std::string label;
+    const auto look = [&](const auto& rows) {
+        for (const auto& row : rows)
+            if (label.empty() && row.key == key) label = row.label;
+    };
+    (look(fields_of<Owners>()), ...);
+    if (!label.empty()) label[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[0])));
+    return label;
+}
+
+} // namespace
+
+std::string label_of_key(std::string_view key)
+{
+    return label_in<Yarn, Fabric, Material, GabIsotherm, Flyaway, Measured, Liquid, Climate, Droplet, Experiment, WearExperiment, Activity,
+                    BuiltInGarment, PanelCut, OwnZone, Wearer>(key);
 }
 
 } // namespace hygroloom
