@@ -36,6 +36,9 @@ double run_garment(const GarmentParts& parts, const GarmentRunOptions& options, 
     };
     each.progress = callbacks.progress;
     each.device_failed = callbacks.device_failed;
+    each.device_changed = [&](const std::string& added) {
+        if (recording) recording->note_device(record->device + added);
+    };
     RunOptions course;
     course.threads = options.threads;
     course.may_go_on_on_cpu = options.may_go_on_on_cpu;

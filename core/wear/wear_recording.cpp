@@ -175,6 +175,8 @@ void WearWriter::append(const WearFrame& frame)
     });
 }
 
+void WearWriter::note_device(const std::string& device) { file_->file.text("provenance/all_devices", device); }
+
 void WearWriter::finish(double wall)
 {
     file_->file.finish(wall);
@@ -197,6 +199,7 @@ struct WearRecording::File {
         for (const auto& [name_of, text] :
              {std::pair{"fidelity", &record.fidelity}, {"backend", &record.backend}, {"device", &record.device}, {"date", &record.date}})
             *text = in_one_line(file.text(std::string("provenance/") + name_of));
+        if (file.has("provenance/all_devices")) record.device = in_one_line(file.text("provenance/all_devices"));
         record.layout.cells = read_cells(file, record.layout);
         record.layout.shape = read_shape(file, record.layout.panels.size());
         if (file.has("wall_s")) wall = file.number("wall_s");

@@ -24,6 +24,8 @@ public:
     WearWriter(const WearWriter&) = delete;
     WearWriter& operator=(const WearWriter&) = delete;
     void append(const WearFrame& frame);
+    /// Where the run went on when its device failed, once.
+    void note_device(const std::string& device);
     /// Notes the wall time, s, above 0, and closes.
     void finish(double wall);
 

@@ -54,8 +54,8 @@ std::vector<double> wear_times(const WearExperiment& wear);
 struct WearCallbacks {
     std::function<void(std::shared_ptr<const WearFrame>)> frame;
     std::function<void(const RunProgress&)> progress;
-    std::function<void(const std::string&)> device_failed;  ///< the run is about to go on on the CPU; a sentence
-    std::function<void(const std::string&)> device_changed; ///< what it has gone on on since when, to be added to the device's name
+    std::function<void(const std::string&)> device_failed = {};  ///< the run is about to go on on the CPU; a sentence
+    std::function<void(const std::string&)> device_changed = {}; ///< what it has gone on on since when, to be added to the device's name
 };
 
 /// To the end, in the calling thread. Of the options those count that say how it may go on on the CPU. Throws Cancelled within 0.2 s when

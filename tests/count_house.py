@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+"""Counts what the size and the doubles of the house can be told by: lines, places where one number is written, twins.
+Usage: count_house.py <root>; prints a table."""
+import pathlib
+import re
+import sys
+
+root = pathlib.Path(sys.argv[1])
+
+
+def files(*folders, ends=(".cpp", ".h", ".cu", ".cuh")):
+    return [p for folder in folders for p in sorted((root / folder).rglob("*")) if p.suffix in ends and p.is_file()]
+
+
+def lines(paths):
+    return sum(len(p.read_text(errors="replace").splitlines()) for p in paths)
+
+
+def named_in(paths, pattern, but=()):
+    """Files in which the pattern stands."""
+    found = re.compile(pattern)
+    return [p for p in paths if not any(part in str(p) for part in but) and found.search(p.read_text(errors="replace"))]
+
+
+source = files("core", "ui", "app", "gpu")
+tests = files("tests", ends=(".cpp", ".h", ".py", ".sh"))
+text = {p: p.read_text(errors="replace") for p in source}
+
+
+def calls(name):
+    return sum(len(re.findall(rf"(?<![\w:]){name}\(", t)) for p, t in text.items()) - sum(
+        len(re.findall(rf"^\S.*\b{name}\(.*[^;]$|^(?:void|double|RunRecord)[^;]*\b{name}\(", t, re.M)) for t in text.values())
+
+
+rows = [
+    ("source lines: core, ui, app, gpu", lines(source)),
+    ("lines of tests", lines(tests)),
+    ("files in which a yarn's twist is written as a key", len(named_in(source, r'"twist_per_m"'))),
+    ("files in which a yarn's irregularity is written as a key", len(named_in(source, r'"irregularity_cv"'))),
+    ("files in which a wearer's skin temperature is written as a key", len(named_in(source, r'skin_temperature_c"'))),
+    ("calls of run_side_by_side", sum(len(re.findall(r"\brun_side_by_side\(", t)) for p, t in text.items() if "side_by_side" not in p.name)),
+    ("calls of run_experiment", sum(len(re.findall(r"\brun_experiment\(", t)) for p, t in text.items() if "runner" not in p.name)),
+    ("calls of run_wear and run_garment", sum(len(re.findall(r"\brun_(?:wear|garment)\(", t)) for p, t in text.items() if "core/wear" not in str(p))),
+    ("lines that name HDF5", sum(len(re.findall(r"(?i)hdf5|H5[A-Z]\w+\(", t)) for t in text.values())),
+    ("ways to write a report", len(named_in(source, r"std::string \w*report\w*\("))),
+    ("largest file, lines", max(len(t.splitlines()) for t in text.values())),
+]
+print("| counted | now |\n| --- | --- |")
+for what, number in rows:
+    print(f"| {what} | {number} |")
