@@ -55,6 +55,7 @@ def verbs(root):
         (["simulate", *one, *drop, *short, "-o", "run.hygrorec"], ["run.hygrorec"]),
         (["measure", "run.hygrorec", "--map", "top", "-o", "map.png", "--report", "report.html", "--quiet"], ["map.png", "report.html"]),
         (["measure", "run.hygrorec", "--vtk", "frames", "--quiet"], ["frames"]),
+        (["measure", "run.hygrorec", "--netcdf", "run.nc", "--quiet"], ["run.nc"]),
         (["export", *one, "-o", "cloth.glb", "--size-mm", "2x2", "--quiet"], ["cloth.glb"]),
         (["export", *one, "-o", "cloth.wif", "--quiet"], ["cloth.wif"]),
         (["import", "cloth.wif", "-o", "imported.hygro"], ["imported.hygro"]),

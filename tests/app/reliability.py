@@ -118,10 +118,21 @@ def complaint(result):
 
 
 def readable(bench, recording, before=None):
-    """A recording is missing, as before, or can be measured."""
+    """A recording is missing, as before, or can be measured: with what a run left beside it, alone, and where nobody can write."""
     path = bench.folder / recording
-    if path.exists() and path.read_bytes() != before:
-        bench.call("measure", recording, "-q")
+    if not path.exists() or path.read_bytes() == before:
+        return
+    whole = json.loads(bench.call("measure", recording, "-q", "--json").stdout)
+    alone = bench.folder / "alone"
+    alone.mkdir(exist_ok=True)
+    shutil.copy(path, alone / recording)
+    demand(json.loads(bench.call("measure", alone / recording, "-q", "--json").stdout)["series"]["time_s"][0] == whole["series"]["time_s"][0], "the copy begins later")
+    if os.path.exists(f"{path}-wal"):
+        shutil.copy(f"{path}-wal", alone)
+    alone.chmod(0o555)
+    both = bench.call("measure", alone / recording, "-q", "--json")
+    alone.chmod(0o755)
+    demand(json.loads(both.stdout)["series"] == whole["series"], "the copy of both files gives other numbers")
 
 
 def designs(bench):
@@ -137,6 +148,8 @@ def designs(bench):
 def killed(bench, arguments, longest, check):
     process = bench.start(*arguments)
     time.sleep(longest * bench.dice.random() ** 2)
+    if "run.hygrorec" in arguments and (bench.folder / "run.hygrorec").exists() and bench.dice.random() < 0.3:
+        bench.call("measure", "run.hygrorec", "-q")  # beside the run
     process.kill()
     process.communicate()
     check()
