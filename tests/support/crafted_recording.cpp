@@ -63,6 +63,8 @@ public:
         sqlite3_open(path.c_str(), &file_);
         sqlite3_db_config(file_, SQLITE_DBCONFIG_DEFENSIVE, 0, nullptr);
         run("PRAGMA synchronous=OFF");
+        sqlite3_progress_handler( // a view without end is read no further
+            file_, 10'000'000, [](void*) { return 1; }, nullptr);
     }
     ~Opened() { sqlite3_close(file_); }
     Opened(const Opened&) = delete;

@@ -28,7 +28,7 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(runs().runs()[0].metrics, 20000);
         QTreeWidgetItem* item = list()->topLevelItem(1);
         QCOMPARE(item->text(1), QString("cannot be read"));
-        QVERIFY2(item->toolTip(1).contains("not a recording"), qPrintable(item->toolTip(1)));
+        QVERIFY2(item->toolTip(1).contains("not a Hygroloom recording"), qPrintable(item->toolTip(1)));
         QVERIFY(!(item->flags() & Qt::ItemIsUserCheckable));
         list()->setCurrentItem(item);
         const auto asked = press("Forget");
