@@ -193,7 +193,7 @@ Database::Database(const std::filesystem::path& path, Access access)
         run("PRAGMA synchronous=OFF");
     } else if (access == Access::write) {
         run("PRAGMA journal_mode=WAL"); // where the file system cannot share memory, the journal stays another one
-        run("PRAGMA synchronous=NORMAL");
+        run("PRAGMA synchronous=OFF");  // who writes syncs where it matters
         run("PRAGMA wal_autocheckpoint=0");
     } else {
         looks_left_ = std::make_unique<std::int64_t>(most_looks);

@@ -169,13 +169,11 @@ bool RecordingTarget::may_checkpoint()
     return true;
 }
 
-/// SQLite does not sync: a run that is cancelled ends within a moment, and of one that ends well everything is on the disk before the file
-/// beside it goes.
+/// A run that is cancelled ends within a moment; of one that ends well everything is on the disk before the file beside it goes.
 void RecordingTarget::close(bool to_disk)
 {
     if (!in_place()) return;
     if (database_) {
-        database_->run("PRAGMA synchronous=OFF");
         if (may_checkpoint()) database_->checkpoint();
         if (to_disk) sync();
         database_->become_one_file();
