@@ -11,12 +11,10 @@
 #include "core/verify/verify_json.h"
 #include "core/wear/garment_run.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <pybind11/stl.h>
 
-#include <chrono>
 #include <filesystem>
 
 namespace hygroloom::python {
@@ -87,16 +85,9 @@ Results run_sample(const Design& design, const std::string& fabric_name, const s
     return results;
 }
 
-std::string now_in_utc()
-{
-    const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
-}
-
 /// folder: of the project, from where it names a garment's files.
 Results run_worn(const Design& design, const WearExperiment& wear, const std::string& folder, const RunArguments& arguments, Watch& watch)
 {
-    const auto start = std::chrono::steady_clock::now();
     if (!arguments.physics.empty() || arguments.seed != RunArguments{}.seed)
         throw Error("A worn garment takes neither physics nor seed: its panels name their fabrics, and nothing of it is left to chance.");
     require_valid(design);

@@ -46,8 +46,10 @@ MeasuredScene scene_from(const Json& json)
     if (json.at("version") != version)
         throw Error(fmt::format("This program reads version {}; given is {}.", version, json.at("version").dump()));
     const Json& from = json.at("provenance");
-    MeasuredScene scene{.name = json.at("experiment").get<std::string>(), .backend = from.at("backend"), .device = from.at("device")};
-    scene.date = from.at("date").get<std::string>().substr(0, 10);
+    MeasuredScene scene{.name = json.at("experiment").get<std::string>(),
+                        .backend = from.at("backend"),
+                        .device = from.at("device"),
+                        .date = from.at("date").get<std::string>().substr(0, 10)};
     for (const Json& run : json.at("runs")) {
         if (run.at("refines") == "") {
             if (!run.at("wall_s").is_null() || !run.at("errors").is_null()) scene.runs.push_back(measured_run(run));
