@@ -243,8 +243,8 @@ std::vector<PartDifference> part_differences(const Design& design, const Fabric&
                 continue;
             }
             const bool alone = part.fields.size() == 1 && own.fields.empty() && own.title != contact_angle_title;
-            add_text(own.first, alone ? "" : each.name, each.text(first, number));
-            add_text(own.second, alone ? "" : each.name, each.text(second, number));
+            add_text(own.first, alone || each.name == own.title ? "" : each.name, each.text(first, number));
+            add_text(own.second, alone || each.name == own.title ? "" : each.name, each.text(second, number));
             own.fields.push_back(&each);
         }
         if (!own.fields.empty()) found.push_back(std::move(own));

@@ -1477,10 +1477,6 @@
         <translation>Zwirndrehung</translation>
     </message>
     <message>
-        <source>Pore radius</source>
-        <translation>Porenradius</translation>
-    </message>
-    <message>
         <source>Porosity</source>
         <translation>Porosität</translation>
     </message>

@@ -293,7 +293,7 @@ private Q_SLOTS:
         const ProjectJson value{{"sample_mm", {15, 20}},           {"at_mm", {5, -3}},     {"time_s", {0, 60}}, {"threading", {1, 2}},
                                 {"outline_mm", {{0, 0}, {10, 5}}}, {"strip_mm", {25, 200}}};
         const auto rows = inputs_in_words(value);
-        for (const Row& row : {Row{"sample", "15 × 20 mm"}, Row{"place", "5, -3 mm"}, Row{"at", "0, 60 s"}, Row{"threading", "1, 2"},
+        for (const Row& row : {Row{"sample", "15 × 20 mm"}, Row{"place", "5, -3 mm"}, Row{"time", "0, 60 s"}, Row{"threading", "1, 2"},
                                Row{"outline", "0, 0 mm; 10, 5 mm"}, Row{"strip", "25 × 200 mm"}})
             QVERIFY2(std::find(rows.begin(), rows.end(), row) != rows.end(), row.first.c_str());
     }

@@ -172,8 +172,8 @@ private Q_SLOTS:
         for (const Exchange& part : plan_why(design, "cloth", "other", design.experiments[0].name, false, inches).parts)
             texts += part.second + ";";
         for (const Exchange& part : plan_of(design).parts) own += part.second + ";";
-        for (const char* text : {"0.01 in", "50.8 ends/in", "50°"}) QVERIFY2(texts.find(text) != std::string::npos, texts.c_str());
-        for (const char* text : {"0.254 mm", "20 ends/cm", "50°"}) QVERIFY2(own.find(text) != std::string::npos, own.c_str());
+        for (const char* text : {"0.01 in", "50.8 /in", "50°"}) QVERIFY2(texts.find(text) != std::string::npos, texts.c_str());
+        for (const char* text : {"0.254 mm", "20 /cm", "50°"}) QVERIFY2(own.find(text) != std::string::npos, own.c_str());
     }
 
     void contributionsAreInTheReadersUnits()

@@ -23,7 +23,12 @@ namespace {
 
 /// A microlitre on polyester that it wets well. The estimate takes for granted that liquid stops where it fills a fifth of the pores; given
 /// minutes, it does not.
-Design spot(double humidity, double duration = 200) { return spot_design("polyester", humidity, duration); }
+Design spot(double humidity, double duration = 200)
+{
+    Design design = spot_design("polyester", humidity, duration);
+    design.experiments[0].sample_mm = {24, 24}; // its edge stays dry
+    return design;
+}
 
 /// Counts what a run asks of it, and fails or shows wet cloth when asked to.
 class WatchedBackend : public Device {
@@ -179,7 +184,7 @@ private Q_SLOTS:
         float warmest = 0;
         for (const Frame& frame : left.frames)
             warmest = std::max(warmest, *std::max_element(frame.temperature.begin(), frame.temperature.end()));
-        QVERIFY2(warmest > 294.15f + 0.05f, qPrintable(QString::number(warmest)));
+        QVERIFY2(warmest > 294.15f + 0.03f, qPrintable(QString::number(warmest)));
         verify_balance(left);
     }
     void vapourFollowsFibresInAirThatChanges_data()
@@ -224,7 +229,9 @@ private Q_SLOTS:
         backend.floods_at = 50;
         RunOptions options = draft({{"vapour", false}}, {{"neglected_share", 0.1}});
         options.recording = folder_.filePath("end.hygrorec").toStdString();
-        const Run left = run(spot(0.65, 50), options, backend);
+        Design design = spot(0.65, 50);
+        design.experiments[0].closure = Closure::pores; // its stain stops
+        const Run left = run(design, options, backend);
         QVERIFY(!left.record.switched_on.empty());
         const SwitchedPart& part = left.record.switched_on[0];
         QCOMPARE(part.name, std::string("sorption"));
@@ -251,7 +258,8 @@ private Q_SLOTS:
         WatchedBackend backend;
         backend.full_at_load = atLoad;
         backend.full_at_state = atState;
-        const Run left = run(design, draft({{"heat", false}}), backend), off = run(design, draft({{"heat", false}, {"vapour", false}}));
+        const Run left = run(design, draft({{"heat", false}, {"sorption", false}}), backend),
+                  off = run(design, draft({{"heat", false}, {"sorption", false}, {"vapour", false}}));
         QCOMPARE(left.record.switched_on.size(), std::size_t(1));
         QCOMPARE(left.record.switched_on[0].kept_off, std::string("the memory did not suffice"));
         QCOMPARE(left.metrics.notes, std::vector<std::string>{in_words(left.record.switched_on[0])});
@@ -324,7 +332,7 @@ private Q_SLOTS:
     {
         const Design design = spot(0.999, 50);
         WatchedBackend backend;
-        const Run left = run(design, draft(), backend);
+        const Run left = run(design, draft({{"sorption", false}}), backend);
         QVERIFY(part_of(left.record.plan, "vapour").watched && part_of(left.record.plan, "heat").watched);
         QVERIFY(left.record.switched_on.empty() && left.metrics.notes.empty());
         QCOMPARE(backend.loads, 1);
@@ -349,7 +357,7 @@ private Q_SLOTS:
     }
     void theRecordingSaysWhenAndWhy()
     {
-        RunOptions options = draft();
+        RunOptions options = draft({{"heat", false}, {"sorption", false}});
         options.recording = folder_.filePath("watched.hygrorec").toStdString();
         const Run left = run(spot(0.9955), options);
         const Recording recording(options.recording);
@@ -385,11 +393,11 @@ private Q_SLOTS:
         WatchedBackend backend;
         backend.fails_at_load = failsAtLoad;
         backend.fails_at_state = failsAtState;
-        QVERIFY_EXCEPTION_THROWN(run(design, draft(), backend), DeviceError);
+        QVERIFY_EXCEPTION_THROWN(run(design, draft({{"heat", false}, {"sorption", false}}), backend), DeviceError);
         backend.loads = backend.states = 0;
-        RunOptions options = draft();
+        RunOptions options = draft({{"heat", false}, {"sorption", false}});
         options.may_go_on_on_cpu = true;
-        const Run moved = run(design, options, backend), whole = run(design, draft());
+        const Run moved = run(design, options, backend), whole = run(design, draft({{"heat", false}, {"sorption", false}}));
         QVERIFY2(moved.record.device.starts_with("a device; from "), moved.record.device.c_str());
         QCOMPARE(moved.record.switched_on.size(), std::size_t(1));
         QCOMPARE(moved.record.switched_on[0].time, whole.record.switched_on[0].time);

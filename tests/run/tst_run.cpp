@@ -298,8 +298,10 @@ private Q_SLOTS:
     void lessWettingClothAbsorbsMoreSlowly()
     {
         double before = 1e9;
-        for (double angle : {10.0, 50.0, 80.0, 88.0}) {
-            const double absorbed = run(drop_design(angle, 0.25), 0).back().ledger.water_liquid;
+        for (double angle : {70.0, 75.0, 80.0, 88.0}) {
+            Design design = drop_design(angle, 0.25);
+            design.experiments[0].closure = Closure::pores; // of the paper's, fibres have one angle
+            const double absorbed = run(design, 0).back().ledger.water_liquid;
             QVERIFY(absorbed < before);
             before = absorbed;
         }

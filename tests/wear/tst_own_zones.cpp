@@ -257,7 +257,7 @@ private Q_SLOTS:
         QTest::newRow("no panel") << 3 << "own_zones[0].panel"
                                   << "name one of the garment's";
         QTest::newRow("rate") << 4 << "own_zones[0].sweat_g_m2_h"
-                              << "must be from 0 to 100000 g/m2h; given is -1";
+                              << "must be from 0 to 100000 g/(m2 h); given is -1";
         QTest::newRow("places") << 5 << "own_zones[0].outline_mm"
                                 << "from 3 to 1000 places; given are 2";
         QTest::newRow("far") << 6 << "own_zones[0].outline_mm[2][1]"

@@ -6,7 +6,6 @@
 #include "gpu/backends.h"
 #include "ui/basics/quantity.h"
 
-
 namespace hygroloom {
 
 GarmentRun::GarmentRun(QObject* parent) : QObject(parent) {}
