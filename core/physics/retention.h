@@ -50,7 +50,7 @@ constexpr double almost_full = 0.95, room_sunk = 0.85, room_knee = 4.0 / 7.0, ro
 
 /// Suctions (Pa) at which the liquid of a room is at rest.
 struct RoomSuctions {
-    double almost, sunk, knee, low; ///< when it holds those shares as it empties; those of the first two differ little from nothing
+    double almost, sunk, knee, low; ///< when it holds those shares as it empties; below 0 where flat yarns press (taffeta -750)
     double fills;                   ///< when the rings about the crossings of a dry one have joined
     double breaks;                  ///< when the liquid of a full one has parted into such rings
 };

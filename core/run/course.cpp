@@ -4,6 +4,8 @@
 #include "core/base/error.h"
 #include "core/run/failover.h"
 
+#include <fmt/format.h>
+
 #include <system_error>
 #include <thread>
 
@@ -116,9 +118,9 @@ private:
                 // The same device; that frame comes again.
             }
             const double from = time_of(failover_.kept_frame());
-            if (may_fail_over_) audience_.device_failed(error.what(), from);
+            if (may_fail_over_) audience_.device_failed(fmt::format("{} The run goes on on the CPU, from {:.3g} s.", error.what(), from));
             failover_.go_on_on_cpu(error);
-            audience_.device_changed(from);
+            audience_.device_changed(fmt::format("; from {:.3g} s on {}", from, session_.backend().device()));
             return false;
         }
     }

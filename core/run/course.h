@@ -23,9 +23,9 @@ public:
     virtual void commit_when_due() {}
     /// Whether a frame is to be published before the next step.
     virtual bool takes_at_once() const = 0;
-    /// The run is about to go on on the CPU, from a time (s); then it has.
-    virtual void device_failed(const std::string& why, double from) = 0;
-    virtual void device_changed(double from) = 0;
+    /// The run is about to go on on the CPU: a sentence. Then it has: what is to be added to the device's name.
+    virtual void device_failed(const std::string& sentence) = 0;
+    virtual void device_changed(const std::string& added) = 0;
 
     /// Whether parts of the physics are to come on after the frame that was published last.
     virtual bool has_due() const { return false; }

@@ -6,8 +6,6 @@
 #include "core/run/session.h"
 #include "core/scene/ledger_closes.h"
 
-#include <fmt/format.h>
-
 namespace hygroloom {
 namespace {
 
@@ -73,14 +71,14 @@ void Publisher::progress(double reached, bool ends)
     callbacks_.progress({reached, duration_, seconds_since(start_), on.liquid_steps(), on.particles()});
 }
 
-void Publisher::device_failed(const std::string& why, double from)
+void Publisher::device_failed(const std::string& sentence)
 {
-    if (callbacks_.device_failed) callbacks_.device_failed(fmt::format("{} The run goes on on the CPU, from {:.3g} s.", why, from));
+    if (callbacks_.device_failed) callbacks_.device_failed(sentence);
 }
 
-void Publisher::device_changed(double from)
+void Publisher::device_changed(const std::string& added)
 {
-    run_.device += fmt::format("; from {:.3g} s on {}", from, session_.backend().device());
+    run_.device += added;
     if (recording_) recording_->note_device(run_.device);
 }
 

@@ -26,8 +26,8 @@ public:
     void commit_when_due() override;
     /// Reports progress ten times a second at most, and at the end.
     void progress(double reached, bool ends) override;
-    void device_failed(const std::string& why, double from) override;
-    void device_changed(double from) override;
+    void device_failed(const std::string& sentence) override;
+    void device_changed(const std::string& added) override;
     /// The run is over.
     void finish();
 

@@ -147,8 +147,8 @@ using Clock = std::chrono::steady_clock;
 
 class Onlooker : public Audience {
 public:
-    Onlooker(const GarmentScene& garment, double duration, const Session& session, const WearCallbacks& callbacks)
-        : garment_(garment), duration_(duration), session_(session), callbacks_(callbacks)
+    Onlooker(const GarmentScene& garment, double duration, const WearCallbacks& callbacks)
+        : garment_(garment), duration_(duration), callbacks_(callbacks)
     {
     }
     void publish(Frame frame, double time, bool /*beside*/) override
@@ -164,19 +164,18 @@ public:
         if (callbacks_.progress) callbacks_.progress({reached, duration_, wall, 0, 0});
     }
     bool takes_at_once() const override { return true; } // callers are called from one thread
-    void device_failed(const std::string& why, double from) override
+    void device_failed(const std::string& sentence) override
     {
-        if (callbacks_.device_failed) callbacks_.device_failed(fmt::format("{} The run goes on on the CPU, from {:.3g} s.", why, from));
+        if (callbacks_.device_failed) callbacks_.device_failed(sentence);
     }
-    void device_changed(double from) override
+    void device_changed(const std::string& added) override
     {
-        if (callbacks_.device_changed) callbacks_.device_changed(fmt::format("; from {:.3g} s on {}", from, session_.backend().device()));
+        if (callbacks_.device_changed) callbacks_.device_changed(added);
     }
 
 private:
     const GarmentScene& garment_;
     const double duration_; // s
-    const Session& session_;
     const WearCallbacks& callbacks_;
     const Clock::time_point start_ = Clock::now();
 };
@@ -187,7 +186,7 @@ void run_wear(const GarmentScene& garment, const WearExperiment& wear, Backend& 
               const WearCallbacks& callbacks, const RunOptions& options)
 {
     Session session(backend, &garment.scene);
-    Onlooker onlooker(garment, wear.duration_s, session, callbacks);
+    Onlooker onlooker(garment, wear.duration_s, callbacks);
     go_through(times_of_frames(garment, wear), session, onlooker, options, control);
 }
 
