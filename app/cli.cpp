@@ -9,6 +9,7 @@
 #include "core/base/words.h"
 #include "core/design/wear.h"
 #include "core/project/project_file.h"
+#include "core/room/kept_tables.h"
 #include "core/run/learned_times.h"
 #include "core/run/recording.h"
 #include "gpu/backends.h"
@@ -370,6 +371,7 @@ int main(int count, char** values) // NOLINT(bugprone-exception-escape): where m
 {
     hygroloom::prepare_streams();
     hygroloom::keep_learned_times(hygroloom::usual_learned_times());
+    hygroloom::keep_tables_in(hygroloom::usual_kept_tables());
     int code = hygroloom::exit_failed;
     try {
         code = hygroloom::run(count, values);

@@ -110,8 +110,9 @@ std::string manual_page(const CLI::App& app)
                        ".SH NAME\nhygroloom\\-cli \\- ";
     text += roff(summary) + "\n.SH SYNOPSIS\n.B hygroloom\\-cli\n.I VERB\n.RI [ OPTIONS ]\n";
     text += ".SH DESCRIPTION\n.B hygroloom\\-cli\nruns one task for each verb. Results go to the standard output, everything else to the "
-            "standard error.\nIt uses no network. It writes the files that its arguments name, and how long runs took: "
-            "$XDG_CACHE_HOME/hygroloom/times.json.\n.SH OPTIONS\n";
+            "standard error.\nIt uses no network. It writes the files that its arguments name. In $XDG_CACHE_HOME/hygroloom it keeps how "
+            "long runs "
+            "took and what it found of the rooms between yarns; that folder may be deleted.\n.SH OPTIONS\n";
     for (const DescribedOption& option : described_options(app)) text += entry(option);
     text += ".SH VERBS\n";
     for (const DescribedVerb& verb : described_verbs(app)) text += section(verb);

@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "core/physics/water.h"
 #include "core/plan/fidelity.h"
+#include "core/room/kept_tables.h"
 #include "core/room/room_details.h"
 #include "core/scene/suction.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The window. Opens the project or recording named on the command line, or the shipped example.
 #include "core/project/atomic_file.h"
+#include "core/room/kept_tables.h"
 #include "core/run/learned_times.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/language.h"
@@ -75,6 +76,7 @@ int main(int argc, char* argv[])
     parser.process(application);
 
     hygroloom::keep_learned_times(hygroloom::usual_learned_times());
+    hygroloom::keep_tables_in(hygroloom::usual_kept_tables());
     hygroloom::applyAppearance(hygroloom::savedAppearance());
     QApplication::setWindowIcon(hygroloom::themedIcon("hygroloom"));
     hygroloom::MainWindow window;

@@ -6,7 +6,7 @@
 #include "core/plan/bundling.h"
 #include "core/plan/frame_times.h"
 #include "core/plan/parts.h"
-#include "core/room/room_tables.h"
+#include "core/room/kept_tables.h"
 
 #include <fmt/format.h>
 
@@ -144,7 +144,8 @@ ModelPlan plan_model(const Design& design, const Textile& textile, const Experim
     plan.counts = counts_of(experiment, bounds);
     const DrawnVolume drawn = drawn_volume(textile);
     plan.counts.drawn_cubes = drawn.cubes;
-    plan.counts.drawn_periods = drawn.periods;
+    const int room_voxels = static_cast<int>(plan.knobs.room_voxels);
+    plan.counts.drawn_periods = room_voxels > 0 && room_tables_are_kept(textile, room_voxels) ? 0 : drawn.periods;
     plan.counts.drawn_longest = drawn.longest;
     plan.counts.frames = static_cast<double>(frame_times(experiment, plan.frame_interval).size());
     return plan;

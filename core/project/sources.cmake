@@ -7,6 +7,7 @@ target_sources(hygroloom_core PRIVATE
   ${CMAKE_CURRENT_BINARY_DIR}/library_fabrics_json.cpp
   ${CMAKE_CURRENT_BINARY_DIR}/library_finishes_json.cpp
   project/atomic_file.cpp
+  project/cache_folder.cpp
   project/curve_file.cpp
   project/draft_json.cpp
   project/garment_json.cpp

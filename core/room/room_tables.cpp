@@ -8,10 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <numeric>
-#include <string>
 
 namespace hygroloom {
 namespace {
@@ -184,59 +181,6 @@ RoomTables found_tables(const Textile& textile, int voxels)
     return tables;
 }
 
-/// All that the tables follow from.
-std::string content_of(const Textile& textile, int voxels)
-{
-    std::string content;
-    const auto add = [&content](const auto* values, std::size_t count) {
-        content.append(reinterpret_cast<const char*>(values), count * sizeof(*values));
-    };
-    const auto add_all = [&](const auto& values) {
-        const std::size_t count = values.size();
-        add(&count, 1);
-        add(values.data(), count);
-    };
-    const int whole[] = {voxels, textile.weave.ends(), textile.weave.picks()};
-    add(whole, 3);
-    add(&textile.thickness, 1);
-    add_all(textile.weave.crossings());
-    for (const YarnSystem* system : {&textile.warp, &textile.weft}) {
-        add(&system->pitch, 1);
-        add_all(system->order);
-        for (const YarnType& type : system->types) {
-            const double section[] = {type.section.width, type.section.height, type.area};
-            add(section, 3);
-            add_all(type.rise);
-            add_all(type.length_per_pitch);
-        }
-        for (const YarnPath& path : system->paths)
-            for (const std::vector<double>* along : {&path.height, &path.slope, &path.half_height, &path.half_width}) add_all(*along);
-    }
-    return content;
-}
-
-/// The last that were found.
-class Kept {
-public:
-    std::shared_ptr<const RoomTables> find(const std::string& content)
-    {
-        const std::lock_guard lock(mutex_);
-        const auto found = tables_.find(content);
-        return found == tables_.end() ? nullptr : found->second;
-    }
-    void keep(const std::string& content, std::shared_ptr<const RoomTables> tables)
-    {
-        constexpr std::size_t most = 64; // of some ten thousand bytes each
-        const std::lock_guard lock(mutex_);
-        if (tables_.size() >= most) tables_.clear();
-        tables_.emplace(content, std::move(tables));
-    }
-
-private:
-    std::mutex mutex_;
-    std::map<std::string, std::shared_ptr<const RoomTables>> tables_;
-};
-
 } // namespace
 
 std::optional<WovenCell> drawn_cell(const Textile& textile)
@@ -290,14 +234,10 @@ RoomTables tables_of_cell(const Textile& textile, const WovenCell& cell, int vox
     return tables;
 }
 
-std::shared_ptr<const RoomTables> room_tables(const Textile& textile, int voxels)
+RoomTables find_room_tables(const Textile& textile, int voxels)
 {
-    static Kept kept;
-    const std::string content = content_of(textile, voxels);
-    if (auto found = kept.find(content)) return found;
-    auto tables = std::make_shared<RoomTables>(found_tables(textile, voxels));
-    round_all(*tables);
-    kept.keep(content, tables);
+    RoomTables tables = found_tables(textile, voxels);
+    round_all(tables);
     return tables;
 }
 

@@ -6,7 +6,6 @@
 #include "core/physics/between_yarns.h"
 #include "core/room/drawn_layer.h"
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -50,8 +49,7 @@ struct DrawnVolume {
 };
 DrawnVolume drawn_volume(const Textile& textile);
 
-/// Of the textile's weave and yarns, wherever its region lies. voxels: in the mean pitch, see drawn_layer(). Found tables are kept for
-/// the next time.
-std::shared_ptr<const RoomTables> room_tables(const Textile& textile, int voxels);
+/// Of the textile's weave and yarns, wherever its region lies. voxels: in the mean pitch, see drawn_layer().
+RoomTables find_room_tables(const Textile& textile, int voxels);
 
 } // namespace hygroloom

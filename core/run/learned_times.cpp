@@ -5,6 +5,7 @@
 #include "core/plan/expectation.h"
 #include "core/plan/plan_json.h"
 #include "core/project/atomic_file.h"
+#include "core/project/cache_folder.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <mutex>
 
 namespace hygroloom {
@@ -101,9 +101,8 @@ void read_again(Kept& all)
 
 std::filesystem::path usual_learned_times()
 {
-    const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
-    if (cache && *cache) return std::filesystem::path(cache) / "hygroloom" / "times.json";
-    return home && *home ? std::filesystem::path(home) / ".cache" / "hygroloom" / "times.json" : std::filesystem::path();
+    const std::filesystem::path cache = cache_folder();
+    return cache.empty() ? cache : cache / "times.json";
 }
 
 void keep_learned_times(const std::filesystem::path& file)

@@ -8,7 +8,7 @@
 
 namespace hygroloom {
 
-/// The user's: $XDG_CACHE_HOME, or $HOME/.cache, then hygroloom/times.json; empty where there is neither.
+/// The user's: times.json in cache_folder(); empty where there is none.
 std::filesystem::path usual_learned_times();
 
 /// Which file of this process holds them; empty, as at the start: none is kept and none is used. A file that cannot be read counts as

@@ -6,6 +6,7 @@
 #include "core/physics/heat_moisture.h"
 #include "core/physics/wicking.h"
 #include "core/plan/calm_steps.h"
+#include "core/room/kept_tables.h"
 #include "core/scene/pool_base.h"
 #include "core/scene/unevenness.h"
 #include "core/scene/wet_cloth.h"

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/physics/water.h"
+#include "core/room/kept_tables.h"
 #include "core/room/room_flow.h"
 #include "core/room/room_menisci.h"
 #include "core/room/stokes.h"

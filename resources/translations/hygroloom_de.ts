@@ -7375,8 +7375,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>Zwischenspeicher &amp;leeren</translation>
     </message>
     <message>
-        <source>Deletes pictures of the start page and how long runs took on this machine. Both are made anew.</source>
-        <translation>Löscht Bilder der Startseite und wie lange Läufe auf diesem Rechner dauerten. Beides entsteht neu.</translation>
+        <source>Deletes pictures of the start page, what was found of rooms between yarns and how long runs took. All are made anew.</source>
+        <translation>Löscht Bilder der Startseite, gefundene Räume zwischen Garnen und wie lange Läufe dauerten. Alles entsteht neu.</translation>
     </message>
     <message>
         <source>Cache: %1 in %2</source>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The room between the yarns of a drawn cloth: flow in slots, weaves against each other, and what must not matter.
 #include "core/base/units.h"
+#include "core/room/kept_tables.h"
 #include "core/room/room_flow.h"
-#include "core/room/room_tables.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Liquid at rest in the room between yarns: its energy, its scale, its directions, and what follows for real cloths.
+#include "core/room/kept_tables.h"
 #include "core/room/room_menisci.h"
-#include "core/room/room_tables.h"
 #include "tests/room/square_cotton.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The smallest cell of a weave, and rooms drawn as it: as those of the whole period.
+#include "core/room/kept_tables.h"
 #include "core/room/room_flow.h"
-#include "core/room/room_tables.h"
 #include "tests/room/square_cotton.h"
 
 #include <QTest>

@@ -2,7 +2,7 @@
 // Drawn rooms in scenes: each crossing has that of its place in the weave.
 #include "core/plan/planning.h"
 #include "core/project/library.h"
-#include "core/room/room_tables.h"
+#include "core/room/kept_tables.h"
 #include "core/scene/scene.h"
 #include "core/solver/backend.h"
 #include "core/verify/set_ups.h"

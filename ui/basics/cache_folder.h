@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Where what can be made anew is kept: pictures of the start page, and how long runs took.
+// Where what can be made anew is kept: pictures of the start page, rooms between yarns, and how long runs took.
 #pragma once
 
 #include <QCoreApplication>
@@ -8,7 +8,7 @@
 
 namespace hygroloom {
 
-/// The one in which core/run keeps learned times.
+/// The one of cache_folder() in core/project.
 inline QString cacheFolder()
 {
     return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation)).filePath(QCoreApplication::applicationName());

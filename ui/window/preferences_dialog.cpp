@@ -266,8 +266,9 @@ void PreferencesDialog::addRuns()
     cache_ = addNote(*form, {});
     cache_->setAccessibleName(tr("Cache"));
     auto* clear = new QPushButton(tr("C&lear the Cache"));
-    clear->setToolTip("<p>" + tr("Deletes pictures of the start page and how long runs took on this machine. Both are made anew.") +
-                      "</p>");
+    clear->setToolTip(
+        "<p>" + tr("Deletes pictures of the start page, what was found of rooms between yarns and how long runs took. All are made anew.") +
+        "</p>");
     clear->setAutoDefault(false);
     clear->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     form->addRow(clear);
