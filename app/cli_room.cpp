@@ -21,7 +21,7 @@ namespace hygroloom {
 namespace {
 
 /// As a draft has them, and fewer to tell the error by.
-const int voxels_per_pitch = static_cast<int>(knobs_of(Fidelity::draft).room_voxels), coarser_voxels = voxels_per_pitch * 11 / 16;
+const int voxels_per_pitch = static_cast<int>(knobs_of(Fidelity::draft).room_voxels), coarser_voxels = voxels_per_pitch * 2 / 3;
 
 struct Room {
     double seconds = 0; ///< that it took, less where it was found before

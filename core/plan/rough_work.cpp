@@ -249,12 +249,12 @@ double voxels_along(const ModelPlan& plan)
     const double cubes = scene.drawn_longest > 0 ? scene.drawn_longest : usual_cubes;
     return cubes * std::cbrt(drawn_voxels(plan) / std::max(1e-9, scene.drawn_cubes));
 }
-/// To draw them and find what flows through them, s, on a core. The rounds in which flow is found go with the voxels along its way: of 150
-/// random cloths a voxel took a median of 4 us where those were less than 40, 5 us from 40 to 200, 9 us to 300, and 16 us where more. Where
-/// Stokes flow sets the level a million voxels take 7 s more. On a GPU's host, too.
+/// To draw them and find how liquid rests and flows in them, s, on a core. The rounds in which that is found go with the voxels along its
+/// way: of ten shipped cloths a voxel took 3 to 8 us where those were less than 70, and 8 to 14 us from 80 to 150. Where Stokes flow sets
+/// the level it takes 2 us more. On a GPU's host, too.
 double room_seconds(const ModelPlan& plan)
 {
-    constexpr double drawn = 3.5e-6, a_round_along = 2.5e-8, stokes = 7e-6; // of a voxel; the second for each along its way
+    constexpr double drawn = 1e-6, a_round_along = 7e-8, stokes = 2e-6; // of a voxel; the second for each along its way
     const double of_a_voxel = drawn + a_round_along * voxels_along(plan) + (plan.knobs.room_voxels < stokes_voxels ? 0.0 : stokes);
     return plan.counts.drawn_periods * drawn_voxels(plan) * of_a_voxel;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/room/room_menisci.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,7 @@ namespace {
 constexpr double blur_in_voxels = 2;
 constexpr int margin = 8; // voxels of air above and below the cloth
 
-std::vector<double> gaussian(double spread, double side)
+std::vector<float> gaussian(double spread, double side)
 {
     const int reach = static_cast<int>(std::ceil(3 * spread / side));
     std::vector<double> kernel;
@@ -19,14 +21,27 @@ std::vector<double> gaussian(double spread, double side)
         kernel.push_back(std::exp(-0.5 * std::pow(i * side / spread, 2)));
         sum += kernel.back();
     }
-    for (double& weight : kernel) weight /= sum;
-    return kernel;
+    std::vector<float> weights;
+    for (const double weight : kernel) weights.push_back(static_cast<float>(weight / sum));
+    return weights;
 }
 
-/// added += weight * values, of so many.
-void add(double* added, const double* values, double weight, std::size_t count)
+/// Of so many values, each the sum of weights times what stands at it and so far behind it, once, twice and so on.
+void weigh(const float* values, std::size_t apart, const float* weights, std::size_t weighed, float* sums, std::size_t count)
 {
-    for (std::size_t i = 0; i < count; ++i) added[i] += weight * values[i];
+    using Block = Eigen::Array<float, 32, 1>; // kept in registers
+    constexpr std::size_t block = Block::SizeAtCompileTime;
+    std::size_t i = 0;
+    for (; i + block <= count; i += block) {
+        Block sum = Block::Zero();
+        for (std::size_t k = 0; k < weighed; ++k) sum += weights[k] * Eigen::Map<const Block>(values + i + k * apart);
+        Eigen::Map<Block>(sums + i) = sum;
+    }
+    for (; i < count; ++i) {
+        float sum = 0;
+        for (std::size_t k = 0; k < weighed; ++k) sum += weights[k] * values[i + k * apart];
+        sums[i] = sum;
+    }
 }
 
 } // namespace
@@ -41,18 +56,18 @@ RestingLiquid::RestingLiquid(const DrawnLayer& layer, double growth, double cosi
     per_cost_ = 0.5 * std::sqrt(2 * pi) * blurs_ / side_; // a flat surface, so far from the middle
     const std::size_t all = grid_.size(), from = grid_.at(0, 0, below_);
     open_.resize(all);
-    std::vector<double> warp(all), weft(all);
+    std::vector<float> warp(all), weft(all);
     for (std::size_t i = 0; i < all; ++i) {
         const double open = std::clamp(0.5 + (static_cast<double>(layer.outside[from + i]) - growth) / side_, 0.0, 1.0);
-        open_[i] = open;
-        (layer.nearest_is_warp[from + i] ? warp : weft)[i] = 1 - open;
+        open_[i] = static_cast<float>(open);
+        (layer.nearest_is_warp[from + i] ? warp : weft)[i] = static_cast<float>(1 - open);
         if (open > 0) voxels_.push_back(i);
         if (i >= first_ && i < last_) room_ += open;
     }
     blur(warp, near_warp_);
     blur(weft, near_weft_);
     blur(open_, without_); // beyond the grid is nothing: so far from the cloth comes no liquid
-    for (std::size_t i = 0; i < all; ++i) without_[i] -= cosine * (near_warp_[i] + near_weft_[i]);
+    for (std::size_t i = 0; i < all; ++i) without_[i] -= static_cast<float>(cosine) * (near_warp_[i] + near_weft_[i]);
     costs_.resize(all);
     fill();
 }
@@ -65,36 +80,47 @@ void RestingLiquid::fill()
     shift_ = 0;
 }
 
-void RestingLiquid::blur(const std::vector<double>& values, std::vector<double>& blurred)
+void RestingLiquid::blur(const std::vector<float>& values, std::vector<float>& blurred)
 {
-    const int nx = grid_.nx, ny = grid_.ny, nz = grid_.nz;
-    const auto row = static_cast<std::size_t>(nx), plane = row * static_cast<std::size_t>(ny);
-    const auto reach = [&](int axis) { return static_cast<int>(kernel_[axis].size() / 2); };
-    const auto weight = [&](int axis, int offset) { return kernel_[axis][static_cast<std::size_t>(offset + reach(axis))]; };
-    between_.assign(values.size(), 0);
-    blurred.assign(values.size(), 0);
-    for (int z = 0; z < nz; ++z)
-        for (int k = std::max(-reach(2), -z); k <= std::min(reach(2), nz - 1 - z); ++k)
-            add(&between_[grid_.at(0, 0, z)], &values[grid_.at(0, 0, z + k)], weight(2, k), plane);
-    const auto turn = [](int i, int n) { return ((i % n) + n) % n; };
-    for (int z = 0; z < nz; ++z)
-        for (int y = 0; y < ny; ++y)
-            for (int k = -reach(1); k <= reach(1); ++k)
-                add(&blurred[grid_.at(0, y, z)], &between_[grid_.at(0, turn(y + k, ny), z)], weight(1, k), row);
-    between_ = blurred;
-    const int beyond = reach(0);
-    line_.resize(row + 2 * static_cast<std::size_t>(beyond));
-    for (int z = 0; z < nz; ++z)
-        for (int y = 0; y < ny; ++y) {
-            for (int x = -beyond; x < nx + beyond; ++x) {
-                int from_x = x, from_y = y;
-                if (x < 0 || x >= nx) grid_.wrap(from_x, from_y);
-                line_[static_cast<std::size_t>(x + beyond)] = between_[grid_.at(from_x, from_y, z)];
-            }
-            double* to = &blurred[grid_.at(0, y, z)];
-            std::fill(to, to + row, 0.0);
-            for (int k = 0; k <= 2 * beyond; ++k) add(to, &line_[static_cast<std::size_t>(k)], weight(0, k - beyond), row);
+    const auto row = static_cast<std::size_t>(grid_.nx), rows = static_cast<std::size_t>(grid_.ny), plane = row * rows;
+    const auto planes = static_cast<std::size_t>(grid_.nz);
+    const std::size_t beyond = kernel_[0].size() / 2, aside = kernel_[1].size() / 2, above = kernel_[2].size() / 2;
+    const std::size_t wide = row + 2 * beyond;
+    blurred.resize(values.size());
+    between_.resize(wide * rows);
+    wide_.resize(std::max(plane + 2 * aside * row, wide * rows + 2 * beyond));
+    for (std::size_t z = 0; z < planes; ++z) {
+        const std::size_t first = z - std::min(z, above), last = std::min(planes - 1, z + above);
+        float* middle = &wide_[aside * row];
+        weigh(&values[first * plane], plane, &kernel_[2][first + above - z], last - first + 1, middle, plane);
+        for (std::size_t y = 0; y < aside; ++y) { // the plane goes on behind its last row, and before its first
+            std::copy_n(middle + y % rows * row, row, middle + (rows + y) * row);
+            std::copy_n(middle + (rows - 1 - y % rows) * row, row, middle - (y + 1) * row);
         }
+        weigh(wide_.data(), row, kernel_[1].data(), kernel_[1].size(), between_.data(), plane);
+        widen(beyond);
+        weigh(wide_.data(), 1, kernel_[0].data(), kernel_[0].size(), between_.data(), wide * rows);
+        for (std::size_t y = 0; y < rows; ++y) std::copy_n(&between_[y * wide], row, &blurred[z * plane + y * row]);
+    }
+}
+
+/// Each row of a plane with what stands before it and behind it.
+void RestingLiquid::widen(std::size_t beyond)
+{
+    const int nx = grid_.nx, ny = grid_.ny, more = static_cast<int>(beyond);
+    float* to = wide_.data();
+    for (int y = 0; y < ny; ++y) {
+        const auto take = [&](int first, int end) {
+            for (int x = first; x < end; ++x) {
+                int from_x = x, from_y = y;
+                grid_.wrap(from_x, from_y);
+                *to++ = between_[static_cast<std::size_t>(from_y * nx + from_x)];
+            }
+        };
+        take(-more, 0);
+        to = std::copy_n(&between_[static_cast<std::size_t>(y * nx)], nx, to);
+        take(nx, nx + more);
+    }
 }
 
 /// So that the liquid takes so many voxels: Newton's rounds, of a function made of straight pieces.
@@ -105,7 +131,7 @@ void RestingLiquid::shift_to(double voxels)
     for (int round = 0; round < rounds; ++round) {
         double sum = 0, falls = 0;
         for (const std::size_t i : voxels_) {
-            const double share = share_of_liquid(i), open = open_[i];
+            const double share = share_of_liquid(i), open = static_cast<double>(open_[i]);
             if (share >= 1) {
                 sum += open;
             } else if (share > 0) {
@@ -128,8 +154,8 @@ void RestingLiquid::hold(double saturation)
         shift_to(saturation * room_);
         double moved = 0;
         for (const std::size_t i : voxels_) {
-            const double now = open_[i] * std::clamp(share_of_liquid(i), 0.0, 1.0);
-            moved += std::abs(now - liquid_[i]);
+            const auto now = open_[i] * static_cast<float>(std::clamp(share_of_liquid(i), 0.0, 1.0));
+            moved += std::abs(static_cast<double>(now - liquid_[i]));
             liquid_[i] = now;
         }
         if (round >= fewest && moved < still * room_) return;
@@ -138,10 +164,10 @@ void RestingLiquid::hold(double saturation)
 
 double RestingLiquid::curvature() const { return shift_ * std::sqrt(2 * pi) / blurs_; }
 
-double RestingLiquid::wetted(const std::vector<double>& near) const
+double RestingLiquid::wetted(const std::vector<float>& near) const
 {
     double overlap = 0;
-    for (const std::size_t i : voxels_) overlap += liquid_[i] * near[i];
+    for (const std::size_t i : voxels_) overlap += static_cast<double>(liquid_[i] * near[i]);
     return overlap * std::sqrt(2 * pi) / (blurs_ * room_);
 }
 

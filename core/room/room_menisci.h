@@ -25,20 +25,21 @@ public:
     double wetted_weft() const { return wetted(near_weft_); }
 
 private:
-    void blur(const std::vector<double>& values, std::vector<double>& blurred);
-    double share_of_liquid(std::size_t voxel) const { return 0.5 - (costs_[voxel] + shift_) * per_cost_; }
+    void blur(const std::vector<float>& values, std::vector<float>& blurred);
+    void widen(std::size_t beyond);
+    double share_of_liquid(std::size_t voxel) const { return 0.5 - (static_cast<double>(costs_[voxel]) + shift_) * per_cost_; }
     void shift_to(double voxels);
-    double wetted(const std::vector<double>& near) const;
+    double wetted(const std::vector<float>& near) const;
 
     VoxelGrid grid_; // the layer's, less so many voxels of air above and below
     int below_;
-    double side_, blurs_;           // m
-    double per_cost_ = 0;           // of a voxel that a surface cuts, by the cost of liquid at its middle
-    std::vector<double> kernel_[3]; // of the blur along each axis
-    std::vector<double> open_;      // of each voxel, what is outside the yarns
-    std::vector<double> near_warp_, near_weft_;
-    std::vector<double> without_, costs_; // of liquid at each voxel: where there is none beside, and as it lies
-    std::vector<double> liquid_, line_, between_;
+    double side_, blurs_;          // m
+    double per_cost_ = 0;          // of a voxel that a surface cuts, by the cost of liquid at its middle
+    std::vector<float> kernel_[3]; // of the blur along each axis
+    std::vector<float> open_;      // of each voxel, what is outside the yarns
+    std::vector<float> near_warp_, near_weft_;
+    std::vector<float> without_, costs_; // of liquid at each voxel: where there is none beside, and as it lies
+    std::vector<float> liquid_, wide_, between_;
     std::vector<std::size_t> voxels_;  // that are open
     std::size_t first_ = 0, last_ = 0; // of the cloth
     double room_ = 0;                  // voxels of it

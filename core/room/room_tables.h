@@ -39,7 +39,7 @@ DrawnLayer layer_of_cell(const Textile& textile, const WovenCell& cell, int voxe
 /// Of the cloth, drawn as this cell of its weave, from its first end and pick on.
 RoomTables tables_of_cell(const Textile& textile, const WovenCell& cell, int voxels);
 
-constexpr int stokes_voxels = 24; ///< in the mean pitch, from which on Stokes flow sets the level of permeabilities
+constexpr int stokes_voxels = 28; ///< in the mean pitch, from which on Stokes flow sets the level of permeabilities
 
 /// What is drawn for the tables: so many cells or periods one after the other, each of so many cubes, see cubes_of_crossing().
 struct DrawnVolume {
