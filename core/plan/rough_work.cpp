@@ -317,7 +317,7 @@ double whole_flow_bytes(const ModelPlan& plan)
 }
 
 /// While a period's rooms are drawn; given back before the first step.
-double room_bytes(const ModelPlan& plan) { return 120.0 * drawn_voxels(plan); }
+double room_bytes(const ModelPlan& plan) { return plan.counts.drawn_periods > 0 ? 120.0 * drawn_voxels(plan) : 0.0; }
 
 } // namespace
 
