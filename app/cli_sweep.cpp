@@ -186,8 +186,6 @@ int sweep(const SweepOptions& options)
 {
     if (options.folder.empty()) throw Stop(exit_usage, "--output: This must be the name of a folder; given is an empty text.");
     if (options.slurm) return submit_to_slurm(options);
-    if (options.status) return slurm_status(options);
-    if (options.cancel) return slurm_cancel(options);
     if (options.merge) return merge_rows(options);
     if (options.analyse) return analyse_rows(options);
     if (!options.predict.empty()) return predict_rows(options);
@@ -273,12 +271,11 @@ void add_sweep(CLI::App& app, Verb& chosen)
             "Points that are worth computing next, such as \"minimise absorbency_time_s subject to maximum_wetted_radius_top_mm <= 12\"")
         ->type_name("GOAL");
     verb.add_option("--count", options->count, "Points to suggest")->check(CLI::Range(1, 100));
-    verb.add_flag("--slurm", options->slurm, "Submit the study as a job array of Slurm, instead of running it here");
+    verb.add_flag("--slurm", options->slurm,
+                  "Submit the study as a job array of Slurm, instead of running it here; squeue and scancel see to it");
     verb.add_option("--sbatch", options->sbatch, "Options for sbatch, such as \"--partition=long --time=2:00:00\"")->type_name("OPTIONS");
     verb.add_option("--tasks", options->tasks, "Tasks of the job array; 0: so that each has enough to do")->check(CLI::Range(0, 100000));
     verb.add_flag("--gpus", options->gpus, "One GPU for each task of the job array");
-    verb.add_flag("--status", options->status, "What has become of the study and its job array");
-    verb.add_flag("--cancel", options->cancel, "End the study's job array");
     verb.callback([&chosen, options] { chosen = [options] { return sweep(*options); }; });
 }
 

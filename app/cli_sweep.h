@@ -18,7 +18,7 @@ struct SweepOptions : RunVerbOptions {
     std::vector<std::string> predict; ///< "path=value"
     std::string suggest;              ///< a goal
     int count = 5;                    ///< of suggestions
-    bool slurm = false, gpus = false, status = false, cancel = false;
+    bool slurm = false, gpus = false;
     std::string sbatch; ///< options
     int tasks = 0;      ///< of the job array
 };
@@ -34,8 +34,6 @@ int analyse_rows(const SweepOptions& options);
 int predict_rows(const SweepOptions& options);
 int suggest_points(const SweepOptions& options);
 int submit_to_slurm(const SweepOptions& options);
-int slurm_status(const SweepOptions& options);
-int slurm_cancel(const SweepOptions& options);
 
 /// What the study's indices are, after a run whose study asks for them. Notes on stderr why there are none.
 void analyse_after_run(const SweepOptions& options);

@@ -6,7 +6,6 @@
 #include "core/project/atomic_file.h"
 #include "core/study/analysis.h"
 #include "core/study/csv_rows.h"
-#include "core/study/slurm.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -123,9 +122,8 @@ int analyse_rows(const SweepOptions& options)
     require_module();
     analyse_study(options.folder);
     print_sensitivities(options, study);
-    const SlurmStatus status = study_status(options.folder);
-    if (const std::size_t ended = status.done + status.failed; ended < status.rows)
-        print_note("{} of {} runs have ended: shares will change. Run the others with --resume.\n", ended, status.rows);
+    const std::size_t ended = collect_rows(study, options.folder).rows(), rows = StudyFrame(study.study, study.design).rows();
+    if (ended < rows) print_note("{} of {} runs have ended: shares will change. Run the others with --resume.\n", ended, rows);
     return exit_ok;
 }
 

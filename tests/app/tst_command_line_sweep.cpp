@@ -121,7 +121,7 @@ private Q_SLOTS:
         QCOMPARE(answer.code, 3);
         QVERIFY(answer.json()["error"].toString().contains("did you mean \"sobol\"?"));
         QCOMPARE(run_cli({"sweep", drop, "-o", out}).code, 2);
-        QCOMPARE(run_cli({"sweep", "-o", out, "--status"}).code, 3);
+        QCOMPARE(run_cli({"sweep", "-o", out, "--merge"}).code, 3);
         QCOMPARE(run_cli({"sweep", drop, "--study", study_in(folder, ends, grid), "-o", out, "--task", "4/3"}).code, 2);
         QVERIFY(!QFile::exists(out));
     }
@@ -185,7 +185,6 @@ private Q_SLOTS:
         QVERIFY2(set.err.contains("--set: A folder's study stays as it is"), set.err);
         QCOMPARE(run_cli({"sweep", drop, "--study", study, "-o", "", "--quiet"}).code, 2);
         QCOMPARE(run_cli({"sweep", "-o", folder.filePath("none"), "--merge"}).code, 3);
-        QCOMPARE(run_cli({"sweep", "-o", folder.filePath("none"), "--status"}).code, 3);
     }
 };
 

@@ -271,86 +271,74 @@ private Q_SLOTS:
         QCOMPARE(read_results(folder / "results.csv").rows(), std::size_t{2});
     }
 
-    /// Stand-ins for Slurm's programs, which say on their error stream what clusters tell their users.
-    void whatAClusterTellsItsUsersIsNoAnswer()
+    /// With a stand-in for sbatch, which tells its users things around its answer.
+    void aJobArrayIsWrittenAndSubmitted()
     {
         const QTemporaryDir place;
         const std::filesystem::path programs = place.path().toStdString(), folder = programs / "50% wet; $(touch oops)";
-        const auto write = [&](const char* name, const std::string& lines) {
-            std::ofstream(programs / name) << "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\n" << lines << "\n";
-            std::filesystem::permissions(programs / name, std::filesystem::perms::owner_all);
+        const auto write = [&](const std::string& lines) {
+            std::ofstream(programs / "sbatch") << "#!/bin/sh\n" << lines << "\n";
+            std::filesystem::permissions(programs / "sbatch", std::filesystem::perms::owner_all);
         };
-        write("sbatch", "for word; do echo \"$word\"; done > '" + (programs / "asked").string() +
-                            "'\necho Charged to your group >&2\necho '123;west'");
-        write("scancel", "");
-        write("squeue", "echo slurm_load_jobs error: Invalid job id specified >&2\nexit 1");
+        const auto script_in = [&](const std::filesystem::path& of) {
+            std::ifstream file(of / "slurm" / "job.sh");
+            return std::string(std::istreambuf_iterator<char>(file), {});
+        };
+        write("cp \"$2\" '" + (programs / "asked").string() + "'\necho 7 days to go >&2\necho '123;west'\necho Be nice >&2");
         const QByteArray before = qgetenv("PATH");
         qputenv("PATH", place.path().toUtf8() + ":" + before);
-        const SlurmJob job = submit_study(quick_design(0.01), study_of(4), folder, {}, {});
+        SlurmOptions how;
+        how.sbatch = "--time=2:00:00";
+        const SlurmJob job = submit_study(quick_design(0.01), study_of(80), folder, {}, how);
         QCOMPARE(job.id, std::string("123"));
-        QVERIFY(study_status(folder).states.empty()); // it has forgotten the job
-        std::ifstream asked(programs / "asked");
-        QVERIFY(std::string(std::istreambuf_iterator<char>(asked), {}).find("50%% wet; $(touch oops)/slurm/task-%a.log\n") !=
-                std::string::npos);
-        write("squeue", "echo Be nice >&2\necho RUNNING\necho PENDING");
-        QCOMPARE(study_status(folder).states, (std::map<std::string, int>{{"PENDING", 1}, {"RUNNING", 1}}));
-        write("squeue", "echo Unable to contact slurm controller >&2\nexit 1"); // the job may well be on
-        QVERIFY(study_status(folder).problem.find("Unable to contact") != std::string::npos);
-        QCOMPARE(study_status(folder).rows, std::size_t{4});
-        StudyOptions resume;
-        resume.resume = true;
-        QVERIFY_EXCEPTION_THROWN(submit_study(quick_design(0.01), study_of(4), folder, resume, {}), Error);
-        write("squeue", "exit 0");
-        write("sbatch", "echo Invalid account >&2\nexit 1");
-        try {
-            submit_study(quick_design(0.01), study_of(4), folder, resume, {});
-            QFAIL("accepted");
-        } catch (const Error& error) {
-            QCOMPARE(std::string(error.what()), std::string("Slurm refuses the job: Invalid account"));
-        }
-        qputenv("PATH", before);
-    }
+        QCOMPARE(job.submitted, 5); // 80 rows of 16 a task
+        const std::string script = script_in(folder);
+        QVERIFY(std::filesystem::exists(programs / "asked"));
+        for (const char* line : {"#SBATCH --array=1-5\n", "50%% wet; $(touch oops)/slurm/task-%a.log\"\n", "#SBATCH --time=2:00:00\n",
+                                 "50% wet; $(touch oops)' --task \"$SLURM_ARRAY_TASK_ID/5\" --quiet --backend auto --threads 1"})
+            QVERIFY2(script.find(line) != std::string::npos, (line + script).c_str());
+        QVERIFY(script.find("--force") == std::string::npos);
+        how.force = how.gpus = true;
+        how.tasks = 3;
+        QCOMPARE(submit_study(quick_design(0.01), study_of(80), programs / "b", {}, how).submitted, 3);
+        for (const char* words : {" --force", "--backend cuda", "#SBATCH --gres=gpu:1\n"})
+            QVERIFY2(script_in(programs / "b").find(words) != std::string::npos, words);
 
-    void anArrayIsNoLargerThanTheClusterTakes()
-    {
-        const QTemporaryDir place;
-        const std::filesystem::path programs = place.path().toStdString();
-        const auto write = [&](const char* name, const std::string& lines) {
-            std::ofstream(programs / name) << "#!/bin/sh\n[ \"$1\" = --version ] && exit 0\n" << lines << "\n";
-            std::filesystem::permissions(programs / name, std::filesystem::perms::owner_all);
-        };
-        write("sbatch", "echo 5");
-        write("scancel", "");
-        write("squeue", "");
-        write("scontrol", "echo 'Configuration data as of today'\necho 'MaxArraySize            = 3'\necho 'MaxDBDMsgs = 20004'");
-        const QByteArray before = qgetenv("PATH");
-        qputenv("PATH", place.path().toUtf8() + ":" + before);
-        const auto submit = [&](const char* folder, int tasks) {
-            SlurmOptions how;
-            how.tasks = tasks;
+        const auto refusal = [&](const std::string& lines) {
+            write(lines);
             try {
-                const SlurmJob job = submit_study(quick_design(0.01), study_of(80), programs / folder, {}, how);
-                return std::to_string(job.tasks);
+                submit_study(quick_design(0.01), study_of(4), programs / "c", {}, {});
             } catch (const Error& error) {
                 return std::string(error.what());
             }
+            return std::string("accepted");
         };
-        QCOMPARE(submit("a", 0), std::string("2")); // 80 rows of 16 a task would be 5 tasks
-        QCOMPARE(submit("b", 2), std::string("2"));
-        QCOMPARE(submit("c", 3), std::string("--tasks must be from 1 to 2 on this cluster (its MaxArraySize is 3); given is 3."));
-        const auto script_in = [&](const char* folder) {
-            QFile file(QString::fromStdString((programs / folder / "slurm/job.sh").string()));
-            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-        };
-        SlurmOptions forced;
-        forced.force = true;
-        submit_study(quick_design(0.01), study_of(80), programs / "f", {}, forced);
-        QVERIFY(script_in("f").contains(" --force"));
-        QVERIFY(!script_in("a").contains("--force"));
-        write("scontrol", "exit 1");
-        QCOMPARE(submit("d", 0), std::string("5"));
-        write("sbatch", "echo 'sbatch: error: Batch job submission failed: Invalid job array specification' >&2\nexit 1");
-        QVERIFY(submit("e", 5).find("Invalid job array specification. Give fewer tasks with --tasks.") != std::string::npos);
+        QCOMPARE(refusal("echo Invalid account >&2\nexit 1"), std::string("Slurm does not take the job: Invalid account"));
+        QCOMPARE(refusal("echo Invalid job array specification >&2\nexit 1"),
+                 std::string("Slurm does not take the job: Invalid job array specification. Give fewer tasks with --tasks."));
+        qputenv("PATH", before);
+    }
+
+    void onlySlicesThatLackRowsAreSubmitted()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path folder = place.filePath("out").toStdString();
+        std::ofstream(place.filePath("sbatch").toStdString()) << "#!/bin/sh\necho 5\n";
+        std::filesystem::permissions(place.filePath("sbatch").toStdString(), std::filesystem::perms::owner_all);
+        StudyOptions options;
+        options.resume = true;
+        options.tasks = 4;
+        for (const int task : {1, 3}) {
+            options.task = task;
+            run_in(folder, study_of(4), options);
+        }
+        const QByteArray before = qgetenv("PATH");
+        qputenv("PATH", place.path().toUtf8() + ":" + before);
+        SlurmOptions how;
+        how.tasks = 4;
+        QCOMPARE(submit_study(quick_design(0.01), study_of(4), folder, options, how).submitted, 2);
+        std::ifstream file(folder / "slurm" / "job.sh");
+        QVERIFY(std::string(std::istreambuf_iterator<char>(file), {}).find("#SBATCH --array=2,4\n") != std::string::npos);
         qputenv("PATH", before);
     }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The page of studies: what is set up is what runs, rows come to the table and the charts, and a row becomes a fabric of the project.
 #include "core/project/atomic_file.h"
-#include "core/study/slurm.h"
 #include "study_test.h"
 #include "tests/support/drop_design.h"
 #include "ui/basics/preferences.h"
@@ -416,9 +415,7 @@ private Q_SLOTS:
         ClusterDialog dialog(bench.document.design(), bench.page.setup().study(), folder);
         QVERIFY2(dialog.write(), qPrintable(dialog.said()));
         QVERIFY(read_study_folder(folder.toStdString()).study == bench.page.setup().study());
-        const std::string line = dialog.command().section('\n', 0, 0).toStdString();
-        QCOMPARE(shell_words(line)[3], folder.toStdString());
-        QVERIFY(dialog.command().contains("--slurm"));
+        QCOMPARE(dialog.command().section('\n', 0, 0), "hygroloom-cli sweep -o '" + folder + "' --slurm");
     }
 
     void indicesAreComputedOrTheSentenceSaysWhatIsMissing()

@@ -17,21 +17,9 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSpinBox>
 
 namespace hygroloom {
-
-namespace {
-
-/// For a shell.
-QString quoted(QString text)
-{
-    static const QRegularExpression plain("^[A-Za-z0-9_./=+-]+$");
-    return plain.match(text).hasMatch() ? text : "'" + text.replace("'", "'\\''") + "'";
-}
-
-} // namespace
 
 ClusterDialog::ClusterDialog(std::shared_ptr<const Design> design, Study study, const QString& folder, QWidget* parent)
     : QDialog(parent), design_(std::move(design)), study_(std::move(study)), folder_(folder), options_(new QLineEdit), tasks_(new QSpinBox),
@@ -86,9 +74,7 @@ void ClusterDialog::build()
     layout->addWidget(command_);
     layout->addWidget(said_);
     layout->addWidget(buttons);
-    const QString reason = QString::fromStdString(why_no_slurm());
-    submit_->setEnabled(reason.isEmpty());
-    submit_->setToolTip("<p>" + (reason.isEmpty() ? tr("Write the folder and submit the job array.") : reason.toHtmlEscaped()) + "</p>");
+    submit_->setToolTip("<p>" + tr("Write the folder and submit the job array."));
     resize(640, 360);
 }
 
@@ -97,13 +83,14 @@ QString ClusterDialog::said() const { return said_->text(); }
 
 void ClusterDialog::refresh()
 {
-    QString line = "hygroloom-cli sweep -o " + quoted(folder_) + " --slurm";
+    const auto word = [](const QString& text) { return QString::fromStdString(shell_word(text.toStdString())); };
+    const QString sweep = "hygroloom-cli sweep -o " + word(folder_);
+    QString line = sweep + " --slurm";
     if (!QDir(folder_ + "/parts").isEmpty()) { line += " --resume"; } // it has rows
-    if (!options_->text().trimmed().isEmpty()) { line += " --sbatch " + quoted(options_->text().trimmed()); }
+    if (!options_->text().trimmed().isEmpty()) { line += " --sbatch " + word(options_->text().trimmed()); }
     if (tasks_->value() > 0) { line += QString(" --tasks %1").arg(tasks_->value()); }
     if (gpus_->isChecked()) { line += " --gpus"; }
-    command_->setPlainText(line + "\n" + "hygroloom-cli sweep -o " + quoted(folder_) + " --status\n" + "hygroloom-cli sweep -o " +
-                           quoted(folder_) + " --merge");
+    command_->setPlainText(line + "\nsqueue --me\n" + sweep + " --merge");
 }
 
 void ClusterDialog::say(const QString& sentence, bool failed)
@@ -135,7 +122,6 @@ void ClusterDialog::submit()
         rows.resume = true;
         SlurmOptions how;
         how.sbatch = options_->text().toStdString();
-        how.backend = "auto";
         how.tasks = tasks_->value();
         how.gpus = gpus_->isChecked();
         const QString program = QApplication::applicationDirPath() + "/hygroloom-cli";
