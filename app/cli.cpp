@@ -147,7 +147,8 @@ std::string knob_help()
 void print_issue(const std::string& file, const Issue& issue)
 {
     constexpr const char* severities[] = {"note", "warning", "error"};
-    print_note("{}: {}: {}: {}\n", file, in_one_line(issue.where), severities[static_cast<int>(issue.severity)], in_one_line(issue.text));
+    print_note("{}: {}: {}: {}\n", file, in_one_line(issue.where.text()), severities[static_cast<int>(issue.severity)],
+               in_one_line(issue.text()));
 }
 
 void print_in_short(const std::string& file, const std::vector<Issue>& issues, bool quiet)

@@ -147,7 +147,7 @@ Json fabric_json(const Fabric& fabric, const FabricQuantities& q, const std::vec
             {"yarn_class", {{"warp", info_of(q.warp.yarn_class).name}, {"weft", info_of(q.weft.yarn_class).name}}},
             {"thickness_mm_1kpa", q.thickness_1kpa_mm},
             {"measured", measured},
-            {"notes", q.notes}};
+            {"notes", english(q.notes)}};
 }
 
 std::string text(double value) { return fmt::format("{:.4g}", value); }
@@ -202,7 +202,7 @@ void print_notes(const Fabric& fabric, const FabricQuantities& q, const std::opt
     if (geometry && geometry->flyaways_seen < 1 && geometry->thickness_mm > geometry->yarn_layer_thickness_mm)
         print_result("  Of its loops and hairs {} % were measured; the thickness by geometry may miss the highest.\n",
                      text(100 * geometry->flyaways_seen));
-    for (const std::string& note : q.notes) print_result("  {}\n", note);
+    for (const Message& note : q.notes) print_result("  {}\n", english(note));
 }
 
 /// Without a measured geometry its columns are empty.
@@ -296,8 +296,9 @@ int check(const ProjectOptions& options)
     std::vector<Issue> issues = validation.issues;
     std::move(garments.issues.begin(), garments.issues.end(), std::back_inserter(issues));
     const bool is_sound = !has_error(validation.issues); // what garments' files hold changes no fabric
-    std::string chosen_place;
-    if (!options.fabric.empty()) chosen_place = fmt::format("fabrics[{}]", &chosen_fabric(design, options) - design.fabrics.data());
+    std::optional<Place> chosen_place;
+    if (!options.fabric.empty())
+        chosen_place = Place("fabrics") / static_cast<std::size_t>(&chosen_fabric(design, options) - design.fabrics.data());
 
     constexpr const char* severities[] = {"note", "warning", "error"};
     Json json{{"format", "hygroloom-check"}, {"version", 1}, {"project", options.project}, {"valid", !has_error(issues)}};
@@ -305,11 +306,11 @@ int check(const ProjectOptions& options)
     for (const Issue& issue : issues) {
         json["issues"].push_back({{"severity", severities[static_cast<int>(issue.severity)]},
                                   {"code", issue.code},
-                                  {"where", issue.where},
-                                  {"text", issue.text}});
-        const bool of_another = issue.where.starts_with("fabrics[") && !issue.where.starts_with(chosen_place);
+                                  {"where", issue.where.text()},
+                                  {"text", issue.text()}});
+        const bool of_another = issue.where.key(0) == "fabrics" && chosen_place && !issue.where.is_in(*chosen_place);
         const bool in_table = issue.code == "sections" && !options.json; // printed below the numbers
-        if (of_another && !chosen_place.empty() && issue.severity != Severity::error) continue;
+        if (of_another && issue.severity != Severity::error) continue;
         if (issue.severity != Severity::note || (!options.quiet && !in_table)) print_issue(options.project, issue);
     }
     if (design.fabrics.empty() && !options.json && !options.quiet)

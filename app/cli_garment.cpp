@@ -167,9 +167,9 @@ int import_garment(const GarmentOptions& options)
     std::string experiment;
     if (!options.output.empty()) {
         experiment = add_to(design, options, garment);
-        const std::string where = fmt::format("garments[{}]", design.garments.size() - 1);
+        const Place where = Place("garments") / (design.garments.size() - 1);
         for (const Issue& issue : validate(design))
-            if (issue.where.starts_with(where)) issues.push_back(issue);
+            if (issue.where.is_in(where)) issues.push_back(issue);
         write_project(design, options.output);
     }
     if (options.json) {

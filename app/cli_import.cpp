@@ -74,10 +74,10 @@ int import_file(const ImportOptions& options)
     draft.fabric.name = free_name(draft.fabric.name, [&design](const std::string& name) { return find_fabric(design, name) != nullptr; });
     std::vector<Issue> issues;
     if (!options.output.empty()) {
-        const std::string where = fmt::format("fabrics[{}]", design.fabrics.size());
+        const Place where = Place("fabrics") / design.fabrics.size();
         design.fabrics.push_back(draft.fabric);
         for (const Issue& issue : validate(design))
-            if (issue.where.starts_with(where)) issues.push_back(issue);
+            if (issue.where.is_in(where)) issues.push_back(issue);
         write_project(design, options.output);
     }
     if (options.json) {

@@ -78,7 +78,7 @@ std::vector<double> weights_of(const PresetOptions& options, const std::vector<P
         const Validation found = validate_and_fit(preset.design);
         for (const Issue& issue : found.issues)
             if (issue.severity == Severity::error)
-                throw Stop(exit_invalid, fmt::format("{}: {}: {}", options.library, preset.fabric().name, issue.text));
+                throw Stop(exit_invalid, fmt::format("{}: {}: {}", options.library, preset.fabric().name, issue.text()));
         weights.push_back(found.fabrics.front()->derived.areal_density_g_m2);
     }
     return weights;

@@ -159,8 +159,8 @@ void require_other_file(const std::string& report, const std::string& recording)
 /// Panels and seams that the garment names and does not have.
 void print_misnamed(const Design& design, const GarmentParts& parts, const std::string& project)
 {
-    const auto number = parts.garment - design.garments.data();
-    for (const Issue& issue : misnamed_in(*parts.garment, parts.pattern, fmt::format("garments[{}]", number))) print_issue(project, issue);
+    const auto number = static_cast<std::size_t>(parts.garment - design.garments.data());
+    for (const Issue& issue : misnamed_in(*parts.garment, parts.pattern, Place("garments") / number)) print_issue(project, issue);
 }
 
 /// For what works on garments alone: of that name, or the only one on a garment. Throws Stop.

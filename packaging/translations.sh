@@ -19,7 +19,7 @@ if [ $# -gt 0 ]; then
   cp "$to"/*.ts "$1/"
   to="$1"
 fi
-# Labels and helps of fields stand in core's rows, which the schema of projects holds.
+# Labels and helps of fields stand in core's rows, which the schema of projects holds; core's messages where it says them.
 cli=${HYGROLOOM_CLI:-build/release/bin/hygroloom-cli}
 if [ ! -x "$cli" ]; then
   echo "$cli is not there; build it with packaging/build.sh, or name it with HYGROLOOM_CLI=." >&2
@@ -28,14 +28,18 @@ fi
 rows=$(mktemp -d)
 trap 'rm -rf "$rows"' EXIT
 "$cli" reference --as schema | python3 -c '
-import json, sys
-texts = set()
+import json, pathlib, re, sys
+texts, messages = set(), set()
 def look(part):
     if isinstance(part, dict) and isinstance(part.get("title"), str) and ("minimum" in part or "enum" in part or "anyOf" in part or "exclusiveMinimum" in part):
         texts.update([part["title"], part.get("description", part["title"])])
     for each in part.values() if isinstance(part, dict) else part if isinstance(part, list) else []:
         look(each)
 look(json.load(sys.stdin))
+literal = r"\"(?:[^\"\\]|\\.)*\""
+for path in [*pathlib.Path("core").rglob("*.cpp"), *pathlib.Path("core").rglob("*.h")]:
+    messages.update(re.findall(r"\bsay\(\s*((?:" + literal + r"\s*)+)", path.read_text()))
+print("const char* messages[] = {" + ", ".join("QT_TRANSLATE_NOOP(\"core\", %s)" % each for each in sorted(messages)) + "};")
 print("const char* texts[] = {" + ", ".join("QT_TRANSLATE_NOOP(\"core\", %s)" % json.dumps(text, ensure_ascii=False) for text in sorted(texts)) + "};")
 ' > "$rows/fields.cpp"
 # From the root, so that lupdate finds the headers that say of which class a text is.

@@ -21,7 +21,8 @@ py::list issue_list(const std::vector<Issue>& issues)
     constexpr const char* severities[] = {"note", "warning", "error"};
     py::list list;
     for (const Issue& issue : issues)
-        list.append(py::make_tuple(severities[static_cast<int>(issue.severity)], text(issue.code), text(issue.where), text(issue.text)));
+        list.append(
+            py::make_tuple(severities[static_cast<int>(issue.severity)], text(issue.code), text(issue.where.text()), text(issue.text())));
     return list;
 }
 

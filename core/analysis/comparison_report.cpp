@@ -116,8 +116,9 @@ ExperimentRows experiment_rows(const RunRecord& run, const Experiment& e, const 
     for (const ClimateMoment& later : e.climates)
         rows.emplace_back("climate after " + write.number(later.time_s, "s"), write.climate(later.climate));
     const auto [across, along] = e.sample_mm;
-    rows.emplace_back(info.sample_name, write.number(across, "mm") + " × " + write.number(along, "mm") +
-                                            (is_strip(e.type) ? e.along_weft ? ", along the weft" : ", along the warp" : ""));
+    rows.emplace_back(is_strip(e.type) ? "strip" : "sample",
+                      write.number(across, "mm") + " × " + write.number(along, "mm") +
+                          (is_strip(e.type) ? e.along_weft ? ", along the weft" : ", along the warp" : ""));
     rows.emplace_back("duration", write.number(e.duration_s, "s"));
     rows.emplace_back("wicking model", std::string(name_of(e.closure)) + (e.swelling ? ", fibres swell" : ""));
     rows.emplace_back("fidelity", name_of(run.plan.fidelity));

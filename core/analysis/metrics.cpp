@@ -256,7 +256,7 @@ void MetricsCollector::start(const RunRecord& run)
     regain_at_start_.clear();
     pins_ = uses_field(experiment_.type, "feed_s") ? TesterPins(textile_, experiment_.closure == Closure::pores) : TesterPins();
     edge_time_.reset();
-    falls_through_.clear();
+    falls_through_.reset();
     assumes_depth_ = false;
     if (const Fabric* fabric = find_fabric(run.design, run.fabric)) {
         falls_through_ = falls_through(*fabric, fit_fabric(run.design, *fabric), experiment_);
@@ -358,8 +358,8 @@ Metrics MetricsCollector::metrics() const
     Metrics m = metrics_;
     m.shape = stain_shape(stain_, textile_.warp.pitch, textile_.weft.pitch);
     m.edge_time = edge_time_;
-    if (!falls_through_.empty()) {
-        m.notes.push_back(falls_through_);
+    if (falls_through_) {
+        m.notes.push_back(english(*falls_through_));
         m.absorbency_time.reset(); // nobody sees it absorbed
     }
     if (edge_time_)

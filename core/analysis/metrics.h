@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/run_metrics.h"
+#include "core/base/message.h"
 #include "core/run/runner.h"
 
 #include <cstdint>
@@ -42,7 +43,7 @@ private:
     std::array<double, 2> absorbed_before_{0, 0}; ///< kg, top and bottom: of the test's water, by the fibres before the first frame
     std::vector<float> regain_at_start_;
     TesterPins pins_;                          ///< of moisture_management only
-    std::string falls_through_;                ///< see falls_through()
+    std::optional<Message> falls_through_;     ///< see falls_through()
     bool assumes_depth_ = false;               ///< of a face's finish
     std::optional<double> edge_time_;          ///< s, when water was first seen where the sample ends
     double unsolved_lines_ = 0;                ///< see Frame

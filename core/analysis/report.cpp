@@ -130,7 +130,7 @@ Design with_what_was_used(const RunRecord& run, const Fabric& fabric, const Expe
 std::string input(const RunRecord& run, const ReaderUnits& units)
 {
     const FabricQuantities& q = run.textile.quantities;
-    std::string body = table(derived(units, q) + derived(units, "warp", q.warp) + derived(units, "weft", q.weft)) + list(q.notes);
+    std::string body = table(derived(units, q) + derived(units, "warp", q.warp) + derived(units, "weft", q.weft)) + list(english(q.notes));
     const Fabric* fabric = find_fabric(run.design, run.fabric);
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     if (!fabric || !experiment) return body;

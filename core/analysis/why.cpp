@@ -21,7 +21,7 @@ Mixture all_parts(std::size_t count) { return bit(count) - 1; }
 std::string fault_of(const Design& design, const WhyPlan& plan, Mixture mixture)
 {
     for (const Issue& issue : validate(mixed(design, plan, mixture)))
-        if (issue.severity == Severity::error) return issue.text;
+        if (issue.severity == Severity::error) return issue.text();
     return {};
 }
 

@@ -2,6 +2,7 @@
 target_sources(hygroloom_core PRIVATE
   base/csv_table.cpp
   base/free_memory.cpp
+  base/message.cpp
   base/shipped_file.cpp
   base/student.cpp
   base/trade_units.cpp

@@ -98,7 +98,6 @@ struct ExperimentTypeInfo {
     std::vector<const char*> fields; ///< keys of the project file that only some types have, in its order: rows, droplets, initial
     bool has_usual_duration = true;  ///< otherwise the project file must give one
     const char* sample_key = "sample_mm";
-    const char* sample_name = "sample"; ///< in messages
 };
 
 const ExperimentTypeInfo& info_of(ExperimentType type);

@@ -95,35 +95,37 @@ Flyaways flyaways_of(const Fabric& fabric, const YarnOrder& order, const std::ve
 }
 
 /// The yarns' name begins the sentence: "The warp yarns".
-void note_section(std::vector<std::string>& notes, const std::string& name, const FittedYarn& fitted, bool to_fit, double pitch)
+void note_section(std::vector<Message>& notes, const Message& name, const FittedYarn& fitted, bool to_fit, double pitch)
 {
     const FreeYarn& free = fitted.free;
     const Section& section = fitted.section;
     if (fitted.flattened)
-        notes.push_back(fmt::format("{}, {:.3g} mm across when free, are flattened to {:.3g} mm of height {}.", name, free.diameter,
-                                    section.height, to_fit ? "to fit the thickness" : "to bend round each other"));
+        notes.push_back(say("{}, {:.3g} across when free, are flattened to {:.3g} of height {}.", name, Amount{free.diameter, Stored::mm},
+                            Amount{section.height, Stored::mm}, to_fit ? say("to fit the thickness") : say("to bend round each other")));
     if (fitted.narrowed)
-        notes.push_back(fmt::format("{} are narrowed to {:.3g} mm, 98 % of their pitch of {:.3g} mm; their packing factor rises from "
-                                    "{:.3g} to {:.3g}.",
-                                    name, section.width, pitch, free.packing_factor, fitted.packing_factor));
+        notes.push_back(say("{} are narrowed to {:.3g}, 98 % of their pitch of {:.3g}; their packing factor rises from "
+                            "{:.3g} to {:.3g}.",
+                            name, Amount{section.width, Stored::mm}, Amount{pitch, Stored::mm}, free.packing_factor,
+                            fitted.packing_factor));
     else if (fitted.flattened)
-        notes.push_back(fmt::format("{} become {:.3g} mm wide where they cross.", name, section.width));
+        notes.push_back(say("{} become {:.3g} wide where they cross.", name, Amount{section.width, Stored::mm}));
     if (fitted.loosened > 1 + 1e-6)
-        notes.push_back(fmt::format("{} are loosened from a packing of {:.3g} to {:.3g}, to fill the thickness.", name, free.packing_factor,
-                                    free.packing_factor / fitted.loosened));
+        notes.push_back(say("{} are loosened from a packing of {:.3g} to {:.3g}, to fill the thickness.", name, free.packing_factor,
+                            free.packing_factor / fitted.loosened));
     if (fitted.area_share < 0.99)
-        notes.push_back(fmt::format("{} have {:.0f} % of their area on average, as the crossed yarns squeeze them between crossings; they "
-                                    "are packed to {:.3g}.",
-                                    name, 100 * fitted.area_share, fitted.packing_factor));
+        notes.push_back(say("{} have {:.0f} % of their area on average, as the crossed yarns squeeze them between crossings; they "
+                            "are packed to {:.3g}.",
+                            name, 100 * fitted.area_share, fitted.packing_factor));
 }
 
-void note_sections(std::vector<std::string>& notes, const WovenYarns& yarns, bool warp)
+void note_sections(std::vector<Message>& notes, const WovenYarns& yarns, bool warp)
 {
     const bool to_fit = yarns.fabric.thickness_mm.has_value();
     for (std::size_t type = 0; type < yarns.types(warp).size(); ++type) {
         const int yarn = yarns.order(warp).yarns[type];
-        const std::string name = yarn > 0 ? fmt::format("The {} of extra yarn {}", warp ? "ends" : "picks", yarn)
-                                          : fmt::format("The {} yarns", warp ? "warp" : "weft");
+        const Message name = yarn > 0 ? warp ? say("The ends of extra yarn {}", yarn) : say("The picks of extra yarn {}", yarn)
+                             : warp ? say("The warp yarns")
+                                      : say("The weft yarns");
         note_section(notes, name, yarns.types(warp)[type], to_fit, yarns.pitch_mm(warp));
     }
 }
@@ -165,17 +167,16 @@ FabricQuantities quantities_of(const Fabric& fabric, const FittedYarns& fitted)
     for (bool warp : {true, false}) note_sections(q.notes, yarns, warp);
     const double hair = q.thickness_mm - q.yarn_layer_thickness_mm;
     if (fabric.thickness_mm && hair > 0.005 * q.thickness_mm)
-        q.notes.push_back(
-            fmt::format("The interlaced yarns are {:.3g} mm thick; the other {:.3g} mm of the given thickness are flyaway fibres.",
-                        q.yarn_layer_thickness_mm, hair));
-    const auto note_crimp = [&](const char* name, const std::optional<double>& set, double reached) {
+        q.notes.push_back(say("The interlaced yarns are {:.3g} thick; the other {:.3g} of the given thickness are flyaway fibres.",
+                              Amount{q.yarn_layer_thickness_mm, Stored::mm}, Amount{hair, Stored::mm}));
+    const auto note_crimp = [&](const Message& name, const std::optional<double>& set, double reached) {
         if (set && std::abs(*set - reached) > 0.5)
-            q.notes.push_back(fmt::format("The {}'s crimp is set to {:.3g} %; yarns of these sections and setts can have {:.3g} %.", name,
-                                          *set, reached));
+            q.notes.push_back(
+                say("The {}'s crimp is set to {:.3g} %; yarns of these sections and setts can have {:.3g} %.", name, *set, reached));
     };
-    note_crimp("warp", fabric.warp_crimp_percent ? fabric.warp_crimp_percent : fabric.measured.crimp_percent, q.warp.crimp_percent);
-    note_crimp("weft", fabric.weft_crimp_percent ? fabric.weft_crimp_percent : fabric.measured.crimp_percent, q.weft.crimp_percent);
-    if (q.jammed) q.notes.push_back("Yarns are flattened at crossings: the sett is too dense for round yarns (Peirce).");
+    note_crimp(say("warp"), fabric.warp_crimp_percent ? fabric.warp_crimp_percent : fabric.measured.crimp_percent, q.warp.crimp_percent);
+    note_crimp(say("weft"), fabric.weft_crimp_percent ? fabric.weft_crimp_percent : fabric.measured.crimp_percent, q.weft.crimp_percent);
+    if (q.jammed) q.notes.push_back(say("Yarns are flattened at crossings: the sett is too dense for round yarns (Peirce)."));
     return q;
 }
 

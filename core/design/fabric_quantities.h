@@ -2,6 +2,7 @@
 // Numbers that follow from a fabric's description by formula alone, in trade units.
 #pragma once
 
+#include "core/base/message.h"
 #include "core/design/yarn_quantities.h"
 
 namespace hygroloom {
@@ -25,7 +26,7 @@ struct FabricQuantities {
     double finish_depth = default_finish_depth; ///< see Fabric::finish_depth
     double finish_holes = 0;                    ///< see Fabric::finish_holes
     bool jammed = false;                        ///< yarns cannot bend round each other without being squeezed
-    std::vector<std::string> notes;             ///< what was done to the sections, in sentences
+    std::vector<Message> notes;                 ///< what was done to the sections, in sentences
 };
 
 /// By formula alone, of a fabric with its yarns fitted. Sections keep the free linear density of their yarn; the thickness limits their

@@ -21,6 +21,37 @@ template <typename Owner> struct FieldChoice {
     bool is_optional = false;
 };
 
+/// What must be so that a number changes water.
+enum class Need : unsigned {
+    pores = 1U << 0U,          ///< the closure pores
+    shape_by_twist = 1U << 1U, ///< a yarn whose section follows its twist
+    shape_by_class = 1U << 2U, ///< a yarn that is not spun with a given diameter
+    drops = 1U << 3U,          ///< drops that fall
+    finish = 1U << 4U,         ///< a face with a finish of its own
+    spot = 1U << 5U,           ///< a drop or a pool on a face
+    vapour = 1U << 6U,         ///< parts of the physics
+    sorption = 1U << 7U,
+    heat = 1U << 8U,
+    liquid = 1U << 9U,        ///< that comes to the cloth
+    fibre_angle = 1U << 10U,  ///< contact angles that are those of fibres
+    fibre_radius = 1U << 11U, ///< yarns without a count of filaments
+    tortuosity = 1U << 12U,   ///< one that is not measured
+};
+
+/// All of some.
+struct Needs {
+    unsigned bits = 0;
+    constexpr Needs() = default;
+    constexpr Needs(Need need) : bits(static_cast<unsigned>(need)) {}
+    constexpr Needs operator|(Needs other) const
+    {
+        other.bits |= bits;
+        return other;
+    }
+    constexpr bool has(Need need) const { return (bits & static_cast<unsigned>(need)) != 0; }
+};
+constexpr Needs operator|(Need one, Need other) { return Needs(one) | other; }
+
 /// An optional number that is not given follows from others. The unit is the key's, see stored_kind().
 template <typename Owner> struct Field {
     using Value =
@@ -33,6 +64,7 @@ template <typename Owner> struct Field {
     double least = 0, most = 0;
     const char* help = "";                      ///< what it is, in whole sentences: forms and the schema say it
     const char* part = "";                      ///< which part of a fabric it belongs to, see fabric_parts()
+    Needs needs = {};                           ///< it changes water only where all of them are so
     bool (*is_written)(const Owner&) = nullptr; ///< whether the project file names it where it is given; without it always
 
     bool is_number() const { return !std::holds_alternative<FieldChoice<Owner>>(value); }

@@ -65,21 +65,23 @@ template <> std::span<const Field<Material>> fields_of()
     static constexpr Field<M> rows[] = {
         {"density_kg_m3", &M::density_kg_m3, "Density", "density of a fibre", 500, 3000, "Of the dry fibre."},
         {"fibre_radius_um", &M::fibre_radius_um, "Radius", "radius of a fibre", least_fibre_radius_um, most_fibre_radius_um,
-         "Of a circle of the fibre's area. A yarn's filament count takes its place."},
+         "Of a circle of the fibre's area. A yarn's filament count takes its place.", "", Need::fibre_radius},
         {"standard_regain", &M::standard_regain, "Standard regain", "regain at 65 % relative humidity", 0, 0.5,
          "Water per dry fibre at 65 % relative humidity and 20 °C, absorption."},
         {"saturation_regain", &M::saturation_regain, "Saturation regain", "regain at 100 % relative humidity", 0, 2,
-         "Water per dry fibre at 100 % relative humidity."},
+         "Water per dry fibre at 100 % relative humidity.", "", Need::sorption},
         {"contact_angle_deg", &M::contact_angle_deg, "Contact angle", "contact angle", 0, 180,
-         "Of water that advances. A fabric's finish takes its place."},
+         "Of water that advances. A fabric's finish takes its place.", "", Need::liquid | Need::fibre_angle},
         {"receding_angle_deg", &M::receding_angle_deg, "Receding angle", "receding angle", 0, 180,
          "Of water that draws back; at most the contact angle. Leave empty for the assumed one: 0 on cotton, flax, hemp and viscose, else "
-         "20° less than the contact angle. Acts in the closure “pores” only."},
+         "20° less than the contact angle. Acts in the closure “pores” only.",
+         "", Need::pores | Need::liquid},
         {"thermal_conductivity_w_mk", &M::thermal_conductivity_w_mk, "Conductivity", "thermal conductivity of a fibre", 0.005, 10,
-         "Of heat, across the fibre."},
-        {"specific_heat_j_kgk", &M::specific_heat_j_kgk, "Specific heat", "specific heat of a fibre", 100, 10000, "Of the dry fibre."},
+         "Of heat, across the fibre.", "", Need::heat},
+        {"specific_heat_j_kgk", &M::specific_heat_j_kgk, "Specific heat", "specific heat of a fibre", 100, 10000, "Of the dry fibre.", "",
+         Need::heat},
         {"heat_of_wetting_j_g", &M::heat_of_wetting_j_g, "Heat of wetting", "heat of wetting of a fibre", 0, 500,
-         "From dry to saturated, per gram of fibre. 0: what the law of sorption heats gives.", "",
+         "From dry to saturated, per gram of fibre. 0: what the law of sorption heats gives.", "", Need::sorption | Need::heat,
          [](const M& material) { return material.heat_of_wetting_j_g != 0; }}};
     return rows;
 }
@@ -116,24 +118,25 @@ template <> std::span<const Field<Yarn>> fields_of()
         {"yarn_class", made_as, "Class", "", 0, 0,
          "How the yarn is made: packing, section and fibres that stand out follow from it where they are not given. Leave it out for what "
          "fibre, twist, plies and filaments make likely.",
-         construction},
+         construction, Need::shape_by_class},
         {"filament_count", &Y::filament_count, "Filaments", "number of filaments", fewest_filaments, most_filaments,
          "Of a yarn of continuous filaments, all plies together. Their radius, and the pores between them, follow from it and the linear "
          "density. Leave empty for staple yarns: the material's fibre radius counts.",
          construction},
         {"fibres_per_yarn", &Y::fibres_per_yarn, "Fibres drawn", "number of drawn fibres", 1, 500,
          "Per yarn, in pictures and exports. Each represents a bundle of real fibres.", look},
-        {"twist_per_m", &Y::twist_per_m, "Twist", "twist", 0, 5000, "Of the single yarn.", construction},
+        {"twist_per_m", &Y::twist_per_m, "Twist", "twist", 0, 5000, "Of the single yarn.", construction, Need::shape_by_twist},
         {"twist_direction", direction<&Y::twist_direction>(), "Twist direction", "", 0, 0, "", look},
         {"plies", &Y::plies, "Plies", "number of plies", 1, most_plies,
-         "Single yarns twisted together. Diameter and linear density are those of the whole yarn.", construction, is_plied},
+         "Single yarns twisted together. Diameter and linear density are those of the whole yarn.", construction, Need::shape_by_twist,
+         is_plied},
         {"ply_twist_per_m", &Y::ply_twist_per_m, "Ply twist", "twist of the plies", 0, 5000, "Turns of the plies round each other.",
-         construction, is_plied},
-        {"ply_twist_direction", direction<&Y::ply_twist_direction>(), "Ply direction", "", 0, 0, "", look, is_plied},
+         construction, Need::pores | Need::liquid | Need::tortuosity, is_plied},
+        {"ply_twist_direction", direction<&Y::ply_twist_direction>(), "Ply direction", "", 0, 0, "", look, {}, is_plied},
         {"irregularity_cv", &Y::irregularity_cv, "Irregularity", "coefficient of variation of the linear density", 0, 0.4,
          "Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for what is usual of such a yarn. Acts in "
          "the closure “pores” only.",
-         construction}};
+         construction, Need::pores}};
     return rows;
 }
 
@@ -142,14 +145,16 @@ template <> std::span<const Field<Flyaway>> fields_of()
     using F = Flyaway;
     static constexpr Field<F> rows[] = {
         {"loop_density_per_mm", &F::loop_density_per_mm, "Loops", "number of loops per mm", 0, 1000,
-         "Fibres that leave the yarn and come back to it, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns."},
+         "Fibres that leave the yarn and come back to it, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns.",
+         "", Need::pores | Need::drops},
         {"hair_density_per_mm", &F::hair_density_per_mm, "Hairs", "number of hairs per mm", 0, 1000,
-         "Fibre ends that stand out of the yarn, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns."},
+         "Fibre ends that stand out of the yarn, per mm of yarn. With the closure “pores” they hold falling drops off dry yarns.", "",
+         Need::pores | Need::drops},
         {"loop_height_mm", &F::loop_height_mm, "Loop height", "height of the loops", 0, 20,
          "Height of the highest loop above the yarn; the lowest is half as high. Loops make the cloth thicker, and the still air among "
          "them slows drying."},
         {"hair_length_mm", &F::hair_length_mm, "Hair length", "length of the hairs", 0, 50,
-         "Mean length of the fibre ends; the shortest have half of it, the longest one and a half times."}};
+         "Mean length of the fibre ends; the shortest have half of it, the longest one and a half times.", "", Need::pores | Need::drops}};
     return rows;
 }
 
@@ -189,19 +194,19 @@ template <> std::span<const Field<Fabric>> fields_of()
         {"contact_angle_deg", &F::contact_angle_deg, "Contact angle", "contact angle", 0, 180,
          "Advancing contact angle of water on the finished fabric. Leave empty to use that of each yarn's fibres. Above 90° the yarns do "
          "not absorb water.",
-         "contact angle"},
+         "contact angle", Need::liquid},
         {"finish_face", &F::finish_face, "Finish, top face", "contact angle of the upper face's finish", 0, 180, one_face,
-         "finish of the upper face"},
+         "finish of the upper face", Need::pores | Need::liquid},
         {"finish_back", &F::finish_back, "Finish, back", "contact angle of the lower face's finish", 0, 180, one_face,
-         "finish of the lower face"},
+         "finish of the lower face", Need::pores | Need::liquid},
         {"finish_depth", &F::finish_depth, "Finish, depth", "depth of a face's finish, a share of the thickness,", 0, 1,
          "How deep the finish of a face reaches, of the fabric's thickness. The yarns wick below it. Leave empty for 10 %, which is "
          "assumed. 100 %: the yarns that lie on the face are finished through. Acts in the closure “pores” only.",
-         finish},
+         finish, Need::pores | Need::finish | Need::liquid},
         {"finish_holes", &F::finish_holes, "Finish, untreated", "share of crowns and hairs that a finish leaves untreated", 0, 1,
          "Share of the crowns and hairs on the finished face that the finish leaves untreated: liquid passes there at once. Leave empty "
          "for none. Acts in the closure “pores” only.",
-         finish}};
+         finish, Need::pores | Need::finish | Need::spot | Need::liquid}};
     return rows;
 }
 
@@ -209,9 +214,9 @@ template <> std::span<const Field<Liquid>> fields_of()
 {
     using L = Liquid;
     static constexpr Field<L> rows[] = {
-        {"surface_tension_mn_m", &L::surface_tension_mn_m, "Surface tension", "surface tension", 1, 500, at_20},
-        {"viscosity_mpa_s", &L::viscosity_mpa_s, "Viscosity", "viscosity", 0.05, 1000, at_20},
-        {"density_kg_m3", &L::density_kg_m3, "Density", "density", 500, 2000, at_20}};
+        {"surface_tension_mn_m", &L::surface_tension_mn_m, "Surface tension", "surface tension", 1, 500, at_20, "", Need::liquid},
+        {"viscosity_mpa_s", &L::viscosity_mpa_s, "Viscosity", "viscosity", 0.05, 1000, at_20, "", Need::liquid},
+        {"density_kg_m3", &L::density_kg_m3, "Density", "density", 500, 2000, at_20, "", Need::liquid}};
     return rows;
 }
 
@@ -220,7 +225,8 @@ template <> std::span<const Field<Climate>> fields_of()
     using C = Climate;
     static constexpr Field<C> rows[] = {{"temperature_c", &C::temperature_c, "Temperature", "temperature", -10, 60},
                                         {"relative_humidity", &C::relative_humidity, "Humidity", "relative humidity", 0, most_humidity,
-                                         "Relative humidity of the air, 1 where it is saturated. Over 1 vapour condenses on the cloth."},
+                                         "Relative humidity of the air, 1 where it is saturated. Over 1 vapour condenses on the cloth.", "",
+                                         Need::vapour},
                                         {"air_speed_m_s", &C::air_speed_m_s, "Air speed", "air speed", 0, 20}};
     return rows;
 }
@@ -282,7 +288,15 @@ template <> std::span<const Field<BuiltInGarment>> fields_of()
         {"length_mm", &B::length_mm, "Length", "length", 300, 1200,
          "From the shoulder to the hem; of leggings from the waist to the ankle."},
         {"ease_mm", &B::ease_mm, "Ease", "ease of the girth", 0, 800, "How much longer the garment's girth is than the body's."},
-        {"sleeve_mm", &B::sleeve_mm, "Sleeve", "length of a sleeve", 50, 700, "Of a tee, from the shoulder's point to the hem.", "",
+        {"sleeve_mm",
+         &B::sleeve_mm,
+         "Sleeve",
+         "length of a sleeve",
+         50,
+         700,
+         "Of a tee, from the shoulder's point to the hem.",
+         "",
+         {},
          [](const B& garment) { return garment.kind == "tee"; }}};
     return rows;
 }
@@ -300,7 +314,15 @@ template <> std::span<const Field<PanelCut>> fields_of()
         {"grain_deg", &P::grain_deg, "Grain", "angle of the grain", -360, 360,
          "Of the warp, from the pattern's +y, counter-clockwise as seen from outside."},
         {"face", switched<&P::top_inside>(cut_faces), "Face", "", 0, 0, "Whether the fabric's top face lies outside."},
-        {"layers", &P::layers, "Layers", "number of layers", 1, most_layers, "Of cloth that lie on each other, the last on the skin.", "",
+        {"layers",
+         &P::layers,
+         "Layers",
+         "number of layers",
+         1,
+         most_layers,
+         "Of cloth that lie on each other, the last on the skin.",
+         "",
+         {},
          [](const P& cut) { return cut.layers != 1; }}};
     return rows;
 }
@@ -333,7 +355,48 @@ template <typename... Owners> std::string label_in(std::string_view key)
     return label;
 }
 
+template <typename Owner> std::optional<Message> allowed(const std::string& key)
+{
+    for (const Field<Owner>& field : fields_of<Owner>())
+        if (field.key == key && field.is_number())
+            return say("The {} must be from {}.", Title{field.title, field.label, field.unit()},
+                       Between{field.least, field.most, field.unit()});
+    return {};
+}
+
+/// The keys of lists and objects, and whose rows are in them.
+constexpr std::pair<std::string_view, std::optional<Message> (*)(const std::string&)> holders[] = {{"materials", allowed<Material>},
+                                                                                                   {"isotherm", allowed<GabIsotherm>},
+                                                                                                   {"liquids", allowed<Liquid>},
+                                                                                                   {"fabrics", allowed<Fabric>},
+                                                                                                   {"fabrics", allowed<Measured>},
+                                                                                                   {"flyaway", allowed<Flyaway>},
+                                                                                                   {"uncertainty", allowed<Uncertainty>},
+                                                                                                   {"warp", allowed<Yarn>},
+                                                                                                   {"weft", allowed<Yarn>},
+                                                                                                   {"extra_yarns", allowed<Yarn>},
+                                                                                                   {"core", allowed<YarnCore>},
+                                                                                                   {"experiments", allowed<Experiment>},
+                                                                                                   {"climate", allowed<Climate>},
+                                                                                                   {"initial", allowed<Climate>},
+                                                                                                   {"droplets", allowed<Droplet>},
+                                                                                                   {"activity", allowed<Activity>},
+                                                                                                   {"source", allowed<BuiltInGarment>},
+                                                                                                   {"panels", allowed<PanelCut>},
+                                                                                                   {"wearer", allowed<Wearer>},
+                                                                                                   {"own_zones", allowed<OwnZone>}};
+
 } // namespace
+
+std::optional<Message> allowed_at(const Place& place)
+{
+    const std::size_t steps = place.steps().size();
+    for (std::size_t step = steps; step-- > 0;)
+        for (const auto& [holder, allowed_in] : holders)
+            if (place.key(step) == holder)
+                if (auto message = allowed_in(place.key(steps - 1))) return message;
+    return {};
+}
 
 std::string label_of_key(std::string_view key)
 {

@@ -2,8 +2,10 @@
 // Every number of a project, one row each: see field.h.
 #pragma once
 
+#include "core/base/message.h"
 #include "core/design/design.h"
 #include "core/design/field.h"
+#include "core/design/place.h"
 
 namespace hygroloom {
 
@@ -31,5 +33,8 @@ SizeRange size_range(const std::string& kind, const Field<BuiltInGarment>& size)
 template <> std::span<const Field<PanelCut>> fields_of<PanelCut>();
 template <> std::span<const Field<OwnZone>> fields_of<OwnZone>();
 template <> std::span<const Field<Wearer>> fields_of<Wearer>();
+
+/// What the number at a place of the project may be; nothing where no row says it.
+std::optional<Message> allowed_at(const Place& place);
 
 } // namespace hygroloom

@@ -3,11 +3,8 @@
 
 #include "core/base/units.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace hygroloom {
 namespace {
@@ -44,13 +41,13 @@ double hole_width_mm(const Fabric& fabric, const FittedFabric& fitted)
     return std::max(0.0, std::min(between_ends, 10 / fabric.picks_per_cm - widest(fitted.yarns.weft)));
 }
 
-std::string falls_through(const Fabric& fabric, const FittedFabric& fitted, const Experiment& experiment)
+std::optional<Message> falls_through(const Fabric& fabric, const FittedFabric& fitted, const Experiment& experiment)
 {
     const std::optional<double> volume = smallest_drop(experiment); // ul, which are mm3
     const double hole = hole_width_mm(fabric, fitted);
     if (!volume || std::cbrt(6 * *volume / pi) > hole) return {};
-    return fmt::format("A drop of {:.3g} µl, {:.2g} mm wide, falls through \"{}\": its holes are {:.2g} mm wide.", *volume,
-                       std::cbrt(6 * *volume / pi), fabric.name, hole);
+    return say("A drop of {:.3g} µl, {:.2g} wide, falls through \"{}\": its holes are {:.2g} wide.", *volume,
+               Amount{std::cbrt(6 * *volume / pi), Stored::mm}, fabric.name, Amount{hole, Stored::mm});
 }
 
 } // namespace hygroloom

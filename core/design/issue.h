@@ -2,6 +2,9 @@
 // What is wrong at one place of a design.
 #pragma once
 
+#include "core/base/message.h"
+#include "core/design/place.h"
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -12,9 +15,11 @@ enum class Severity { note, warning, error };
 
 struct Issue {
     Severity severity = Severity::error;
-    std::string code;  ///< stable, for programs: "range", "unknown_material", "ends_do_not_fit", ...
-    std::string where; ///< path into the project: "fabrics[0].warp.diameter_mm"
-    std::string text;  ///< what, allowed range, what was given
+    std::string code; ///< stable, for programs: "range", "unknown_material", "ends_do_not_fit", ...
+    Place where;
+    Message message; ///< what, allowed range, what was given
+
+    std::string text() const { return english(message); }
 };
 
 inline bool has_error(const std::vector<Issue>& issues)

@@ -3,12 +3,10 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/base/words.h"
+#include "core/design/issue_list.h"
 #include "core/design/wear.h"
 #include "core/garment/outline.h"
 #include "core/garment/sweat_table.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -27,13 +25,13 @@ bool is_in(const std::string& name, const std::vector<std::string>& names)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string no_panel(const std::string& name, const std::vector<std::string>& names)
+Message no_panel(const std::string& name, const std::vector<std::string>& names)
 {
     constexpr std::size_t most_listed = 20;
     std::string listed;
     for (std::size_t k = 0; k < std::min(most_listed, names.size()); ++k) listed += (k > 0 ? ", \"" : "\"") + names[k] + "\"";
-    if (names.size() > most_listed) listed += " and more";
-    return fmt::format("The pattern has no panel \"{}\"{} It has {}.", name, did_you_mean(name, names), listed);
+    const Argument more = names.size() > most_listed ? Argument(say(" and more")) : Argument("");
+    return say("The pattern has no panel \"{}\"{} It has {}{}.", name, or_near(name, names), listed, more);
 }
 
 bool are_sewn(const GarmentPattern& pattern, const std::string& one, const std::string& other)
@@ -46,14 +44,14 @@ bool are_sewn(const GarmentPattern& pattern, const std::string& one, const std::
 }
 
 /// A zone's outline that crosses itself, or lies beside its panel.
-void check_outline(const OwnZone& zone, const PatternPanel& panel, const std::string& at, std::vector<Issue>& issues)
+void check_outline(const OwnZone& zone, const PatternPanel& panel, const Place& at, std::vector<Issue>& issues)
 {
     std::vector<FlatPlace> outline;
     for (const auto& place : zone.outline_mm) outline.push_back({metre_from_mm(place[0]), metre_from_mm(place[1])});
     std::size_t done = 0;
     if (crosses_itself(outline, done)) {
         issues.push_back({Severity::warning, "zone_outline", at,
-                          fmt::format("The outline of the zone \"{}\" crosses itself; what it goes round twice is left out.", zone.name)});
+                          say("The outline of the zone \"{}\" crosses itself; what it goes round twice is left out.", zone.name)});
         return;
     }
     const auto box_of = [](const std::vector<FlatPlace>& places) {
@@ -67,49 +65,50 @@ void check_outline(const OwnZone& zone, const PatternPanel& panel, const std::st
     };
     const std::array<double, 4> of_zone = box_of(outline), of_panel = box_of(outline_of(panel));
     if (of_zone[0] >= of_panel[2] || of_zone[2] <= of_panel[0] || of_zone[1] >= of_panel[3] || of_zone[3] <= of_panel[1])
-        issues.push_back({Severity::warning, "zone_outline", at,
-                          fmt::format("The zone \"{}\" lies beside the panel \"{}\", which reaches from x {:.0f}, y {:.0f} to x {:.0f}, y "
-                                      "{:.0f} mm.",
-                                      zone.name, zone.panel, mm_from_metre(of_panel[0]), mm_from_metre(of_panel[1]),
-                                      mm_from_metre(of_panel[2]), mm_from_metre(of_panel[3]))});
+        issues.push_back(
+            {Severity::warning, "zone_outline", at,
+             say("The zone \"{}\" lies beside the panel \"{}\", which reaches from x {:.0f}, y {:.0f} to x {:.0f}, y "
+                 "{:.0f}.",
+                 zone.name, zone.panel, Bare{mm_from_metre(of_panel[0]), Stored::mm}, Bare{mm_from_metre(of_panel[1]), Stored::mm},
+                 Bare{mm_from_metre(of_panel[2]), Stored::mm}, Amount{mm_from_metre(of_panel[3]), Stored::mm})});
 }
 
 /// Whether an error concerns a place of the project or what is in it.
-bool is_wrong(const std::vector<Issue>& known, const std::string& where)
+bool is_wrong(const std::vector<Issue>& known, const Place& where)
 {
-    return std::any_of(known.begin(), known.end(), [&](const Issue& issue) {
-        return issue.severity == Severity::error && (issue.where == where || issue.where.starts_with(where + "."));
-    });
+    return std::any_of(known.begin(), known.end(),
+                       [&](const Issue& issue) { return issue.severity == Severity::error && issue.where.is_in(where); });
 }
 
 } // namespace
 
-std::vector<Issue> misnamed_in(const Garment& garment, const GarmentPattern& pattern, const std::string& where)
+std::vector<Issue> misnamed_in(const Garment& garment, const GarmentPattern& pattern, const Place& where)
 {
     const std::vector<std::string> names = names_of(pattern);
     std::vector<Issue> issues;
     for (const auto& [panel, cut] : garment.panels)
         if (panel != "*" && !is_in(panel, names))
-            issues.push_back({Severity::warning, "unknown_panel", where + ".panels." + panel, no_panel(panel, names)});
+            issues.push_back({Severity::warning, "unknown_panel", where / "panels" / panel, no_panel(panel, names)});
     for (const auto& [seam, share] : garment.seams) {
         const std::size_t bar = seam.find('|');
         if (bar == std::string::npos) continue; // "default"
-        const std::string at = where + ".seams." + seam, one = seam.substr(0, bar), other = seam.substr(bar + 1);
+        const Place at = where / "seams" / seam;
+        const std::string one = seam.substr(0, bar), other = seam.substr(bar + 1);
         const std::size_t before = issues.size();
         for (const std::string& panel : {one, other})
             if (!is_in(panel, names)) issues.push_back({Severity::warning, "unknown_panel", at, no_panel(panel, names)});
         if (issues.size() == before && !are_sewn(pattern, one, other))
-            issues.push_back({Severity::warning, "unknown_seam", at, fmt::format("\"{}\" and \"{}\" are not sewn together.", one, other)});
+            issues.push_back({Severity::warning, "unknown_seam", at, say("\"{}\" and \"{}\" are not sewn together.", one, other)});
     }
     for (std::size_t i = 0; i < garment.wearer.own_zones.size(); ++i) {
         const OwnZone& zone = garment.wearer.own_zones[i];
-        const std::string at = fmt::format("{}.wearer.own_zones[{}]", where, i);
+        const Place at = where / "wearer" / "own_zones" / i;
         const auto panel = std::find(names.begin(), names.end(), zone.panel);
         if (panel == names.end()) {
-            issues.push_back({Severity::warning, "unknown_panel", at + ".panel", no_panel(zone.panel, names)});
+            issues.push_back({Severity::warning, "unknown_panel", at / "panel", no_panel(zone.panel, names)});
             continue;
         }
-        check_outline(zone, pattern.panels[static_cast<std::size_t>(panel - names.begin())], at + ".outline_mm", issues);
+        check_outline(zone, pattern.panels[static_cast<std::size_t>(panel - names.begin())], at / "outline_mm", issues);
     }
     return issues;
 }
@@ -117,30 +116,30 @@ std::vector<Issue> misnamed_in(const Garment& garment, const GarmentPattern& pat
 GarmentCheck check_garments(const Design& design, const std::filesystem::path& base, const std::vector<Issue>& known)
 {
     GarmentCheck found;
-    const auto read = [&](const char* code, const std::string& where, const auto& act) {
+    const auto read = [&](const char* code, const Place& where, const auto& act) {
         try {
             act();
         } catch (const FileError& error) {
-            found.issues.push_back({Severity::error, code, where, error.what()});
+            found.issues.push_back({Severity::error, code, where, quote(error.what())});
         }
     };
     for (std::size_t i = 0; i < design.garments.size(); ++i) {
         const Garment& garment = design.garments[i];
-        const std::string where = fmt::format("garments[{}]", i);
+        const Place where = Place("garments") / i;
         std::optional<GarmentPattern>& pattern = found.patterns.emplace_back();
         if (is_wrong(known, where)) continue;
-        read("garment_source", where + ".source", [&] { pattern = read_pattern(garment, base); });
-        read("sweat_table", where + ".wearer.zones", [&] { sweat_table(garment.wearer.zones, base); });
+        read("garment_source", where / "source", [&] { pattern = read_pattern(garment, base); });
+        read("sweat_table", where / "wearer" / "zones", [&] { sweat_table(garment.wearer.zones, base); });
         if (!pattern) continue;
         for (const std::string& doubt : pattern->doubts)
-            found.issues.push_back({Severity::warning, "garment_shape", where + ".source", garment.source + ": " + doubt});
+            found.issues.push_back({Severity::warning, "garment_shape", where / "source", quote(garment.source + ": " + doubt)});
         for (Issue& issue : misnamed_in(garment, *pattern, where)) found.issues.push_back(std::move(issue));
     }
     for (std::size_t i = 0; i < design.wears.size(); ++i) { // they stand behind the others
         const WearExperiment& wear = design.wears[i];
-        const std::string where = fmt::format("experiments[{}]", design.experiments.size() + i);
+        const Place where = Place("experiments") / (design.experiments.size() + i);
         if (!wear.activity_file.empty() && !is_wrong(known, where))
-            read("activity", where + ".activity", [&] {
+            read("activity", where / "activity", [&] {
                 const Garment* garment = find_garment(design, wear.garment);
                 sweat_course(wear.activity_file, base, garment ? garment->wearer.own_zones : std::vector<OwnZone>{});
             });

@@ -11,7 +11,7 @@
 namespace hygroloom {
 
 /// Panels and seams that a garment names and its pattern does not have, as warnings; where: of the garment, such as garments[0].
-std::vector<Issue> misnamed_in(const Garment& garment, const GarmentPattern& pattern, const std::string& where);
+std::vector<Issue> misnamed_in(const Garment& garment, const GarmentPattern& pattern, const Place& where);
 
 struct GarmentCheck {
     std::vector<Issue> issues;                           ///< files that cannot be read are errors

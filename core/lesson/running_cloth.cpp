@@ -300,7 +300,7 @@ void change_air(std::vector<ClimateMoment>& later, double time, const Climate& b
 void write_recording(const RecordedCloth& cloth, const std::filesystem::path& path)
 {
     for (const Issue& issue : validate(cloth.run.design))
-        if (issue.severity == Severity::error) throw FileError(path.string() + ": This cloth cannot be recorded. " + issue.text);
+        if (issue.severity == Severity::error) throw FileError(path.string() + ": This cloth cannot be recorded. " + issue.text());
     RecordingWriter writer(path, cloth.run);
     for (const auto& frame : cloth.frames) writer.append(*frame);
     writer.finish(0);

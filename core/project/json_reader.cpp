@@ -3,6 +3,7 @@
 
 #include "core/base/text.h"
 #include "core/base/words.h"
+#include "core/design/fields.h"
 
 #include <fmt/format.h>
 
@@ -81,10 +82,11 @@ public:
     bool parse_error(std::size_t end, const std::string& token, const nlohmann::json::exception& failure) override
     {
         if (dynamic_cast<const nlohmann::json::out_of_range*>(&failure) == nullptr || token.size() > end) return false;
-        const std::size_t begin = end - token.size();
-        throw NumberTooLarge(fmt::format("{}: {}: {}: The number {} is beyond those that there are, up to {:.2g}.", name_,
-                                         line_and_column(text_, begin + 1), path(), shortened(token), std::numeric_limits<double>::max()),
-                             path(), begin, end);
+        const std::optional<Message> allowed = allowed_at(place());
+        const std::string path = place().text();
+        throw NumberTooLarge(fmt::format("{}: {}: {}: The number {} is beyond those that there are, up to {:.2g}.{}", name_,
+                                         line_and_column(text_, end - token.size() + 1), path.empty() ? "the project" : path,
+                                         shortened(token), std::numeric_limits<double>::max(), allowed ? " " + english(*allowed) : ""));
     }
 
 private:
@@ -111,11 +113,11 @@ private:
         if (!levels_.empty()) ++levels_.back().members;
         return true;
     }
-    std::string path() const
+    Place place() const
     {
-        std::string path;
-        for (const Level& level : levels_) path += level.list ? fmt::format("[{}]", level.members) : (path.empty() ? "" : ".") + level.key;
-        return path.empty() ? "the project" : path;
+        Place place;
+        for (const Level& level : levels_) place = level.list ? place / level.members : place / level.key;
+        return place;
     }
 
     std::string_view text_;

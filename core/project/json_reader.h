@@ -13,14 +13,9 @@
 
 namespace hygroloom {
 
-/// A number beyond those that there are, and where it stands.
+/// A number beyond those that there are.
 struct NumberTooLarge : FileError {
-    NumberTooLarge(const std::string& sentence, std::string field, std::size_t first, std::size_t last)
-        : FileError(sentence), path(std::move(field)), begin(first), end(last)
-    {
-    }
-    std::string path;       ///< of the field
-    std::size_t begin, end; ///< bytes of the text
+    using FileError::FileError;
 };
 
 /// Parses text; refuses bad UTF-8, duplicate keys, nesting deeper than 32 and numbers too large. Throws FileError with name, line and

@@ -2,7 +2,6 @@
 #include "core/project/project_file.h"
 
 #include "core/base/error.h"
-#include "core/design/validate.h"
 #include "core/project/atomic_file.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_json.h"
@@ -24,21 +23,6 @@ bool is_recording(const std::filesystem::path& path)
     return std::string_view(begin, sizeof begin) == signature;
 }
 
-/// What a number's field may be, in a sentence with a blank before it, where another far too large number there is refused with one.
-std::string range_of(const NumberTooLarge& number, std::string_view text, const std::string& name)
-{
-    const std::string far_off = text[number.begin] == '-' ? "-1e300" : "1e300";
-    try {
-        const std::string other = std::string(text.substr(0, number.begin)) + far_off + std::string(text.substr(number.end));
-        for (const Issue& issue : validate(design_from_json(parse_json(other, name), name)))
-            if (issue.where == number.path && issue.severity == Severity::error)
-                return " " + issue.text.substr(0, issue.text.find("; given is")) + ".";
-    } catch (const FileError&) {
-        // Something else is wrong as well; the range is reported once that is mended.
-    }
-    return {};
-}
-
 } // namespace
 
 Design read_project(const std::filesystem::path& path)
@@ -52,11 +36,7 @@ Design parse_project(std::string_view text, const std::string& name)
 {
     if (text.size() > largest_project_bytes) throw FileError(name + ": The project is larger than 64 MiB.");
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) throw FileError(name + ": The file is empty.");
-    try {
-        return design_from_json(parse_json(text, name), name);
-    } catch (const NumberTooLarge& number) {
-        throw FileError(number.what() + range_of(number, text, name));
-    }
+    return design_from_json(parse_json(text, name), name);
 }
 
 std::string format_project(const Design& design) { return text_from_json(json_from_design(design)); }

@@ -87,7 +87,7 @@ std::vector<Issue> validate(const Study& study, const Design& design);
 /// Why a factor at a path can change no run of the study, as a sentence: it belongs to a fabric, an experiment, a fibre or a liquid that
 /// the study does not run. Empty: it can. Throws Error where there is no such path. Precondition: the project has a fabric and an
 /// experiment.
-std::string out_of_reach(const Study& study, const Design& design, const std::string& path);
+std::optional<Message> out_of_reach(const Study& study, const Design& design, const std::string& path);
 
 /// Those the study runs, and the metrics it lists, with what was left out filled in. Precondition: validate() found no error.
 std::vector<std::string> fabrics_of(const Study& study, const Design& design);

@@ -3,6 +3,7 @@
 #include "core/analysis/outcomes.h"
 #include "core/base/error.h"
 #include "core/base/words.h"
+#include "core/design/issue_list.h"
 #include "core/project/project_json.h"
 #include "core/project/project_value.h"
 #include "core/study/points.h"
@@ -22,8 +23,8 @@ public:
 
     std::vector<Issue> issues()
     {
-        check_names("fabrics", "fabric", study_.fabrics, design_.fabrics);
-        check_names("experiments", "experiment", study_.experiments, design_.experiments);
+        check_names("fabrics", say("fabric"), study_.fabrics, design_.fabrics);
+        check_names("experiments", say("experiment"), study_.experiments, design_.experiments);
         const bool named = issues_.empty();
         if (named) check_metrics();
         for (std::size_t k = 0; k < study_.factors.size(); ++k) check_factor(k, named);
@@ -33,10 +34,10 @@ public:
     }
 
 private:
-    void add(const std::string& where, const std::string& text) { issues_.push_back({Severity::error, "study", where, text}); }
+    void add(Place where, Message message) { issues_.push_back({Severity::error, "study", std::move(where), std::move(message)}); }
 
     template <typename Item>
-    void check_names(const std::string& key, const char* what, const std::vector<std::string>& names, const std::vector<Item>& items)
+    void check_names(const Place& key, const Message& what, const std::vector<std::string>& names, const std::vector<Item>& items)
     {
         std::vector<std::string> known;
         std::string all;
@@ -45,13 +46,12 @@ private:
             all += (all.empty() ? "\"" : ", \"") + item.name + "\"";
         }
         if (names.empty() && items.size() == 1) return;
-        if (items.empty()) return add(key, fmt::format("The project has no {} that a study can run.", what));
-        if (names.empty()) return add(key, fmt::format("The project has several {}s; list those to run: {}.", what, all));
+        if (items.empty()) return add(key, say("The project has no {} that a study can run.", what));
+        if (names.empty()) return add(key, say("The project has several {}s; list those to run: {}.", what, all));
         for (std::size_t i = 0; i < names.size(); ++i) {
             if (std::find(known.begin(), known.end(), names[i]) != known.end()) continue;
-            const char* hint = find_wear(design_, names[i]) ? " It is one on a garment, which studies do not run yet." : "";
-            add(fmt::format("{}[{}]", key, i),
-                fmt::format("The project has no {} \"{}\"{}{} It has {}.", what, names[i], did_you_mean(names[i], known), hint, all));
+            const Message hint = find_wear(design_, names[i]) ? say(" It is one on a garment, which studies do not run yet.") : Message();
+            add(key / i, say("The project has no {} \"{}\"{}{} It has {}.", what, names[i], or_near(names[i], known), hint, all));
         }
     }
     void check_metrics()
@@ -64,8 +64,8 @@ private:
         for (const std::string& key : known) all += (all.empty() ? "" : ", ") + key;
         for (std::size_t i = 0; i < study_.metrics.size(); ++i)
             if (std::find(known.begin(), known.end(), study_.metrics[i]) == known.end())
-                add(fmt::format("metrics[{}]", i), fmt::format("No experiment of the study has the metric \"{}\"{} They have: {}.",
-                                                               study_.metrics[i], did_you_mean(study_.metrics[i], known), all));
+                add(Place("metrics") / i, say("No experiment of the study has the metric \"{}\"{} They have: {}.", study_.metrics[i],
+                                              or_near(study_.metrics[i], known), all));
     }
     /// The path must lead somewhere, and the first value must be one that may stand there.
     void check_factor(std::size_t k, bool named)
@@ -81,10 +81,10 @@ private:
             }
             check_base(k);
             check_bounds(k);
-            if (const std::string why = named ? out_of_reach(study_, design_, factor.path) : ""; !why.empty())
-                add(fmt::format("factors[{}].path", k), why);
+            if (const auto why = named ? out_of_reach(study_, design_, factor.path) : std::nullopt)
+                add(Place("factors") / k / "path", *why);
         } catch (const Error& error) {
-            add(fmt::format("factors[{}].path", k), error.what());
+            add(Place("factors") / k / "path", quote(error.what()));
         }
     }
     /// Between bounds out in a tail there is nothing to draw.
@@ -97,11 +97,11 @@ private:
         constexpr double least = 1e-9;
         const double lowest = quantile(whole, least), highest = quantile(whole, 1 - least);
         if (low && !(*low < highest))
-            add(fmt::format("factors[{}].distribution.low", k),
-                fmt::format("The distribution ends at about {:.6g}, below which this must be; given is {}.", highest, *low));
+            add(Place("factors") / k / "distribution" / "low",
+                say("The distribution ends at about {:.6g}, below which this must be; given is {}.", highest, *low));
         if (high && !(*high > lowest))
-            add(fmt::format("factors[{}].distribution.high", k),
-                fmt::format("The distribution begins at about {:.6g}, above which this must be; given is {}.", lowest, *high));
+            add(Place("factors") / k / "distribution" / "high",
+                say("The distribution begins at about {:.6g}, above which this must be; given is {}.", lowest, *high));
     }
     /// One factor would undo what another sets.
     void check_places()
@@ -114,8 +114,8 @@ private:
             factors.push_back(k);
         }
         if (const auto same = same_place(design_, paths))
-            add(fmt::format("factors[{}].path", factors[same->second]),
-                fmt::format("This is the same value as factors[{}], \"{}\"; leave one.", factors[same->first], paths[same->first]));
+            add(Place("factors") / factors[same->second] / "path",
+                say("This is the same value as factors[{}], \"{}\"; leave one.", factors[same->first], paths[same->first]));
     }
     /// Beside which others change one at a time.
     void check_base(std::size_t k)
@@ -125,16 +125,16 @@ private:
             return std::find(factor.values.begin(), factor.values.end(), value) != factor.values.end();
         };
         if (factor.base && factor.is_list() && !in_list(*factor.base))
-            add(fmt::format("factors[{}].base", k), fmt::format("This must be one of \"values\"; given is {}.", factor.base->text));
+            add(Place("factors") / k / "base", say("This must be one of \"values\"; given is {}.", factor.base->text));
         if (factor.base && !factor.is_list() && !factor.base->is_number)
-            add(fmt::format("factors[{}].base", k), fmt::format("This must be a number; given is \"{}\".", factor.base->text));
+            add(Place("factors") / k / "base", say("This must be a number; given is \"{}\".", factor.base->text));
         if (factor.base || !factor.is_list() || study_.sampling != Sampling::one_at_a_time) return;
         const std::optional<FactorValue> own = own_value(study_, factor, design_);
         if (own && !in_list(*own))
-            add(fmt::format("factors[{}].values", k),
-                fmt::format("One at a time the others change beside the project's own value, {}, which is not in the list; add it, or give "
-                            "\"base\".",
-                            own->text));
+            add(Place("factors") / k / "values",
+                say("One at a time the others change beside the project's own value, {}, which is not in the list; add it, or give "
+                    "\"base\".",
+                    own->text));
     }
     void check_size()
     {
@@ -143,11 +143,11 @@ private:
             const std::size_t each =
                 fabrics_of(study_, design_).size() * experiments_of(study_, design_).size() * static_cast<std::size_t>(study_.replicates);
             if (points > most_study_rows / each)
-                add("design", fmt::format("{} points with {} runs each are more than {} rows; take fewer points, fabrics, experiments or "
-                                          "replicates.",
-                                          points, each, most_study_rows));
+                add("design", say("{} points with {} runs each are more than {} rows; take fewer points, fabrics, experiments or "
+                                  "replicates.",
+                                  points, each, most_study_rows));
         } catch (const Error& error) {
-            add("design", error.what());
+            add("design", quote(error.what()));
         }
     }
 
@@ -163,10 +163,10 @@ std::string listed(const std::vector<std::string>& names)
     return all;
 }
 
-std::string not_run(const char* what, const std::string& name, const std::vector<std::string>& run)
+std::optional<Message> not_run(const Message& what, const std::string& name, const std::vector<std::string>& run)
 {
     if (std::find(run.begin(), run.end(), name) != run.end()) return {};
-    return fmt::format("The study does not run the {} \"{}\", so this changes nothing. It runs {}.", what, name, listed(run));
+    return say("The study does not run the {} \"{}\", so this changes nothing. It runs {}.", what, name, listed(run));
 }
 
 /// Of what the fabrics' yarns are.
@@ -205,24 +205,24 @@ std::vector<std::string> liquids_of(const std::vector<std::string>& experiments,
 
 } // namespace
 
-std::string out_of_reach(const Study& study, const Design& design, const std::string& path)
+std::optional<Message> out_of_reach(const Study& study, const Design& design, const std::string& path)
 {
     if (path.starts_with(knob_prefix)) return {};
     const auto member = member_at(design, path);
     if (!member) return {};
     const auto& [list, index] = *member;
     const std::vector<std::string> fabrics = fabrics_of(study, design), experiments = experiments_of(study, design);
-    if (list == "fabrics") return not_run("fabric", design.fabrics[index].name, fabrics);
+    if (list == "fabrics") return not_run(say("fabric"), design.fabrics[index].name, fabrics);
     if (list == "experiments" && index < design.experiments.size())
-        return not_run("experiment", design.experiments[index].name, experiments);
-    if (list == "experiments" || list == "garments") return "The study runs no garment, so this changes nothing.";
+        return not_run(say("experiment"), design.experiments[index].name, experiments);
+    if (list == "experiments" || list == "garments") return say("The study runs no garment, so this changes nothing.");
     const bool fibre = list == "materials";
     if ((!fibre && list != "liquids") || chooses(study, list)) return {};
     const std::string& name = fibre ? design.materials[index].name : design.liquids[index].name;
     const std::vector<std::string> used = fibre ? fibres_of(fabrics, design) : liquids_of(experiments, design);
     if (std::find(used.begin(), used.end(), name) != used.end()) return {};
-    return fmt::format("No {} of the study has \"{}\", so this changes nothing. They have {}.", fibre ? "fabric" : "experiment", name,
-                       listed(used));
+    return say("No {} of the study has \"{}\", so this changes nothing. They have {}.", fibre ? say("fabric") : say("experiment"), name,
+               listed(used));
 }
 
 std::vector<Issue> validate(const Study& study, const Design& design) { return Check(study, design).issues(); }

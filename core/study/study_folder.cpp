@@ -173,7 +173,8 @@ StudyFolder read_study_folder(const std::filesystem::path& folder)
     read.study = parse_study(read.study_text, (folder / "study.json").string());
     for (const std::vector<Issue>& issues : {validate(read.design), validate(read.study, read.design)})
         for (const Issue& issue : issues)
-            if (issue.severity == Severity::error) throw FileError(fmt::format("{}: {}: {}", folder.string(), issue.where, issue.text));
+            if (issue.severity == Severity::error)
+                throw FileError(fmt::format("{}: {}: {}", folder.string(), issue.where.text(), issue.text()));
     return read;
 }
 

@@ -62,13 +62,12 @@ std::string first_error(const Design& part, const Design& whole, const StudyRun&
 {
     for (const Issue& issue : validate(part)) {
         if (issue.severity != Severity::error) continue;
-        std::string where = issue.where;
-        const auto put_place = [&where](const std::string& list, std::ptrdiff_t place) {
-            if (where.starts_with(list + "[0]")) where.replace(0, list.size() + 3, fmt::format("{}[{}]", list, place));
-        };
-        put_place("fabrics", find_fabric(whole, fabrics[row.fabric]) - whole.fabrics.data());
-        put_place("experiments", find_experiment(whole, experiments[row.experiment]) - whole.experiments.data());
-        return where + ": " + issue.text;
+        Place where = issue.where;
+        if (where.key(0) == "fabrics")
+            where = where.with(1, static_cast<std::size_t>(find_fabric(whole, fabrics[row.fabric]) - whole.fabrics.data()));
+        if (where.key(0) == "experiments")
+            where = where.with(1, static_cast<std::size_t>(find_experiment(whole, experiments[row.experiment]) - whole.experiments.data()));
+        return where.text() + ": " + issue.text();
     }
     return {};
 }

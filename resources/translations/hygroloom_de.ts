@@ -661,14 +661,6 @@
         <translation>Tropfen</translation>
     </message>
     <message>
-        <source>air speed</source>
-        <translation>Luftgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>areal density</source>
-        <translation>Flächengewicht</translation>
-    </message>
-    <message>
         <source>at</source>
         <translation>Ort</translation>
     </message>
@@ -685,68 +677,16 @@
         <translation>Dichte</translation>
     </message>
     <message>
-        <source>diameter</source>
-        <translation>Durchmesser</translation>
-    </message>
-    <message>
-        <source>drop</source>
-        <translation>Tropfen</translation>
-    </message>
-    <message>
-        <source>duration</source>
-        <translation>Dauer</translation>
-    </message>
-    <message>
         <source>ends</source>
         <translation>Kettfäden</translation>
-    </message>
-    <message>
-        <source>feed</source>
-        <translation>Zufuhr</translation>
     </message>
     <message>
         <source>fibre diffusivity</source>
         <translation>Diffusivität der Faser</translation>
     </message>
     <message>
-        <source>fibre radius</source>
-        <translation>Faserradius</translation>
-    </message>
-    <message>
-        <source>fibres per yarn</source>
-        <translation>Fasern je Garn</translation>
-    </message>
-    <message>
-        <source>filament count</source>
-        <translation>Filamentzahl</translation>
-    </message>
-    <message>
         <source>flyaway</source>
         <translation>abstehende Fasern</translation>
-    </message>
-    <message>
-        <source>hair density</source>
-        <translation>Dichte der Faserenden</translation>
-    </message>
-    <message>
-        <source>hair length</source>
-        <translation>Länge der Faserenden</translation>
-    </message>
-    <message>
-        <source>heat of wetting</source>
-        <translation>Benetzungswärme</translation>
-    </message>
-    <message>
-        <source>immersion</source>
-        <translation>Eintauchtiefe</translation>
-    </message>
-    <message>
-        <source>initial water</source>
-        <translation>Wasser am Anfang</translation>
-    </message>
-    <message>
-        <source>irregularity</source>
-        <translation>Ungleichmäßigkeit</translation>
     </message>
     <message>
         <source>isotherm</source>
@@ -757,18 +697,6 @@
         <translation>Länge</translation>
     </message>
     <message>
-        <source>linear density</source>
-        <translation>Fadenfeinheit</translation>
-    </message>
-    <message>
-        <source>loop density</source>
-        <translation>Schlingendichte</translation>
-    </message>
-    <message>
-        <source>loop height</source>
-        <translation>Schlingenhöhe</translation>
-    </message>
-    <message>
         <source>material</source>
         <translation>Werkstoff</translation>
     </message>
@@ -777,72 +705,20 @@
         <translation>Anteil</translation>
     </message>
     <message>
-        <source>monolayer regain</source>
-        <translation>Feuchteaufnahme der Monoschicht</translation>
-    </message>
-    <message>
-        <source>packing factor</source>
-        <translation>Packungsdichte</translation>
-    </message>
-    <message>
         <source>picks</source>
         <translation>Schussfäden</translation>
-    </message>
-    <message>
-        <source>plies</source>
-        <translation>Fachung</translation>
-    </message>
-    <message>
-        <source>ply twist</source>
-        <translation>Zwirndrehung</translation>
-    </message>
-    <message>
-        <source>porosity</source>
-        <translation>Porosität</translation>
-    </message>
-    <message>
-        <source>rate</source>
-        <translation>Rate</translation>
-    </message>
-    <message>
-        <source>receding angle</source>
-        <translation>Rückzugswinkel</translation>
-    </message>
-    <message>
-        <source>relative humidity</source>
-        <translation>relative Luftfeuchte</translation>
-    </message>
-    <message>
-        <source>saturation regain</source>
-        <translation>Feuchteaufnahme bei Sättigung</translation>
-    </message>
-    <message>
-        <source>skin temperature</source>
-        <translation>Hauttemperatur</translation>
     </message>
     <message>
         <source>sorption heat</source>
         <translation>Sorptionswärme</translation>
     </message>
     <message>
-        <source>specific heat</source>
-        <translation>spezifische Wärme</translation>
-    </message>
-    <message>
         <source>speed</source>
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>standard regain</source>
-        <translation>Feuchteaufnahme im Normalklima</translation>
-    </message>
-    <message>
         <source>strip</source>
         <translation>Streifen</translation>
-    </message>
-    <message>
-        <source>surface tension</source>
-        <translation>Oberflächenspannung</translation>
     </message>
     <message>
         <source>swelling</source>
@@ -853,10 +729,6 @@
         <translation>Temperatur</translation>
     </message>
     <message>
-        <source>thermal conductivity</source>
-        <translation>Wärmeleitfähigkeit</translation>
-    </message>
-    <message>
         <source>thickness</source>
         <translation>Dicke</translation>
     </message>
@@ -865,40 +737,12 @@
         <translation>Zeit</translation>
     </message>
     <message>
-        <source>tortuosity</source>
-        <translation>Tortuosität</translation>
-    </message>
-    <message>
-        <source>twist</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>viscosity</source>
-        <translation>Viskosität</translation>
-    </message>
-    <message>
         <source>volume</source>
         <translation>Volumen</translation>
     </message>
     <message>
-        <source>warp crimp</source>
-        <translation>Einwebung der Kette</translation>
-    </message>
-    <message>
-        <source>weft crimp</source>
-        <translation>Einwebung des Schusses</translation>
-    </message>
-    <message>
         <source>initial</source>
         <translation>Anfang</translation>
-    </message>
-    <message>
-        <source>finish face</source>
-        <translation>Ausrüstung oben</translation>
-    </message>
-    <message>
-        <source>finish back</source>
-        <translation>Ausrüstung unten</translation>
     </message>
     <message>
         <source>particles per droplet</source>
@@ -1631,6 +1475,590 @@
     <message>
         <source>Radius</source>
         <translation>Radius</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source> It is one on a garment, which studies do not run yet.</source>
+        <translation> Er ist einer an einem Kleidungsstück; solche laufen in Studien noch nicht.</translation>
+    </message>
+    <message>
+        <source> and more</source>
+        <translation> und weitere</translation>
+    </message>
+    <message>
+        <source>; did you mean &quot;{}&quot;?</source>
+        <translation>; meinten Sie „{}“?</translation>
+    </message>
+    <message>
+        <source>A changing climate has at most {} times; given are {}.</source>
+        <translation>Ein wechselndes Klima hat höchstens {} Zeiten; gegeben sind {}.</translation>
+    </message>
+    <message>
+        <source>A drop of {:.3g} µl, {:.2g} wide, falls through &quot;{}&quot;: its holes are {:.2g} wide.</source>
+        <translation>Ein Tropfen von {:.3g} µl, {:.2g} breit, fällt durch „{}“: Seine Löcher sind {:.2g} breit.</translation>
+    </message>
+    <message>
+        <source>A fabric may have up to {} extra yarns; given are {}.</source>
+        <translation>Ein Gewebe darf bis zu {} weitere Garne haben; gegeben sind {}.</translation>
+    </message>
+    <message>
+        <source>A feed of {} ul may come in at most {} drops, of {} ul or more; given are drops of {} ul.</source>
+        <translation>Eine Zufuhr von {} µl darf in höchstens {} Tropfen kommen, von {} µl oder mehr; gegeben sind Tropfen von {} µl.</translation>
+    </message>
+    <message>
+        <source>A garment needs a fabric for its panels; name panels, or &quot;*&quot; for all that are not named.</source>
+        <translation>Ein Kleidungsstück braucht ein Gewebe für seine Schnittteile; nennen Sie Schnittteile, oder „*“ für alle, die nicht genannt sind.</translation>
+    </message>
+    <message>
+        <source>A monofilament is one filament, without filament_count and of one ply.</source>
+        <translation>Ein Monofilament ist ein einziges Filament, ohne Filamentzahl und nicht gezwirnt.</translation>
+    </message>
+    <message>
+        <source>A panel of 1 layer has no lining; give it 2 layers or more, or leave lining out.</source>
+        <translation>Ein Schnittteil aus 1 Lage hat kein Futter; geben Sie ihm 2 Lagen oder mehr, oder lassen Sie das Futter weg.</translation>
+    </message>
+    <message>
+        <source>A repeat may have up to {} ends and picks; given are {} and {}.</source>
+        <translation>Ein Rapport darf bis zu {} Kett- und Schussfäden haben; gegeben sind {} und {}.</translation>
+    </message>
+    <message>
+        <source>A sample of {:.4g} x {:.4g} is smaller than one crossing of &quot;{}&quot;; one crossing is taken.</source>
+        <translation>Eine Probe von {:.4g} x {:.4g} ist kleiner als eine Kreuzung von „{}“; eine Kreuzung wird genommen.</translation>
+    </message>
+    <message>
+        <source>A sample of {:.4g} x {:.4g} of &quot;{}&quot; has {:.3g} million crossings; at most {:.3g} million are allowed.</source>
+        <translation>Eine Probe von {:.4g} x {:.4g} von „{}“ hat {:.3g} Millionen Kreuzungen; höchstens {:.3g} Millionen sind erlaubt.</translation>
+    </message>
+    <message>
+        <source>A seam is named &quot;panel|panel&quot;, or &quot;default&quot; for all others; given is &quot;{}&quot;.</source>
+        <translation>Eine Naht heißt „Schnittteil|Schnittteil“, oder „default“ für alle anderen; gegeben ist „{}“.</translation>
+    </message>
+    <message>
+        <source>A share must be more than 0 and at most 1; given is {}.</source>
+        <translation>Ein Anteil muss mehr als 0 und höchstens 1 sein; gegeben ist {}.</translation>
+    </message>
+    <message>
+        <source>A thickness of {:.4g} less loops of {:.4g} on both faces leaves {:.3g} for yarns of {:.3g} and {:.3g}; a tenth of their sum is the least.</source>
+        <translation>Eine Dicke von {:.4g} ohne die Schlingen von {:.4g} auf beiden Seiten lässt {:.3g} für Garne von {:.3g} und {:.3g}; mindestens ein Zehntel ihrer Summe ist nötig.</translation>
+    </message>
+    <message>
+        <source>A two-stage diffusion law is known for cotton and wool, and for materials based on them; give a number in m2/s.</source>
+        <translation>Ein zweistufiges Diffusionsgesetz ist für Baumwolle und Wolle bekannt und für Materialien, die auf ihnen beruhen; geben Sie eine Zahl in m²/s.</translation>
+    </message>
+    <message>
+        <source>A wearer has at most {} own zones; given are {}.</source>
+        <translation>Ein Träger hat höchstens {} eigene Zonen; gegeben sind {}.</translation>
+    </message>
+    <message>
+        <source>A wearer&apos;s activity begins at 0 s; give its factor from there on.</source>
+        <translation>Die Aktivität eines Trägers beginnt bei 0 s; geben Sie ihren Faktor von da an.</translation>
+    </message>
+    <message>
+        <source>A wearer&apos;s activity may change {} times at most; given are {}.</source>
+        <translation>Die Aktivität eines Trägers darf sich höchstens {}-mal ändern; gegeben sind {}.</translation>
+    </message>
+    <message>
+        <source>Activities stand in order of time; given is {} s after {} s.</source>
+        <translation>Aktivitäten stehen in zeitlicher Folge; gegeben ist {} s nach {} s.</translation>
+    </message>
+    <message>
+        <source>All drops together may have up to {} g; given are {:.4g}.</source>
+        <translation>Alle Tropfen zusammen dürfen bis zu {} g haben; gegeben sind {:.4g}.</translation>
+    </message>
+    <message>
+        <source>At a contact angle of {:.3g} degrees water does not wick into the yarns; it wicks below 90.</source>
+        <translation>Bei einem Randwinkel von {:.3g}° saugen die Garne kein Wasser; unter 90° saugen sie.</translation>
+    </message>
+    <message>
+        <source>At a relative humidity of {} the air has more vapour than it can hold; it condenses on the cloth.</source>
+        <translation>Bei einer relativen Feuchte von {} hat die Luft mehr Dampf, als sie halten kann; er kondensiert auf dem Stoff.</translation>
+    </message>
+    <message>
+        <source>At most {} droplets are allowed; given are {}.</source>
+        <translation>Höchstens {} Tropfen sind erlaubt; gegeben sind {}.</translation>
+    </message>
+    <message>
+        <source>At {} the water is modelled as supercooled liquid; freezing is not modelled.</source>
+        <translation>Bei {} gilt Wasser als unterkühlte Flüssigkeit; Gefrieren wird nicht berechnet.</translation>
+    </message>
+    <message>
+        <source>Diameter {:.4g} and packing factor {:.4g} make {:.4g} of this fibre ({:.0f} kg/m3), but linear_density_tex says {:.4g}. They must agree within 1 %; leave one out.</source>
+        <translation>Durchmesser {:.4g} und Packungsdichte {:.4g} ergeben {:.4g} von dieser Faser ({:.0f} kg/m³), die Fadenfeinheit sagt aber {:.4g}. Sie müssen auf 1 % übereinstimmen; lassen Sie eine Angabe weg.</translation>
+    </message>
+    <message>
+        <source>Droplets {} and {} appear at the same time and overlap: {:.3g} apart, {:.3g} needed.</source>
+        <translation>Die Tropfen {} und {} erscheinen zugleich und überlappen sich: Abstand {:.3g}, nötig {:.3g}.</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Kettfaden</translation>
+    </message>
+    <message>
+        <source>No experiment of the study has the metric &quot;{}&quot;{} They have: {}.</source>
+        <translation>Kein Versuch der Studie hat die Messgröße „{}“{} Sie haben: {}.</translation>
+    </message>
+    <message>
+        <source>No {} of the study has &quot;{}&quot;, so this changes nothing. They have {}.</source>
+        <translation>In der Studie ({}) kommt „{}“ nicht vor, daher ändert das nichts. Es kommen vor: {}.</translation>
+    </message>
+    <message>
+        <source>One at a time the others change beside the project&apos;s own value, {}, which is not in the list; add it, or give &quot;base&quot;.</source>
+        <translation>Einzeln ändern sich die anderen neben dem Wert des Projekts, {}, der nicht in der Liste steht; fügen Sie ihn hinzu, oder geben Sie „base“.</translation>
+    </message>
+    <message>
+        <source>One period of the order may have up to {} threads; it has {}.</source>
+        <translation>Eine Periode der Folge darf bis zu {} Fäden haben; sie hat {}.</translation>
+    </message>
+    <message>
+        <source>Only a mesh has flat coordinates without a unit; leave uv_unit out of {}; given is &quot;{}&quot;.</source>
+        <translation>Nur ein Netz hat flache Koordinaten ohne Einheit; lassen Sie die Einheit weg {}; gegeben ist „{}“.</translation>
+    </message>
+    <message>
+        <source>Only a tee has sleeves; leave it out of a {}.</source>
+        <translation>Nur ein T-Shirt hat Ärmel; lassen Sie die Angabe bei „{}“ weg.</translation>
+    </message>
+    <message>
+        <source>Packed to {:.4g}, fibres touch all round (round ones from {:.4g}): liquid wicks along such yarns, but they neither absorb through their surface nor pass liquid on where they cross others.</source>
+        <translation>Auf {:.4g} gepackt, berühren sich Fasern ringsum (runde ab {:.4g}): Flüssigkeit wird entlang solcher Garne gesaugt, doch nehmen sie keine durch ihre Oberfläche auf und geben keine an Garne weiter, die sie kreuzen.</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Schussfaden</translation>
+    </message>
+    <message>
+        <source>Rates over time are a .csv beside the project; given is &quot;{}&quot;.</source>
+        <translation>Raten über der Zeit sind eine .csv neben dem Projekt; gegeben ist „{}“.</translation>
+    </message>
+    <message>
+        <source>The activity changes at {} s, not before the experiment&apos;s end at {} s.</source>
+        <translation>Die Aktivität ändert sich bei {} s, nicht vor dem Ende des Versuchs bei {} s.</translation>
+    </message>
+    <message>
+        <source>The areal density means a porosity of {:.3g}; given is {:.3g}. The areal density decides how much fibre there is.</source>
+        <translation>Das Flächengewicht bedeutet eine Porosität von {:.3g}; gegeben ist {:.3g}. Das Flächengewicht entscheidet, wie viel Faser da ist.</translation>
+    </message>
+    <message>
+        <source>The blend names &quot;{}&quot; twice.</source>
+        <translation>Die Mischung nennt „{}“ zweimal.</translation>
+    </message>
+    <message>
+        <source>The distribution begins at about {:.6g}, above which this must be; given is {}.</source>
+        <translation>Die Verteilung beginnt bei etwa {:.6g}; der Wert muss darüber liegen; gegeben ist {}.</translation>
+    </message>
+    <message>
+        <source>The distribution ends at about {:.6g}, below which this must be; given is {}.</source>
+        <translation>Die Verteilung endet bei etwa {:.6g}; der Wert muss darunter liegen; gegeben ist {}.</translation>
+    </message>
+    <message>
+        <source>The droplet appears at {} s, not before the experiment&apos;s end at {} s.</source>
+        <translation>Der Tropfen erscheint bei {} s, nicht vor dem Ende des Versuchs bei {} s.</translation>
+    </message>
+    <message>
+        <source>The droplet must land on the sample, from {:.4g} {}; given is {:.4g}.</source>
+        <translation>Der Tropfen muss auf der Probe landen, von {:.4g} {}; gegeben ist {:.4g}.</translation>
+    </message>
+    <message>
+        <source>The droplet, {:.3g} across, reaches over the sample&apos;s edge; some of it will miss the fabric.</source>
+        <translation>Der Tropfen, {:.3g} breit, reicht über den Rand der Probe; ein Teil fällt neben das Gewebe.</translation>
+    </message>
+    <message>
+        <source>The duration must be more than 0 s; given is 0.</source>
+        <translation>Die Dauer muss mehr als 0 s sein; gegeben ist 0.</translation>
+    </message>
+    <message>
+        <source>The ends of extra yarn {}</source>
+        <translation>Die Kettfäden des weiteren Garns {}</translation>
+    </message>
+    <message>
+        <source>The experiment has no droplet; nothing will get wet.</source>
+        <translation>Der Versuch hat keinen Tropfen; nichts wird nass.</translation>
+    </message>
+    <message>
+        <source>The interlaced yarns are {:.3g} thick; the other {:.3g} of the given thickness are flyaway fibres.</source>
+        <translation>Die verkreuzten Garne sind {:.3g} dick; die übrigen {:.3g} der angegebenen Dicke sind abstehende Fasern.</translation>
+    </message>
+    <message>
+        <source>The isotherm gives a regain of {:.3g} at 65 % relative humidity, standard_regain says {}; the isotherm is used.</source>
+        <translation>Die Isotherme ergibt eine Feuchteaufnahme von {:.3g} bei 65 % relativer Feuchte, die Normalfeuchte ist {}; die Isotherme gilt.</translation>
+    </message>
+    <message>
+        <source>The laboratory&apos;s value means yarns packed from {:.3g} to {:.3g}; the sections that follow from sett, thickness and diameters can hold from {} to {}. Derived are {:.4g} g/m2.</source>
+        <translation>Der Laborwert bedeutet Garne, die von {:.3g} bis {:.3g} gepackt sind; die Querschnitte aus Dichte, Dicke und Durchmessern fassen von {} bis {}. Berechnet sind {:.4g} g/m².</translation>
+    </message>
+    <message>
+        <source>The library has no material &quot;{}&quot;.</source>
+        <translation>Die Bibliothek hat kein Material „{}“.</translation>
+    </message>
+    <message>
+        <source>The longest {} float passes {} {} threads, {:.3g} on the {}; floats over {} snag.</source>
+        <translation>Die längste Flottierung ({}) läuft {} {} Fäden, {:.3g} auf der {}; Flottierungen über {} bleiben hängen.</translation>
+    </message>
+    <message>
+        <source>The name &quot;{}&quot; is taken; names must differ.</source>
+        <translation>Der Name „{}“ ist vergeben; Namen müssen sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>The name has a line break; write it in one line.</source>
+        <translation>Der Name hat einen Zeilenumbruch; schreiben Sie ihn in eine Zeile.</translation>
+    </message>
+    <message>
+        <source>The name has {} bytes; 200 at most.</source>
+        <translation>Der Name hat {} Bytes; höchstens 200.</translation>
+    </message>
+    <message>
+        <source>The name is empty; give one.</source>
+        <translation>Der Name ist leer; geben Sie einen.</translation>
+    </message>
+    <message>
+        <source>The name of a panel is empty; give one.</source>
+        <translation>Der Name eines Schnittteils ist leer; geben Sie einen.</translation>
+    </message>
+    <message>
+        <source>The name of a zone is empty; give one.</source>
+        <translation>Der Name einer Zone ist leer; geben Sie einen.</translation>
+    </message>
+    <message>
+        <source>The order has {} different yarns, colours apart; {} is the most.</source>
+        <translation>Die Folge hat {} verschiedene Garne, Farben nicht gezählt; höchstens {} sind erlaubt.</translation>
+    </message>
+    <message>
+        <source>The outline of a zone has from 3 to {} places; given are {}.</source>
+        <translation>Der Umriss einer Zone hat 3 bis {} Punkte; gegeben sind {}.</translation>
+    </message>
+    <message>
+        <source>The outline of the zone &quot;{}&quot; crosses itself; what it goes round twice is left out.</source>
+        <translation>Der Umriss der Zone „{}“ kreuzt sich; was er zweimal umläuft, bleibt weg.</translation>
+    </message>
+    <message>
+        <source>The panel of a zone is empty; name one of the garment&apos;s.</source>
+        <translation>Das Schnittteil einer Zone ist leer; nennen Sie eines des Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>The pattern has no panel &quot;{}&quot;{} It has {}{}.</source>
+        <translation>Der Schnitt hat kein Schnittteil „{}“{} Er hat {}{}.</translation>
+    </message>
+    <message>
+        <source>The picks of extra yarn {}</source>
+        <translation>Die Schussfäden des weiteren Garns {}</translation>
+    </message>
+    <message>
+        <source>The project has no fabric &quot;{}&quot;{}</source>
+        <translation>Das Projekt hat kein Gewebe „{}“{}</translation>
+    </message>
+    <message>
+        <source>The project has no {} &quot;{}&quot;{}{} It has {}.</source>
+        <translation>Im Projekt fehlt: {} „{}“{}{} Vorhanden: {}.</translation>
+    </message>
+    <message>
+        <source>The project has no {} that a study can run.</source>
+        <translation>Im Projekt fehlt, was eine Studie laufen lassen kann: {}.</translation>
+    </message>
+    <message>
+        <source>The project has several {}s; list those to run: {}.</source>
+        <translation>Das Projekt hat mehr als einen Eintrag ({}); nennen Sie, welche laufen: {}.</translation>
+    </message>
+    <message>
+        <source>The receding angle, {} degrees, cannot be above the contact angle, {}.</source>
+        <translation>Der Rückzugswinkel, {}°, kann nicht über dem Randwinkel, {}°, liegen.</translation>
+    </message>
+    <message>
+        <source>The regain at 100 % relative humidity, {}, cannot be less than the one at 65 %, {}.</source>
+        <translation>Die Feuchteaufnahme bei 100 % relativer Feuchte, {}, kann nicht kleiner sein als die bei 65 %, {}.</translation>
+    </message>
+    <message>
+        <source>The relative humidity must be from 0 to {}; given is {}. It is a fraction: {:.4g} for {:.4g} %.</source>
+        <translation>Die relative Feuchte muss von 0 bis {} sein; gegeben ist {}. Sie ist ein Bruchteil: {:.4g} für {:.4g} %.</translation>
+    </message>
+    <message>
+        <source>The seam &quot;{}&quot; is named twice, once in each order; leave one.</source>
+        <translation>Die Naht „{}“ ist zweimal genannt, einmal in jeder Reihenfolge; lassen Sie eine.</translation>
+    </message>
+    <message>
+        <source>The shares of the blend must sum to 1; they sum to {}.</source>
+        <translation>Die Anteile der Mischung müssen zusammen 1 sein; sie sind zusammen {}.</translation>
+    </message>
+    <message>
+        <source>The strip must dip into the liquid by more than 0 and less than the strip&apos;s length of {:.4g}; given is {:.4g}.</source>
+        <translation>Der Streifen muss mehr als 0 und weniger als seine Länge von {:.4g} tief eintauchen; gegeben ist {:.4g}.</translation>
+    </message>
+    <message>
+        <source>The study does not run the {} &quot;{}&quot;, so this changes nothing. It runs {}.</source>
+        <translation>In der Studie läuft nicht: {} „{}“; daher ändert das nichts. Es laufen {}.</translation>
+    </message>
+    <message>
+        <source>The study runs no garment, so this changes nothing.</source>
+        <translation>Die Studie lässt kein Kleidungsstück laufen, daher ändert das nichts.</translation>
+    </message>
+    <message>
+        <source>The times of a climate must rise, up to 86400 s: after {} s; given is {}.</source>
+        <translation>Die Zeiten eines Klimas müssen steigen, bis 86400 s: nach {} s; gegeben ist {}.</translation>
+    </message>
+    <message>
+        <source>The volume of each drop of the feed must be 0 (the feed flows evenly) or at least {} ul; given is {}.</source>
+        <translation>Das Volumen jedes Tropfens der Zufuhr muss 0 sein (sie fließt gleichmäßig) oder mindestens {} µl; gegeben ist {}.</translation>
+    </message>
+    <message>
+        <source>The warp yarns</source>
+        <translation>Die Kettgarne</translation>
+    </message>
+    <message>
+        <source>The weave falls into {} cloths that lie on one another without being joined; the upper one has {} of the repeat&apos;s {} ends and {} of its {} picks.</source>
+        <translation>Die Bindung zerfällt in {} Gewebe, die unverbunden aufeinander liegen; das obere hat {} von {} Kettfäden und {} von {} Schussfäden des Rapports.</translation>
+    </message>
+    <message>
+        <source>The weft yarns</source>
+        <translation>Die Schussgarne</translation>
+    </message>
+    <message>
+        <source>The yarn has no material; give a name or a blend.</source>
+        <translation>Das Garn hat kein Material; geben Sie einen Namen oder eine Mischung.</translation>
+    </message>
+    <message>
+        <source>The yarn needs a count or a diameter (count, linear_density_tex, diameter_mm); none is given.</source>
+        <translation>Das Garn braucht eine Feinheit oder einen Durchmesser; keines ist gegeben.</translation>
+    </message>
+    <message>
+        <source>The zone &quot;{}&quot; lies beside the panel &quot;{}&quot;, which reaches from x {:.0f}, y {:.0f} to x {:.0f}, y {:.0f}.</source>
+        <translation>Die Zone „{}“ liegt neben dem Schnittteil „{}“, das von x {:.0f}, y {:.0f} bis x {:.0f}, y {:.0f} reicht.</translation>
+    </message>
+    <message>
+        <source>The {} must be from {}.</source>
+        <translation>{}: Erlaubt ist {}.</translation>
+    </message>
+    <message>
+        <source>The {} must be from {}; given is {}.</source>
+        <translation>{}: Erlaubt ist {}; gegeben ist {}.</translation>
+    </message>
+    <message>
+        <source>The {}&apos;s crimp is set to {:.3g} %; yarns of these sections and setts can have {:.3g} %.</source>
+        <translation>Die Einwebung ({}) ist auf {:.3g} % gesetzt; Garne mit diesen Querschnitten und Dichten können {:.3g} % haben.</translation>
+    </message>
+    <message>
+        <source>There are two own zones &quot;{}&quot;; give one another name.</source>
+        <translation>Es gibt zwei eigene Zonen „{}“; geben Sie einer einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>There is no built-in garment &quot;{}&quot;; there are {}.</source>
+        <translation>Es gibt kein eingebautes Kleidungsstück „{}“; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>There is no garment named &quot;{}&quot; in the project.</source>
+        <translation>Im Projekt heißt kein Kleidungsstück „{}“.</translation>
+    </message>
+    <message>
+        <source>There is no liquid &quot;{}&quot;{} There are water, saline, sweat and the project&apos;s own.</source>
+        <translation>Es gibt keine Flüssigkeit „{}“{} Es gibt Wasser (water), Salzlösung (saline), Schweiß (sweat) und die des Projekts.</translation>
+    </message>
+    <message>
+        <source>There is no liquid named &quot;{}&quot; in the project or the library.</source>
+        <translation>Weder im Projekt noch in der Bibliothek heißt eine Flüssigkeit „{}“.</translation>
+    </message>
+    <message>
+        <source>There is no material &quot;{}&quot;{} Known are: {}.</source>
+        <translation>Es gibt kein Material „{}“{} Bekannt sind: {}.</translation>
+    </message>
+    <message>
+        <source>There is no table of sweat rates &quot;{}&quot;; there are {}, or name a file that ends in .csv.</source>
+        <translation>Es gibt keine Tabelle der Schweißraten „{}“; es gibt {}, oder nennen Sie eine Datei, die auf .csv endet.</translation>
+    </message>
+    <message>
+        <source>There is no zone &quot;{}&quot; of the body{} There are &quot;default&quot;, {}.</source>
+        <translation>Der Körper hat keine Zone „{}“{} Es gibt „default“, {}.</translation>
+    </message>
+    <message>
+        <source>This is the same value as factors[{}], &quot;{}&quot;; leave one.</source>
+        <translation>Das ist derselbe Wert wie factors[{}], „{}“; lassen Sie einen.</translation>
+    </message>
+    <message>
+        <source>This must be a number; given is &quot;{}&quot;.</source>
+        <translation>Das muss eine Zahl sein; gegeben ist „{}“.</translation>
+    </message>
+    <message>
+        <source>This must be one of &quot;values&quot;; given is {}.</source>
+        <translation>Das muss einer der „values“ sein; gegeben ist {}.</translation>
+    </message>
+    <message>
+        <source>Yarns are flattened at crossings: the sett is too dense for round yarns (Peirce).</source>
+        <translation>Garne sind an Kreuzungen abgeflacht: Für runde Garne ist die Fadendichte zu hoch (Peirce).</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; and &quot;{}&quot; are not sewn together.</source>
+        <translation>„{}“ und „{}“ sind nicht zusammengenäht.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is a zone of the body; give a zone of your own another name.</source>
+        <translation>„{}“ ist eine Zone des Körpers; geben Sie einer eigenen Zone einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>a built-in garment</source>
+        <translation>bei einem eingebauten Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>a pattern</source>
+        <translation>bei einem Schnitt</translation>
+    </message>
+    <message>
+        <source>along the warp</source>
+        <translation>entlang der Kette</translation>
+    </message>
+    <message>
+        <source>along the weft</source>
+        <translation>entlang dem Schuss</translation>
+    </message>
+    <message>
+        <source>are {:.0f} % of the limit of sett for these yarns and this weave; looms stop at about {:.0f} %</source>
+        <translation>sind {:.0f} % der Grenzdichte dieser Garne in dieser Bindung; Webmaschinen enden bei etwa {:.0f} %</translation>
+    </message>
+    <message>
+        <source>diameter that follows from the linear density</source>
+        <translation>Durchmesser, der aus der Fadenfeinheit folgt</translation>
+    </message>
+    <message>
+        <source>diffusivity of water in the fibre</source>
+        <translation>Diffusionskoeffizient von Wasser in der Faser</translation>
+    </message>
+    <message>
+        <source>experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>fabric</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>face</source>
+        <translation>Oberseite</translation>
+    </message>
+    <message>
+        <source>gap between skin and cloth</source>
+        <translation>Abstand zwischen Haut und Stoff</translation>
+    </message>
+    <message>
+        <source>leave these yarns no room to bend round each other, flattened and squeezed as close as they can be</source>
+        <translation>lassen diesen Garnen keinen Platz, sich umeinander zu biegen, so flach und dicht sie auch gepresst sind</translation>
+    </message>
+    <message>
+        <source>number of the yarn (0: the fabric&apos;s own, then extra_yarns from 1)</source>
+        <translation>Nummer des Garns (0: das des Gewebes, dann die weiteren Garne ab 1)</translation>
+    </message>
+    <message>
+        <source>number of threads in a run</source>
+        <translation>Zahl der Fäden nebeneinander</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>perimeter of a fibre over that of a circle of the same area</source>
+        <translation>Umfang einer Faser zu dem eines Kreises gleicher Fläche</translation>
+    </message>
+    <message>
+        <source>radius of a fibre that follows from the number of filaments</source>
+        <translation>Faserradius, der aus der Filamentzahl folgt</translation>
+    </message>
+    <message>
+        <source>residual of a calibration</source>
+        <translation>Restabweichung einer Kalibrierung</translation>
+    </message>
+    <message>
+        <source>sample&apos;s size</source>
+        <translation>Größe der Probe</translation>
+    </message>
+    <message>
+        <source>share of the water that a seam lets through</source>
+        <translation>Anteil des Wassers, den eine Naht durchlässt</translation>
+    </message>
+    <message>
+        <source>strip&apos;s size</source>
+        <translation>Größe des Streifens</translation>
+    </message>
+    <message>
+        <source>to bend round each other</source>
+        <translation>um sich umeinander zu biegen</translation>
+    </message>
+    <message>
+        <source>to fit the thickness</source>
+        <translation>um in die Dicke zu passen</translation>
+    </message>
+    <message>
+        <source>under</source>
+        <translation>unter</translation>
+    </message>
+    <message>
+        <source>x of a place</source>
+        <translation>x eines Punkts</translation>
+    </message>
+    <message>
+        <source>y of a place</source>
+        <translation>y eines Punkts</translation>
+    </message>
+    <message>
+        <source>{:.4g} ends and {:.4g} picks per {} {}. Lower a sett, or give finer yarns or longer floats.</source>
+        <translation>{:.4g} Kett- und {:.4g} Schussfäden je {} {}. Senken Sie eine Fadendichte, oder geben Sie feinere Garne oder längere Flottierungen.</translation>
+    </message>
+    <message>
+        <source>{:.4g} of this fibre ({:.0f} kg/m3) in a diameter of {:.4g} is a packing factor of {:.3g}; it must be from {} to {}.</source>
+        <translation>{:.4g} von dieser Faser ({:.0f} kg/m³) in einem Durchmesser von {:.4g} sind eine Packungsdichte von {:.3g}; erlaubt ist {} bis {}.</translation>
+    </message>
+    <message>
+        <source>{:.4g} of this fibre in a diameter of {:.3g} is a packing factor of {:.3g}; usual yarns are packed to {} to {}. Leave the diameter or the linear density empty, and it is calculated.</source>
+        <translation>{:.4g} von dieser Faser in einem Durchmesser von {:.3g} sind eine Packungsdichte von {:.3g}; übliche Garne haben {} bis {}. Lassen Sie Durchmesser oder Fadenfeinheit leer, dann werden sie berechnet.</translation>
+    </message>
+    <message>
+        <source>{:.4g} of {} filaments ({:.0f} kg/m3) make a fibre radius of {:.3g}, which counts; that of {} is {:.3g} and is left aside.</source>
+        <translation>{:.4g} aus {} Filamenten ({:.0f} kg/m³) ergeben einen Faserradius von {:.3g}, der gilt; der von {} ist {:.3g} und bleibt außer Acht.</translation>
+    </message>
+    <message>
+        <source>{:.4g} {} do not fit: a yarn of {:.3g} ({:.3g}) has {:.2g} x {:.2g} of room; the packing would be {:.3g}, the limit is {}. Lower the sett, or give a finer yarn or more thickness.</source>
+        <translation>{:.4g} {} passen nicht: Ein Garn von {:.3g} ({:.3g}) hat {:.2g} x {:.2g} Platz; die Packungsdichte wäre {:.3g}, die Grenze ist {}. Senken Sie die Fadendichte, oder geben Sie ein feineres Garn oder mehr Dicke.</translation>
+    </message>
+    <message>
+        <source>{} are loosened from a packing of {:.3g} to {:.3g}, to fill the thickness.</source>
+        <translation>{} sind von einer Packungsdichte von {:.3g} auf {:.3g} gelockert, um die Dicke zu füllen.</translation>
+    </message>
+    <message>
+        <source>{} are narrowed to {:.3g}, 98 % of their pitch of {:.3g}; their packing factor rises from {:.3g} to {:.3g}.</source>
+        <translation>{} sind auf {:.3g} verschmälert, 98 % ihres Abstands von {:.3g}; ihre Packungsdichte steigt von {:.3g} auf {:.3g}.</translation>
+    </message>
+    <message>
+        <source>{} become {:.3g} wide where they cross.</source>
+        <translation>{} werden {:.3g} breit, wo sie sich kreuzen.</translation>
+    </message>
+    <message>
+        <source>{} drawn fibres do not fill {} plies; give at least one for each.</source>
+        <translation>{} gezeichnete Fasern füllen {} Einzelgarne nicht; geben Sie mindestens eine für jedes.</translation>
+    </message>
+    <message>
+        <source>{} have {:.0f} % of their area on average, as the crossed yarns squeeze them between crossings; they are packed to {:.3g}.</source>
+        <translation>{} haben im Mittel {:.0f} % ihrer Fläche, da die gekreuzten Garne sie zwischen Kreuzungen pressen; sie sind auf {:.3g} gepackt.</translation>
+    </message>
+    <message>
+        <source>{} points with {} runs each are more than {} rows; take fewer points, fabrics, experiments or replicates.</source>
+        <translation>{} Punkte mit je {} Läufen sind mehr als {} Zeilen; nehmen Sie weniger Punkte, Gewebe, Versuche oder Wiederholungen.</translation>
+    </message>
+    <message>
+        <source>{} {} and {} more never interlace.</source>
+        <translation>{} {} und {} weitere binden nie ab.</translation>
+    </message>
+    <message>
+        <source>{} {} never interlaces.</source>
+        <translation>{} {} bindet nie ab.</translation>
+    </message>
+    <message>
+        <source>{}, {:.3g} across when free, are flattened to {:.3g} of height {}.</source>
+        <translation>{}, frei {:.3g} breit, sind auf {:.3g} Höhe abgeflacht, {}.</translation>
+    </message>
+    <message>
+        <source>{}{} of yarn {} (extra yarn {})</source>
+        <translation>{}{} von Garn {} (weiteres Garn {})</translation>
+    </message>
+    <message>
+        <source>{}{}</source>
+        <translation>{}{}</translation>
     </message>
 </context>
 <context>

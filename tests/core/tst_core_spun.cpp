@@ -110,15 +110,15 @@ private Q_SLOTS:
         QVERIFY(errors_of(cloth(0.05)).empty());
         const std::vector<Issue> thick = errors_of(cloth(0.6));
         QCOMPARE(thick.size(), std::size_t(1));
-        QCOMPARE(thick[0].where, std::string("fabrics[0].weft.core.share"));
-        QVERIFY2(QString::fromStdString(thick[0].text).contains("0.005") && QString::fromStdString(thick[0].text).contains("0.6"),
-                 thick[0].text.c_str());
+        QCOMPARE(thick[0].where.text(), std::string("fabrics[0].weft.core.share"));
+        QVERIFY2(QString::fromStdString(thick[0].text()).contains("0.005") && QString::fromStdString(thick[0].text()).contains("0.6"),
+                 thick[0].text().c_str());
         Design unknown = cloth(0.05);
         unknown.fabrics[0].weft.core->material = "elastan";
         const std::vector<Issue> name = errors_of(unknown);
         QCOMPARE(name.size(), std::size_t(1));
-        QCOMPARE(name[0].where, std::string("fabrics[0].weft.core.material"));
-        QVERIFY2(QString::fromStdString(name[0].text).contains("elastane"), name[0].text.c_str());
+        QCOMPARE(name[0].where.text(), std::string("fabrics[0].weft.core.material"));
+        QVERIFY2(QString::fromStdString(name[0].text()).contains("elastane"), name[0].text().c_str());
     }
     void theLibraryHasAStretchFabric()
     {

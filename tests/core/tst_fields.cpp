@@ -115,9 +115,26 @@ private Q_SLOTS:
         IssueList list;
         QVERIFY(!list.fields("shuttle", shuttle));
         QCOMPARE(list.issues.size(), std::size_t{2});
-        QCOMPARE(QString::fromStdString(list.issues[0].where), QString("shuttle.length_mm"));
-        QCOMPARE(QString::fromStdString(list.issues[0].text), QString("The length of a shuttle must be from 100 to 600 mm; given is 99."));
-        QCOMPARE(QString::fromStdString(list.issues[1].text), QString("The speed of a shuttle must be from 0 to 30 m/s; given is 31."));
+        QCOMPARE(QString::fromStdString(list.issues[0].where.text()), QString("shuttle.length_mm"));
+        QCOMPARE(QString::fromStdString(list.issues[0].text()),
+                 QString("The length of a shuttle must be from 100 to 600 mm; given is 99."));
+        QCOMPARE(QString::fromStdString(list.issues[1].text()), QString("The speed of a shuttle must be from 0 to 30 m/s; given is 31."));
+    }
+    void aPlaceSaysWhatItsNumberMayBe()
+    {
+        const auto allowed = [](const Place& place) {
+            const auto message = allowed_at(place);
+            return message ? english(*message) : "";
+        };
+        const Place droplet = Place("experiments") / std::size_t{1} / "droplets" / std::size_t{0};
+        QCOMPARE(droplet.text(), std::string("experiments[1].droplets[0]"));
+        QCOMPARE(allowed(droplet / "volume_ul"), std::string("The volume of a droplet must be from 1e-06 to 5000 ul."));
+        QCOMPARE(allowed(Place("experiments") / std::size_t{1} / "volume_ul"),
+                 std::string("The volume of liquid must be from 0.001 to 100000 ul."));
+        QCOMPARE(allowed(Place("garments") / std::size_t{0} / "panels" / "front" / "grain_deg"),
+                 std::string("The angle of the grain must be from -360 to 360 degrees."));
+        QCOMPARE(allowed(droplet / "at_mm" / std::size_t{0}), std::string());
+        QCOMPARE(allowed(Place()), std::string());
     }
     void nothingTakesBackAnOptionalNumberAlone()
     {

@@ -21,7 +21,7 @@ private Q_SLOTS:
         QVERIFY(shipped_presets().size() >= 24);
         for (const Preset& preset : shipped_presets())
             for (const Issue& issue : validate(preset.design))
-                QVERIFY2(issue.severity != Severity::error, (preset.fabric().name + ": " + issue.text).c_str());
+                QVERIFY2(issue.severity != Severity::error, (preset.fabric().name + ": " + issue.text()).c_str());
     }
     void presetsWeighWhatTheirConstructionsDo()
     {

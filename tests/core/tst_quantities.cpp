@@ -117,7 +117,8 @@ private Q_SLOTS:
         QVERIFY2(near(one.fibre.fibre_radius_um, 500 * one.free.diameter * std::sqrt(one.free.packing_factor), 1e-6), "one fibre");
         nets.fabrics[0].warp.plies = 3;
         const std::vector<Issue> issues = validate(nets);
-        QVERIFY(std::any_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.where == "fabrics[0].warp.plies"; }));
+        QVERIFY(
+            std::any_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.where.text() == "fabrics[0].warp.plies"; }));
         filament.yarn_class = YarnClass::ring; // of staple, though hardly twisted
         QVERIFY(!is_filament({}, filament) && typical_unevenness({}, filament).cv > 0.05);
 
@@ -157,8 +158,9 @@ private Q_SLOTS:
         QVERIFY2(near(a_little.yarn_layer_thickness_mm, 1.05 * natural.yarn_layer_thickness_mm, 1e-5),
                  qPrintable(QString::number(a_little.yarn_layer_thickness_mm / natural.yarn_layer_thickness_mm)));
         QVERIFY(a_little.warp.packing_factor_in_fabric < 0.53 && a_little.warp.pore_radius_um > 1.05 * natural.warp.pore_radius_um);
-        QVERIFY(std::any_of(a_little.notes.begin(), a_little.notes.end(),
-                            [](const std::string& note) { return note.find("loosened from a packing of 0.55") != std::string::npos; }));
+        QVERIFY(std::any_of(a_little.notes.begin(), a_little.notes.end(), [](const Message& note) {
+            return english(note).find("loosened from a packing of 0.55") != std::string::npos;
+        }));
         fabric.thickness_mm = 1.4 * natural.yarn_layer_thickness_mm;
         const FabricQuantities much = derive_quantities({}, fabric);
         QVERIFY(near(much.warp.packing_factor_in_fabric * much.warp.area_share, loosest_in_cloth, 1e-9));
@@ -219,8 +221,8 @@ private Q_SLOTS:
         QCOMPARE(q.yarn_layer_thickness_mm, 0.4);
         QCOMPARE(q.thickness_mm, 1.46);
         QVERIFY(!q.warp.flattened);
-        QVERIFY(std::any_of(q.notes.begin(), q.notes.end(), [](const std::string& note) {
-            return note.find("1.06 mm of the given thickness are flyaway fibres") != std::string::npos;
+        QVERIFY(std::any_of(q.notes.begin(), q.notes.end(), [](const Message& note) {
+            return english(note).find("1.06 mm of the given thickness are flyaway fibres") != std::string::npos;
         }));
     }
     void thinFabricFlattensItsYarnsAndKeepsTheirArea()

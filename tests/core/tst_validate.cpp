@@ -56,7 +56,7 @@ private Q_SLOTS:
             design.experiments[0].name = "standard";
             design.experiments[0].climates = {{60, {30, 0.5, 0}}};
             const auto issues = validate(design);
-            QVERIFY2(issues.empty(), issues.empty() ? "" : issues[0].text.c_str());
+            QVERIFY2(issues.empty(), issues.empty() ? "" : issues[0].text().c_str());
         }
     }
     void aProjectsOwnLiquidIsKnown()
@@ -107,9 +107,9 @@ private Q_SLOTS:
         const auto issues = validate(design);
         const Issue* issue = find(issues, "ends_do_not_fit");
         QVERIFY(issue);
-        QCOMPARE(issue->where, std::string("fabrics[0].picks_per_cm"));
-        QVERIFY2(issue->text.find("picks/cm of yarn C (extra yarn 2) do not fit: a yarn of 0.9 mm") != std::string::npos,
-                 issue->text.c_str());
+        QCOMPARE(issue->where.text(), std::string("fabrics[0].picks_per_cm"));
+        QVERIFY2(issue->text().find("picks/cm of yarn C (extra yarn 2) do not fit: a yarn of 0.9 mm") != std::string::npos,
+                 issue->text().c_str());
     }
 
     void everyWrongValueIsAnErrorAtItsPlace_data()
@@ -270,10 +270,10 @@ private Q_SLOTS:
         const auto issues = validate(design);
         QVERIFY(has_error(issues));
         const Issue* issue = find(issues, code.toStdString());
-        QVERIFY2(issue, issues[0].text.c_str());
-        QCOMPARE(QString::fromStdString(issue->where), where.trimmed());
+        QVERIFY2(issue, issues[0].text().c_str());
+        QCOMPARE(QString::fromStdString(issue->where.text()), where.trimmed());
         QVERIFY(issue->severity == Severity::error);
-        QVERIFY(issue->text.size() > 20 && issue->text.back() == '.');
+        QVERIFY(issue->text().size() > 20 && issue->text().back() == '.');
     }
     void disagreeingYarnIsRefusedWithTheNumbers()
     {
@@ -283,7 +283,8 @@ private Q_SLOTS:
         const auto issues = validate(design);
         const Issue* issue = find(issues, "yarn_disagrees");
         QVERIFY(issue);
-        QVERIFY2(issue->text.find("24.35 tex") != std::string::npos && issue->text.find("30") != std::string::npos, issue->text.c_str());
+        QVERIFY2(issue->text().find("24.35 tex") != std::string::npos && issue->text().find("30") != std::string::npos,
+                 issue->text().c_str());
         design.fabrics[0].warp.linear_density_tex = 24.5; // within 1 %
         QVERIFY(!has_error(validate(design)));
         design.fabrics[0].warp.linear_density_tex = 24.7;
@@ -299,7 +300,7 @@ private Q_SLOTS:
             const auto issues = validate(design);
             const Issue* issue = find(issues, "odd_packing");
             QCOMPARE(issue != nullptr, odd);
-            QVERIFY(!issue || (issue->severity == Severity::warning && issue->where == "fabrics[0].warp"));
+            QVERIFY(!issue || (issue->severity == Severity::warning && issue->where.text() == "fabrics[0].warp"));
             QVERIFY(!has_error(issues));
         }
         warp.diameter_mm.reset(); // then it follows from the count
@@ -309,7 +310,7 @@ private Q_SLOTS:
     {
         Design design = sound();
         design.experiments[0].climate.temperature_c = 99;
-        QCOMPARE(QString::fromStdString(validate(design)[0].text), QString("The temperature must be from -10 to 60 C; given is 99."));
+        QCOMPARE(QString::fromStdString(validate(design)[0].text()), QString("The temperature must be from -10 to 60 C; given is 99."));
     }
     void aFeedSaysTheSmallestDropItMayFallIn()
     {
@@ -321,11 +322,11 @@ private Q_SLOTS:
             QVERIFY2(!has_error(validate(design)), qPrintable(QString::number(drop)));
         }
         experiment.drop_ul = 0.4;
-        QCOMPARE(QString::fromStdString(find(validate(design), "range")->text),
+        QCOMPARE(QString::fromStdString(find(validate(design), "range")->text()),
                  QString("The volume of each drop of the feed must be 0 (the feed flows evenly) or at least 0.5 ul; given is 0.4."));
         experiment.volume_ul = 1e4;
         experiment.drop_ul = 2;
-        QCOMPARE(QString::fromStdString(find(validate(design), "too_many_drops")->text),
+        QCOMPARE(QString::fromStdString(find(validate(design), "too_many_drops")->text()),
                  QString("A feed of 10000 ul may come in at most 4000 drops, of 2.5 ul or more; given are drops of 2 ul."));
     }
     void belowFreezingIsAWarning()
@@ -399,7 +400,7 @@ private Q_SLOTS:
             if (entry.path().extension() != ".hygro") continue;
             ++count;
             for (const Issue& issue : validate(read_project(entry.path()))) // some published setts are above the limit
-                QVERIFY2(issue.severity == Severity::note || issue.code == "jammed", issue.text.c_str());
+                QVERIFY2(issue.severity == Severity::note || issue.code == "jammed", issue.text().c_str());
         }
         QVERIFY(count >= 17);
     }
@@ -411,9 +412,9 @@ private Q_SLOTS:
         design.experiments[0].duration_s = -1;
         const auto issues = validate(design);
         QCOMPARE(issues.size(), std::size_t(3));
-        QCOMPARE(issues[0].where, std::string("fabrics[0].warp.twist_per_m"));
-        QCOMPARE(issues[1].where, std::string("fabrics[0].picks_per_cm"));
-        QCOMPARE(issues[2].where, std::string("experiments[0].duration_s"));
+        QCOMPARE(issues[0].where.text(), std::string("fabrics[0].warp.twist_per_m"));
+        QCOMPARE(issues[1].where.text(), std::string("fabrics[0].picks_per_cm"));
+        QCOMPARE(issues[2].where.text(), std::string("experiments[0].duration_s"));
     }
 };
 

@@ -41,7 +41,7 @@ Design with_weave(const Weave& weave, double sett = 20, double diameter = 0.2)
 std::string text_of(const std::vector<Issue>& issues, const std::string& code)
 {
     for (const Issue& issue : issues)
-        if (issue.code == code) return issue.where + ": " + issue.text;
+        if (issue.code == code) return issue.where.text() + ": " + issue.text();
     return {};
 }
 

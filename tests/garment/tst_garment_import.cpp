@@ -440,7 +440,7 @@ private Q_SLOTS:
         change(design.garments[0]);
         std::string found;
         for (const Issue& issue : validate(design))
-            if (issue.severity == Severity::error) found += issue.where + ": " + issue.text + "\n";
+            if (issue.severity == Severity::error) found += issue.where.text() + ": " + issue.text() + "\n";
         QVERIFY2(found.find("garments[0]." + where.toStdString() + ": ") != std::string::npos, found.c_str());
         QVERIFY2(found.find(says.toStdString()) != std::string::npos, found.c_str());
     }

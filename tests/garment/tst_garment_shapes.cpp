@@ -307,7 +307,7 @@ private Q_SLOTS:
             design.garments.push_back(from_file("x.glb"));
             const GarmentCheck check = check_garments(design, files_.at(""), {});
             QVERIFY(std::any_of(check.issues.begin(), check.issues.end(), [](const Issue& issue) {
-                return issue.severity == Severity::warning && issue.code == "garment_shape" && issue.where == "garments[0].source";
+                return issue.severity == Severity::warning && issue.code == "garment_shape" && issue.where.text() == "garments[0].source";
             }));
         }
         QVERIFY(files_.read(glb_of(two_sheets()), "x.glb").doubts.empty());

@@ -79,7 +79,7 @@ private Q_SLOTS:
         QVERIFY(t.quantities.warp.crimp_percent > 5);
         const auto& notes = t.quantities.notes;
         QVERIFY(std::any_of(notes.begin(), notes.end(),
-                            [](const std::string& note) { return note.find("is set to 4 %") != std::string::npos; }));
+                            [](const Message& note) { return english(note).find("is set to 4 %") != std::string::npos; }));
     }
     void yarnsLieAsFlatAsTheirKindAndTwistMakeThem()
     {

@@ -80,9 +80,9 @@ private Q_SLOTS:
         const std::vector<Issue> issues = validate(design);
         const auto found = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.code == "filaments"; });
         QVERIFY(found != issues.end() && found->severity == Severity::note);
-        QCOMPARE(found->where, std::string("fabrics[0].warp.filament_count"));
-        QVERIFY2(found->text.find("16.67 tex of 192 filaments") == 0 && found->text.find("4.47 µm") != std::string::npos,
-                 found->text.c_str());
+        QCOMPARE(found->where.text(), std::string("fabrics[0].warp.filament_count"));
+        QVERIFY2(found->text().find("16.67 tex of 192 filaments") == 0 && found->text().find("4.47 µm") != std::string::npos,
+                 found->text().c_str());
     }
     void roundYarnsKeepPeircesLimit() // plain square cloth jams at pitch / D = 0.866, D the sum of the diameters
     {

@@ -268,7 +268,7 @@ Run run_of(const ProjectJson& project, const std::string& forced)
 {
     const Design design = design_from_json(project, "keys");
     for (const Issue& issue : validate(design))
-        if (issue.severity == Severity::error) throw Error(issue.where + ": " + issue.text);
+        if (issue.severity == Severity::error) throw Error(issue.where.text() + ": " + issue.text());
     const Experiment& experiment = design.experiments[0];
     const Textile textile = textile_of_run(design, design.fabrics[0], experiment);
     Run run;

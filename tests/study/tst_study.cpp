@@ -38,7 +38,7 @@ QString issues_of(const std::string& text)
 {
     QString all;
     for (const Issue& issue : validate(parse_study(text, "s.json"), drop_design()))
-        all += QString::fromStdString(issue.where + ": " + issue.text + "\n");
+        all += QString::fromStdString(issue.where.text() + ": " + issue.text() + "\n");
     return all;
 }
 
@@ -209,7 +209,7 @@ private Q_SLOTS:
             const std::string runs = "\"fabrics\": [\"" + fabric + "\"], \"experiments\": [\"" + experiment + "\"]";
             QString all;
             for (const Issue& issue : validate(parse_study(file_with(factors, sobol, runs), "s.json"), design))
-                all += QString::fromStdString(issue.where + ": " + issue.text + "\n");
+                all += QString::fromStdString(issue.where.text() + ": " + issue.text() + "\n");
             return all;
         };
         QCOMPARE(said("fabrics[1].ends_per_cm", first, now),

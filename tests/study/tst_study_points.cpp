@@ -119,7 +119,7 @@ private Q_SLOTS:
         study.factors = {list("fabrics[0].ends_per_cm", {20, 22})};
         const auto first = [&] {
             const std::vector<Issue> issues = validate(study, design);
-            return issues.empty() ? std::string() : issues[0].where + ": " + issues[0].text;
+            return issues.empty() ? std::string() : issues[0].where.text() + ": " + issues[0].text();
         };
         QVERIFY2(first().find("factors[0].values: One at a time") == 0 && first().find(", 24,") != std::string::npos, first().c_str());
         study.factors[0].base = factor_value(23.0);

@@ -96,19 +96,19 @@ std::string in_hex(const std::string& bytes)
 template <typename Names> const char* one_of(const Names& names, Choices& choices) { return names[choices.of(std::size(names))]; }
 
 /// A place of a value, as in UPDATE TABLE SET COLUMN=... WHERE ...
-struct Place {
+struct Spot {
     std::string table, column, where;
     std::string set(const std::string& to) const { return fmt::format("UPDATE {} SET \"{}\"={} WHERE {}", table, column, to, where); }
     std::string get() const { return fmt::format("SELECT \"{}\" FROM {} WHERE {}", column, table, where); }
 };
 
-Place in_meta(const char* name) { return {"meta", "value", fmt::format("name='{}'", name)}; }
-Place in_frames(const CraftTargets& targets, Choices& choices)
+Spot in_meta(const char* name) { return {"meta", "value", fmt::format("name='{}'", name)}; }
+Spot in_frames(const CraftTargets& targets, Choices& choices)
 {
     return {"frames", one_of(targets.columns, choices), fmt::format("number={}", choices.of(3))};
 }
 
-Place any_value(const CraftTargets& targets, Choices& choices)
+Spot any_value(const CraftTargets& targets, Choices& choices)
 {
     switch (choices.of(5)) {
     case 0: return in_meta(one_of(targets.numbers, choices));
@@ -144,7 +144,7 @@ std::string remove_row(const Opened& file, const CraftTargets& targets, Choices&
 /// In place, as a flipped bit would; or cut.
 std::string change_bytes(const Opened& file, const CraftTargets& targets, Choices& choices)
 {
-    const Place place = any_value(targets, choices);
+    const Spot place = any_value(targets, choices);
     std::string bytes = file.bytes(place.get());
     if (bytes.empty()) return "nothing";
     const std::size_t at = (choices.of(256) * 256 + choices.of(256)) % bytes.size();

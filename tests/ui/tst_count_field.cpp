@@ -45,7 +45,7 @@ private Q_SLOTS:
     void aNewFabricHasCountsAndNoWarning()
     {
         QVERIFY(warp().linear_density_tex && !warp().diameter_mm);
-        for (const Issue& issue : document_->issues()) { QVERIFY2(issue.severity == Severity::note, issue.text.c_str()); }
+        for (const Issue& issue : document_->issues()) { QVERIFY2(issue.severity == Severity::note, issue.text().c_str()); }
         QCOMPARE(count()->text(), shown("19.68 tex"));
         QCOMPARE(noteOf(count()), QString("Ne 30"));
         QCOMPARE(noteOf(field("Diameter")), QString("from the count"));

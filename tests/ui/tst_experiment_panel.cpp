@@ -2,6 +2,7 @@
 // The experiment panel: the climate over time, the project's own liquids, where an issue leads; and the results of a run.
 #include "core/plan/model_plan.h"
 #include "core/project/project_file.h"
+#include "place_of.h"
 #include "tests/support/drop_design.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/panels/climate_course.h"
@@ -319,7 +320,7 @@ private Q_SLOTS:
         });
         document_->setExperimentIndex(experiment);
         QApplication::setActiveWindow(panel_.get());
-        panel_->showField(where.toStdString());
+        panel_->showField(placeOf(where));
         QCoreApplication::processEvents();
         QWidget* focus = panel_->focusWidget();
         QVERIFY(focus);

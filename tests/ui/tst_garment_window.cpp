@@ -397,7 +397,7 @@ private Q_SLOTS:
         editGarment(window_->document(), "too warm", 0, {}, [](Garment& garment) { garment.wearer.skin_temperature_c = 90; });
         QVERIFY(window_->document().hasError());
         QVERIFY(!window_->garment().runForm().canRun());
-        window_->garment().showIssue("garments", 0);
+        window_->garment().showIssue(true, 0);
         QVERIFY(window_->garment().docks().garment->isVisible());
     }
 

@@ -2,6 +2,7 @@
 // The whole window, driven as a designer would. Needs a display: xvfb-run.
 #include "core/design/draft.h"
 #include "core/project/project_file.h"
+#include "place_of.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/export/export_dialog.h"
 #include "ui/panels/issues_panel.h"
@@ -496,7 +497,7 @@ private Q_SLOTS:
         document.setFabricIndex(0);
         document.setExperimentIndex(0);
         QApplication::setActiveWindow(window_.get());
-        Q_EMIT window_->findChild<IssuesPanel*>()->issueActivated(where);
+        Q_EMIT window_->findChild<IssuesPanel*>()->issueActivated(placeOf(where));
         QTest::qWait(50);
         const QWidget* focus = window_->focusWidget();
         QVERIFY(focus);

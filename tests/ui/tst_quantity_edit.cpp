@@ -181,7 +181,7 @@ private Q_SLOTS:
     void anIssueIsShownWithTheRange()
     {
         QuantityEdit edit(Quantity::length(0.01, 5));
-        const Issue issue{Severity::error, "range", "fabrics[0].thickness_mm", "The thickness is too small."};
+        const Issue issue{Severity::error, "range", "thickness_mm", say("The thickness is too small.")};
         edit.setIssues({&issue});
         QVERIFY(edit.toolTip().contains("The thickness is too small."));
         QVERIFY(edit.toolTip().contains("Allowed: 0.01 to 5"));

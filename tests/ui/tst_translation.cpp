@@ -4,11 +4,13 @@
 #include "core/design/garment.h"
 #include "core/design/liquid.h"
 #include "core/design/material.h"
+#include "core/design/validate.h"
 #include "core/design/weave.h"
 #include "core/plan/fidelity.h"
 #include "core/project/library.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/elided_combo.h"
+#include "ui/basics/issue_text.h"
 #include "ui/basics/language.h"
 #include "ui/basics/quantity_edit.h"
 #include "ui/garment/garment_edits.h"
@@ -37,7 +39,7 @@ namespace {
 
 const QString file = QString(HYGROLOOM_SOURCE_DIR) + "/resources/translations/hygroloom_de.ts";
 
-struct Message {
+struct Entry {
     QString context, source;
     QStringList translations; ///< one, or the plural's two
     bool plural = false, unfinished = false;
@@ -54,9 +56,9 @@ QStringList formsOf(QXmlStreamReader& xml)
     return forms.isEmpty() ? QStringList{text} : forms;
 }
 
-std::vector<Message> messagesOf(const QString& path)
+std::vector<Entry> messagesOf(const QString& path)
 {
-    std::vector<Message> messages;
+    std::vector<Entry> messages;
     QFile ts(path);
     if (!ts.open(QIODevice::ReadOnly)) { return messages; }
     QXmlStreamReader xml(&ts);
@@ -91,7 +93,7 @@ QString withoutKeys(const QString& text) { return QString(text).remove('&'); }
 std::set<QString> englishOnly()
 {
     std::set<QString> english, same;
-    for (const Message& message : messagesOf(file)) {
+    for (const Entry& message : messagesOf(file)) {
         const QString source = withoutKeys(message.source);
         (withoutKeys(message.translations.value(0)) == source ? same : english).insert(source);
     }
@@ -118,9 +120,9 @@ private Q_SLOTS:
 
     void everyTextHasATranslationThatKeepsItsPlacesAndTags()
     {
-        const std::vector<Message> messages = messagesOf(file);
+        const std::vector<Entry> messages = messagesOf(file);
         QVERIFY(messages.size() > 1500);
-        for (const Message& message : messages) {
+        for (const Entry& message : messages) {
             const QString name = message.context + ": " + message.source;
             QVERIFY2(!message.unfinished, qPrintable(name));
             QCOMPARE(message.translations.size(), message.plural ? 2 : 1);
@@ -144,7 +146,7 @@ private Q_SLOTS:
         QVERIFY2(script.exitStatus() == QProcess::NormalExit && script.exitCode() == 0, qPrintable(said));
         const auto named = [](const QString& path) {
             std::set<QString> all;
-            for (const Message& message : messagesOf(path)) { all.insert(message.context + ": " + message.source); }
+            for (const Entry& message : messagesOf(path)) { all.insert(message.context + ": " + message.source); }
             return all;
         };
         const std::set<QString> found = named(copy.filePath("hygroloom_de.ts")), own = named(file);
@@ -183,6 +185,19 @@ private Q_SLOTS:
         for (const std::string& name : named) { QVERIFY2(table.count(name), name.c_str()); }
         QCOMPARE(coreTitle("wetted radius", "top"), QString("Benetzungsradius, oben"));
         QCOMPARE(coreWord("a name that somebody gave"), QString("a name that somebody gave"));
+    }
+
+    void issuesAreInTheLanguageOfTheWindow()
+    {
+        Design design = *window_->document().design();
+        design.fabrics[0].warp.twist_per_m = 6000;
+        QCOMPARE(issueText(validate(design).front()), QString("Drehung: Erlaubt ist 0 bis 5000 /m; gegeben ist 6000."));
+        design.fabrics[0].warp.material = {{"coton", 1}};
+        const std::vector<Issue> issues = validate(design);
+        QVERIFY(std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
+            return issueText(issue).startsWith(QString::fromUtf8("Es gibt kein Material „coton“; meinten Sie „cotton“? Bekannt sind: "));
+        }));
+        QCOMPARE(messageText(say("In no table: {}", "a name")), QString("In no table: a name"));
     }
 
     void noTextOfTheWindowIsEnglish()

@@ -60,39 +60,40 @@ private Q_SLOTS:
         QCOMPARE(*edit.typed(nullptr), 3.0);
     }
 
-    void sentencesOfCoreAreInTheReadersUnits_data()
+    void messagesOfCoreAreInTheReadersUnits()
     {
-        QTest::addColumn<QString>("metric");
-        QTest::addColumn<QString>("inches"); // with Ne
-        QTest::newRow("setts, sizes and counts")
-            << "118.1 ends/cm do not fit: a yarn of 0.2 mm (24.3 tex) has 0.083 x 0.083 mm of room; the packing would be 2.91."
-            << "300 ends/in do not fit: a yarn of 0.00787 in (24.3 Ne) has 0.00327 x 0.00327 in of room; the packing would be 2.91.";
-        QTest::newRow("both setts") << "40 ends and 30 picks per cm are 95 % of the limit."
-                                    << "102 ends and 76.2 picks per in are 95 % of the limit.";
-        QTest::newRow("a range of lengths") << "The sample must be from 0.1 to 2000 mm; given is 3000."
-                                            << "The sample must be from 0.00394 to 78.7 in; given is 118.";
-        QTest::newRow("a range with words") << "The droplet must land on the sample, from -10 to 10 mm along the weft; given is 12.7."
-                                            << "The droplet must land on the sample, from -0.394 to 0.394 in along the weft; given is 0.5.";
-        QTest::newRow("a range of setts") << "The number of ends per cm must be from 0.5 to 500; given is 600."
-                                          << "The number of ends per in must be from 1.27 to 1270; given is 1524.";
-        QTest::newRow("a range of counts, which turns round") << "The count must be from 0.05 to 50000 tex; given is 60000."
-                                                              << "The count must be from 0.0118 to 11810 Ne; given is 0.00984.";
-        QTest::newRow("names stay") << "A drop of 10 µl, 2.7 mm wide, falls through \"Net, 5 mm\": its holes are 4.9 mm wide."
-                                    << "A drop of 10 µl, 0.106 in wide, falls through \"Net, 5 mm\": its holes are 0.193 in wide.";
-        QTest::newRow("other units stay") << "1540 kg/m3, 3 loops/mm, 5 mm/s and 8 µm."
-                                          << "1540 kg/m3, 3 loops/mm, 5 mm/s and 8 µm.";
-        QTest::newRow("yarns by letters") << "30/cm of yarn B (extra yarn 1)"
-                                          << "76.2/in of yarn B (extra yarn 1)";
-    }
-    void sentencesOfCoreAreInTheReadersUnits()
-    {
-        QFETCH(QString, metric);
-        QFETCH(QString, inches);
-        QCOMPARE(inReadersUnits(metric), metric);
+        const Stored mm = Stored::mm, per_cm = Stored::per_cm, tex = Stored::tex;
+        const struct {
+            Message message;
+            const char *metric, *inches; ///< with Ne
+        } known[] = {{say("{:.4g} {}{} do not fit: a yarn of {:.3g} ({:.3g}) has {:.2g} x {:.2g} of room.", Bare{118.1, per_cm},
+                          say("ends"), UnitAlone{per_cm}, Amount{0.2, mm}, Amount{24.3, tex}, Bare{0.083, mm}, Amount{0.083, mm}),
+                      "118.1 ends/cm do not fit: a yarn of 0.2 mm (24.3 tex) has 0.083 x 0.083 mm of room.",
+                      "300 ends/in do not fit: a yarn of 0.00787 in (24.3 Ne) has 0.00327 x 0.00327 in of room."},
+                     {say("{} ends and {} picks per {}", Bare{40, per_cm}, Bare{30, per_cm}, UnitAlone{per_cm, false}),
+                      "40 ends and 30 picks per cm", "102 ends and 76.2 picks per in"},
+                     {say("The {} must be from {}; given is {}.", say("sample's size"), Between{0.1, 2000, mm}, Bare{3000, mm}),
+                      "The sample's size must be from 0.1 to 2000 mm; given is 3000.",
+                      "The sample's size must be from 0.00394 to 78.7 in; given is 118."},
+                     {say("The {} must be from {}; given is {}.", Title{"number of ends per cm", "Ends", per_cm}, Between{0.5, 500, per_cm},
+                          Bare{600, per_cm}),
+                      "The number of ends per cm must be from 0.5 to 500; given is 600.",
+                      "The number of ends per in must be from 1.27 to 1270; given is 1524."},
+                     {say("The {} must be from {}; given is {}.", say("count"), Between{0.05, 50000, tex}, Bare{60000, tex}),
+                      "The count must be from 0.05 to 50000 tex; given is 60000.",
+                      "The count must be from 0.0118 to 11810 Ne; given is 0.00984."},
+                     {say("{} falls through \"{}\"", Amount{2.7, mm}, "Net, 5 mm {}"), "2.7 mm falls through \"Net, 5 mm {}\"",
+                      "0.106 in falls through \"Net, 5 mm {}\""},
+                     {say("{:.0f} kg/m3, {} and {}", 1540.4, Amount{8, Stored::um}, Amount{20, Stored::celsius}),
+                      "1540 kg/m3, 8 µm and 20 C", "1540 kg/m3, 8 µm and 20 C"}};
+        for (const auto& each : known) {
+            QCOMPARE(english(each.message), std::string(each.metric));
+            QCOMPARE(messageText(each.message), QString(each.metric));
+        }
         prefer(&Preferences::length, static_cast<int>(LengthUnit::inch));
         prefer(&Preferences::sett, static_cast<int>(SettUnit::per_inch));
         prefer(&Preferences::yarn, static_cast<int>(YarnUnit::ne));
-        QCOMPARE(inReadersUnits(metric), inches);
+        for (const auto& each : known) { QCOMPARE(messageText(each.message), QString(each.inches)); }
     }
     void noIssueOfACrowdedClothIsInMillimetres()
     {

@@ -292,7 +292,8 @@ private Q_SLOTS:
         const std::vector<Issue> issues = validate(design);
         const std::string at = "garments[0].wearer." + where.toStdString();
         QVERIFY(std::any_of(issues.begin(), issues.end(), [&](const Issue& issue) {
-            return issue.severity == Severity::error && issue.where == at && issue.text.find(sentence.toStdString()) != std::string::npos;
+            return issue.severity == Severity::error && issue.where.text() == at &&
+                   issue.text().find(sentence.toStdString()) != std::string::npos;
         }));
     }
 
@@ -302,8 +303,8 @@ private Q_SLOTS:
         const auto told = [&](const OwnZone& zone) {
             Garment garment = tee.garment;
             garment.wearer.own_zones = {zone};
-            const std::vector<Issue> issues = misnamed_in(garment, tee.parts.pattern, "garments[0]");
-            return issues.size() == 1 ? issues[0].where + ": " + issues[0].text : std::to_string(issues.size());
+            const std::vector<Issue> issues = misnamed_in(garment, tee.parts.pattern, Place("garments") / std::size_t{0});
+            return issues.size() == 1 ? issues[0].where.text() + ": " + issues[0].text() : std::to_string(issues.size());
         };
         const OwnZone good = patch(tee, "belt", 420, 0.31, 0.29, 0.69, 0.61);
         QCOMPARE(told(good), std::string("0"));

@@ -359,9 +359,9 @@ private Q_SLOTS:
             Design bad = design;
             where(bad.wears[0]);
             const std::vector<Issue> issues = validate(bad);
-            QVERIFY2(
-                std::any_of(issues.begin(), issues.end(), [&](const Issue& issue) { return issue.where.find(wrong) != std::string::npos; }),
-                wrong.c_str());
+            QVERIFY2(std::any_of(issues.begin(), issues.end(),
+                                 [&](const Issue& issue) { return issue.where.text().find(wrong) != std::string::npos; }),
+                     wrong.c_str());
         }
     }
 };

@@ -230,7 +230,7 @@ private Q_SLOTS:
         design.wears[0].activity_file = "rates.txt";
         const std::vector<Issue> issues = validate(design);
         QVERIFY(std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
-            return issue.where.ends_with(".activity") && issue.text.find("rates.txt") != std::string::npos;
+            return issue.where.text().ends_with(".activity") && issue.text().find("rates.txt") != std::string::npos;
         }));
         std::string wrong = text;
         wrong.replace(wrong.find("\"sub/rates.csv\""), 15, "12");

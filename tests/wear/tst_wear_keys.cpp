@@ -105,7 +105,7 @@ std::string outcome(const ProjectJson& json)
 {
     const Design design = design_from_json(json, "a test");
     for (const Issue& issue : validate(design))
-        if (issue.severity == Severity::error) throw Error(issue.where + ": " + issue.text);
+        if (issue.severity == Severity::error) throw Error(issue.where.text() + ": " + issue.text());
     GarmentParts parts;
     parts.design = &design;
     parts.wear = &design.wears.front();

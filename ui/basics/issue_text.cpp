@@ -3,70 +3,82 @@
 
 #include "ui/basics/quantity.h"
 
-#include <QRegularExpression>
+#include <QCoreApplication>
 
-#include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
 namespace {
 
-const QString number = R"((?<![\w.])-?\d+(?:\.\d+)?(?:e[+-]?\d+)?)";
+QString properUnit(Stored unit) { return QString::fromUtf8(trade_units(unit).front().spellings.front()); }
 
-/// Numbers and the unit that is meant by all of them; unit: the part of it that the reader's takes the place of.
-struct Form {
-    const char* unit;
-    const char* pattern; ///< N: a number
+std::string shownNumber(double value, Stored unit, const std::string& format)
+{
+    const UserUnit user = userUnit(properUnit(unit));
+    return user.unit == properUnit(unit) ? formatted(value, format) : significant(user.of(value)).toStdString();
+}
+
+/// With the gap before it.
+std::string behindNumber(Stored unit, bool in_english)
+{
+    const QString proper = properUnit(unit), user = userUnit(proper).unit;
+    const QString word = in_english ? QString::fromUtf8(unit_in_sentences(unit)) : proper;
+    if (word.isEmpty()) { return {}; }
+    const QString shown = user == proper ? word : user;
+    return (shown == "°" ? shown : " " + shown).toStdString();
+}
+
+std::string shownRange(const Between& range, const std::string& format, bool in_english)
+{
+    std::string least = shownNumber(range.least, range.unit, format), most = shownNumber(range.most, range.unit, format);
+    if (userUnit(properUnit(range.unit)).inverse) { std::swap(least, most); }
+    const QString both = QCoreApplication::translate("core", "%1 to %2").arg(QString::fromStdString(least), QString::fromStdString(most));
+    return both.toStdString() + behindNumber(range.unit, in_english);
+}
+
+/// The English title, or the label of forms, which has translations.
+std::string shownTitle(const Title& title, bool in_english)
+{
+    if (!in_english) { return QCoreApplication::translate("core", title.label).toStdString(); }
+    QString words = title.title;
+    if (title.unit == Stored::per_cm) { words.replace("per cm", "per " + userUnit("/cm").unit.mid(1)); }
+    return words.toStdString();
+}
+
+/// What stands in a gap.
+struct Shown {
+    std::string format;
+    bool in_english;
+
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(double number) const { return formatted(number, format); }
+    std::string operator()(long number) const { return std::to_string(number); }
+    std::string operator()(const Amount& amount) const
+    {
+        return shownNumber(amount.value, amount.unit, format) + behindNumber(amount.unit, in_english);
+    }
+    std::string operator()(const Bare& bare) const { return shownNumber(bare.value, bare.unit, format); }
+    std::string operator()(const Between& range) const { return shownRange(range, format, in_english); }
+    std::string operator()(const UnitAlone& alone) const
+    {
+        return userUnit(properUnit(alone.unit)).unit.mid(alone.has_slash ? 0 : 1).toStdString();
+    }
+    std::string operator()(const Title& title) const { return shownTitle(title, in_english); }
+    std::string operator()(const Message& message) const { return messageText(message).toStdString(); }
 };
-
-constexpr Form forms[] = {{"mm", R"(N(?: (?:x|to|and) N)* mm(?![\w/])(?:[^;.]*; given is N)?)"},
-                          {"/cm", R"(N(?: ends| picks)?/cm\b)"},
-                          {"/cm", R"(N ends and N picks per cm\b)"},
-                          {"/cm", R"(per cm must be from N to N; given is N)"},
-                          {"tex", R"(N(?: to N)? tex\b(?:; given is N)?)"}};
-
-QString converted(QString phrase, const QString& unit, const UserUnit& user)
-{
-    static const QRegularExpression one(number);
-    std::vector<QRegularExpressionMatch> found;
-    QStringList shown;
-    for (auto each = one.globalMatch(phrase); each.hasNext();) {
-        found.push_back(each.next());
-        shown << significant(user.of(found.back().captured().toDouble()));
-    }
-    if (user.inverse && shown.size() > 1) { std::swap(shown[0], shown[1]); } // of a range: from the least to the most
-    for (std::size_t i = found.size(); i-- > 0;) {
-        phrase.replace(found[i].capturedStart(), found[i].capturedLength(), shown[static_cast<qsizetype>(i)]);
-    }
-    const bool in_words = !phrase.contains(unit); // "per cm"
-    return in_words ? phrase.replace("per cm", "per " + user.unit.mid(1)) : phrase.replace(unit, user.unit);
-}
-
-QString withoutNames(QString words)
-{
-    for (const Form& form : forms) {
-        const QString unit = form.unit;
-        const UserUnit user = userUnit(unit);
-        if (user.unit == unit) { continue; }
-        const QRegularExpression pattern(QString(form.pattern).replace('N', number));
-        std::vector<QRegularExpressionMatch> found;
-        for (auto each = pattern.globalMatch(words); each.hasNext();) { found.push_back(each.next()); }
-        for (auto each = found.rbegin(); each != found.rend(); ++each) {
-            words.replace(each->capturedStart(), each->capturedLength(), converted(each->captured(), unit, user));
-        }
-    }
-    return words;
-}
 
 } // namespace
 
-QString inReadersUnits(const QString& sentence)
+QString messageText(const Message& message)
 {
-    QStringList parts = sentence.split('"');
-    for (qsizetype i = 0; i < parts.size(); i += 2) { parts[i] = withoutNames(parts[i]); }
-    return parts.join('"');
+    const std::string sentence = QCoreApplication::translate("core", message.text.c_str()).toStdString();
+    const auto shown = [in_english = sentence == message.text](const Argument& argument, const std::string& format) {
+        return std::visit(Shown{format, in_english}, argument.value);
+    };
+    return QString::fromStdString(filled(sentence, message.arguments, shown));
 }
 
-QString issueText(const Issue& issue) { return inReadersUnits(QString::fromStdString(issue.text)); }
+QString issueText(const Issue& issue) { return messageText(issue.message); }
 
 } // namespace hygroloom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Sentences of core, which speak in the units of files, as the reader reads them.
+// Sentences of core in the reader's language and units.
 #pragma once
 
 #include "core/design/issue.h"
@@ -8,9 +8,8 @@
 
 namespace hygroloom {
 
-/// The sentence with its lengths (mm), setts (/cm) and counts (tex) in the units of the preferences, with three digits. What stands in
-/// quotation marks is somebody's name, and stays.
-QString inReadersUnits(const QString& sentence);
+/// Amounts whose unit the preferences choose have three digits.
+QString messageText(const Message& message);
 
 /// What an issue says, to be shown.
 QString issueText(const Issue& issue);

@@ -64,9 +64,9 @@ bool Document::hasError() const { return has_error(issues_); }
 
 bool Document::fabricHasError() const
 {
-    const std::string own = "fabrics[" + std::to_string(state_.fabric) + "]";
+    const Place own = Place("fabrics") / static_cast<std::size_t>(state_.fabric);
     return std::any_of(issues_.begin(), issues_.end(), [&](const Issue& issue) {
-        return issue.severity == Severity::error && (issue.where.starts_with(own) || issue.where.starts_with("materials"));
+        return issue.severity == Severity::error && (issue.where.is_in(own) || issue.where.is_in("materials"));
     });
 }
 
@@ -74,7 +74,8 @@ std::vector<const Issue*> Document::issuesAt(const std::string& where) const
 {
     std::vector<const Issue*> found;
     for (const Issue& issue : issues_) {
-        if (issue.where == where || where.starts_with(issue.where + "[")) { found.push_back(&issue); }
+        const std::string at = issue.where.text();
+        if (at == where || where.starts_with(at + "[")) { found.push_back(&issue); }
     }
     std::stable_sort(found.begin(), found.end(), [](const Issue* a, const Issue* b) { return a->severity > b->severity; });
     return found;

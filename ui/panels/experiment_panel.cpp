@@ -247,21 +247,19 @@ void ExperimentPanel::edit(const QString& undo, const std::function<void(Experim
     }
 }
 
-bool ExperimentPanel::showField(const std::string& where)
+bool ExperimentPanel::showField(const Place& where)
 {
-    const auto numberAfter = [&where](const char* key) {
-        const std::size_t at = where.find(key);
-        return at == std::string::npos ? -1 : std::atoi(where.c_str() + at + std::char_traits<char>::length(key));
-    };
-    if (where.starts_with("liquids[")) { liquids_->choose(numberAfter("liquids[")); }
-    if (const int droplet = numberAfter("].droplets["); droplet >= 0) { droplets_->choose(droplet); }
-    if (numberAfter("].climate[") > 0 && course_->showField(where)) {
+    const std::string part = where.key(2);
+    const std::optional<std::size_t> number = where.number(2);
+    if (where.key(0) == "liquids" && where.number(0)) { liquids_->choose(static_cast<int>(*where.number(0))); }
+    if (part == "droplets" && number) { droplets_->choose(static_cast<int>(*number)); }
+    if (part == "climate" && number.value_or(0) > 0 && course_->showField(where.text())) {
         QMetaObject::invokeMethod(
             this, [this] { ensureWidgetVisible(course_, 0, 8); }, Qt::QueuedConnection);
         return true;
     }
-    if (form_->showField(where)) { return true; }
-    if (where.find("].droplets") != std::string::npos) { // there is none, or there are too many
+    if (form_->showField(where.text())) { return true; }
+    if (part == "droplets") { // there is none, or there are too many
         QWidget* list = droplets_->list();
         list->setFocus();
         QMetaObject::invokeMethod(

@@ -26,7 +26,7 @@ public:
     void addExperiment();
     DropletSection& droplets() { return *droplets_; }
     /// Shows the field of the value at this path, in the chosen experiment or in a liquid of the project, and gives it the focus.
-    bool showField(const std::string& where);
+    bool showField(const Place& where);
 
 private:
     /// An object in the chosen experiment; before(): its path there, with a dot. of(experiment): it.

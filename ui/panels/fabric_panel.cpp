@@ -53,18 +53,13 @@ void FabricPanel::showYarn(int yarn)
         Qt::QueuedConnection);
 }
 
-bool FabricPanel::showField(const std::string& where)
+bool FabricPanel::showField(const Place& where)
 {
-    const std::string extra = "].extra_yarns[";
-    if (const std::size_t at = where.find(extra); at != std::string::npos) {
-        stripes_->choose(std::atoi(where.c_str() + at + extra.size()) + 1);
-    }
-    const std::string fibre = "materials[";
-    if (where.starts_with(fibre)) { fibres_->choose(std::atoi(where.c_str() + fibre.size())); }
-    if (form_->showField(where)) { return true; }
+    if (where.key(2) == "extra_yarns" && where.number(2)) { stripes_->choose(static_cast<int>(*where.number(2)) + 1); }
+    if (where.key(0) == "materials" && where.number(0)) { fibres_->choose(static_cast<int>(*where.number(0))); }
+    if (form_->showField(where.text())) { return true; }
     // A weft that is the same as the warp is edited there.
-    const std::size_t weft = where.find("].weft");
-    return weft != std::string::npos && form_->showField(std::string(where).replace(weft, 6, "].warp"));
+    return where.key(2) == "weft" && form_->showField(where.with(2, std::string("warp")).text());
 }
 
 void FabricPanel::addConstruction()

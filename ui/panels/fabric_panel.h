@@ -19,7 +19,7 @@ public:
     /// Opens and scrolls to the fields of a yarn, as yarn_in() numbers them: 0 is the fabric's own.
     void showYarn(int yarn);
     /// Shows the field of the value at this path, in the chosen fabric or one of the project's own fibres, and gives it the focus.
-    bool showField(const std::string& where);
+    bool showField(const Place& where);
 
 private:
     /// An object in the chosen fabric; before: its path in the fabric, with a dot. of(fabric): it.

@@ -8,34 +8,25 @@
 
 #include <QLabel>
 #include <QListWidget>
-#include <QRegularExpression>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace hygroloom {
 
 namespace {
 
-/// The part of a fabric or an experiment a path goes into, where it is a thing one would name.
-QString partInWords(const QString& path)
+/// The part of a fabric or an experiment that a place is in, where it is a thing one would name.
+QString partInWords(const Place& place)
 {
-    static const QRegularExpression extra("^\\.extra_yarns\\[(\\d+)\\]"), droplet("^\\.droplets\\[(\\d+)\\]"),
-        climate("^\\.climate\\[(\\d+)\\]");
-    if (path.startsWith(".warp.") || path == ".warp") { return IssuesPanel::tr("warp"); }
-    if (path.startsWith(".weft.") || path == ".weft") { return IssuesPanel::tr("weft"); }
-    if (const auto match = extra.match(path); match.hasMatch()) {
-        const int yarn = match.captured(1).toInt() + 1;
-        return IssuesPanel::tr("yarn %1 (extra yarn %2)").arg(yarnLetter(yarn)).arg(yarn);
-    }
-    if (const auto match = droplet.match(path); match.hasMatch()) {
-        return IssuesPanel::tr("droplet %1").arg(match.captured(1).toInt() + 1);
-    }
-    if (const auto match = climate.match(path); match.hasMatch()) {
-        const int moment = match.captured(1).toInt();
-        return moment == 0 ? IssuesPanel::tr("initial climate") : IssuesPanel::tr("climate, row %1").arg(moment);
-    }
+    const std::string part = place.key(2);
+    const int number = static_cast<int>(place.number(2).value_or(0));
+    if (part == "warp") { return IssuesPanel::tr("warp"); }
+    if (part == "weft") { return IssuesPanel::tr("weft"); }
+    if (!place.number(2)) { return {}; }
+    if (part == "extra_yarns") { return IssuesPanel::tr("yarn %1 (extra yarn %2)").arg(yarnLetter(number + 1)).arg(number + 1); }
+    if (part == "droplets") { return IssuesPanel::tr("droplet %1").arg(number + 1); }
+    if (part == "climate") { return number == 0 ? IssuesPanel::tr("initial climate") : IssuesPanel::tr("climate, row %1").arg(number); }
     return {};
 }
 
@@ -46,14 +37,13 @@ template <typename Item> QString nameIn(const std::vector<Item>& items, std::siz
 
 bool repeatsTheWarp(const Document& document, const Issue& issue)
 {
-    const std::size_t weft = issue.where.find("].weft");
-    if (weft == std::string::npos) { return false; }
-    const std::string warp = std::string(issue.where).replace(weft, 6, "].warp");
-    const auto fabric = static_cast<std::size_t>(std::atoi(issue.where.c_str() + sizeof("fabrics[") - 1));
+    if (issue.where.key(0) != "fabrics" || issue.where.key(2) != "weft") { return false; }
+    const Place warp = issue.where.with(2, std::string("warp"));
+    const std::size_t fabric = *issue.where.number(0);
     const auto& fabrics = document.design()->fabrics;
     return fabric < fabrics.size() && fabrics[fabric].warp == fabrics[fabric].weft &&
            std::any_of(document.issues().begin(), document.issues().end(),
-                       [&](const Issue& other) { return other.where == warp && other.text == issue.text; });
+                       [&](const Issue& other) { return other.where == warp && other.message == issue.message; });
 }
 
 } // namespace
@@ -70,12 +60,9 @@ std::vector<const Issue*> shownIssues(const Document& document)
 
 QString issueInWords(const Design& design, const Issue& issue)
 {
-    static const QRegularExpression owner("^(fabrics|experiments|materials|liquids)\\[(\\d+)\\]");
-    const QString where = QString::fromStdString(issue.where), text = issueText(issue);
-    const auto match = owner.match(where);
-    if (!match.hasMatch()) { return text; }
-    const auto index = static_cast<std::size_t>(match.captured(2).toInt());
-    const QString list = match.captured(1), part = partInWords(where.mid(match.capturedEnd()));
+    const QString text = issueText(issue), part = partInWords(issue.where);
+    const std::string list = issue.where.key(0);
+    const std::size_t index = issue.where.number(0).value_or(0);
     QString name, number;
     if (list == "fabrics") {
         name = nameIn(design.fabrics, index);
@@ -86,9 +73,11 @@ QString issueInWords(const Design& design, const Issue& issue)
     } else if (list == "liquids") {
         name = nameIn(design.liquids, index);
         number = IssuesPanel::tr("Liquid %1");
-    } else {
+    } else if (list == "materials") {
         name = nameIn(design.materials, index);
         number = IssuesPanel::tr("Material %1");
+    } else {
+        return text;
     }
     if (name.isEmpty()) { name = number.arg(index + 1); }
     return part.isEmpty() ? IssuesPanel::tr("%1: %2").arg(name, text) : IssuesPanel::tr("%1, %2: %3").arg(name, part, text);
@@ -107,10 +96,11 @@ IssuesPanel::IssuesPanel(Document& document, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(list_);
     layout->addWidget(empty_);
-    connect(list_, &QListWidget::itemActivated, this,
-            [this](QListWidgetItem* item) { Q_EMIT issueActivated(item->data(Qt::UserRole).toString()); });
-    connect(list_, &QListWidget::itemClicked, this,
-            [this](QListWidgetItem* item) { Q_EMIT issueActivated(item->data(Qt::UserRole).toString()); });
+    const auto lead = [this](QListWidgetItem* item) {
+        Q_EMIT issueActivated(shownIssues(document_)[static_cast<std::size_t>(list_->row(item))]->where);
+    };
+    connect(list_, &QListWidget::itemActivated, this, lead);
+    connect(list_, &QListWidget::itemClicked, this, lead);
     connect(&document_, &Document::designChanged, this, &IssuesPanel::refresh);
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &IssuesPanel::refresh);
     refresh();
@@ -127,8 +117,7 @@ void IssuesPanel::refresh()
         item = item ? item : new QListWidgetItem(list_);
         item->setIcon(severityIcon(issue->severity));
         item->setText(issueInWords(*document_.design(), *issue));
-        item->setData(Qt::UserRole, QString::fromStdString(issue->where));
-        item->setToolTip(tr("%1 at %2").arg(severityName(issue->severity), QString::fromStdString(issue->where)));
+        item->setToolTip(tr("%1 at %2").arg(severityName(issue->severity), QString::fromStdString(issue->where.text())));
     }
     list_->setVisible(list_->count() > 0);
     empty_->setVisible(list_->count() == 0);

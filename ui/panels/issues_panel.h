@@ -22,8 +22,8 @@ public:
     explicit IssuesPanel(Document& document, QWidget* parent = nullptr);
 
 Q_SIGNALS:
-    /// The user wants to see the field at this path.
-    void issueActivated(const QString& where);
+    /// The user wants to see the field at this place.
+    void issueActivated(const hygroloom::Place& where);
 
 private:
     void refresh();

@@ -72,7 +72,7 @@ void FieldPicker::fill(const Design& design, const Study& study, const QStringLi
         item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
         item->setData(0, field_role, static_cast<int>(i));
         const bool is_taken = taken.contains(path);
-        const bool is_run = out_of_reach(study, design, field.path).empty();
+        const bool is_run = !out_of_reach(study, design, field.path);
         item->setDisabled(is_taken || !is_run);
         if (item->isDisabled()) { item->setToolTip(0, is_taken ? tr("It is a factor already.") : tr("The study does not run this one.")); }
         if (is_run && !first) { first = item; }

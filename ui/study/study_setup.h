@@ -62,7 +62,7 @@ private:
     void takeFactor();
     void edited();
     Study read() const;
-    QString placeInWords(const std::string& where) const;
+    QString placeInWords(const Place& where) const;
 
     Document& document_;
     Study kept_; ///< what the form does not show: knobs

@@ -14,12 +14,12 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QScopedValueRollback>
 #include <QSpinBox>
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace hygroloom {
 
@@ -168,15 +168,11 @@ Study StudySetup::study() const
 }
 
 /// "factors[1].path" -> the title of that factor.
-QString StudySetup::placeInWords(const std::string& where) const
+QString StudySetup::placeInWords(const Place& where) const
 {
-    static const QRegularExpression form(R"(^factors\[(\d+)\])");
-    const auto match = form.match(QString::fromStdString(where));
-    const std::size_t at = match.captured(1).toULong();
-    if (match.hasMatch() && at < drafts_.size()) {
-        return fieldTitle(inReadersUnit(fieldAt(*document_.design(), drafts_[at].factor.path)), false);
-    }
-    return QString::fromStdString(where);
+    const std::optional<std::size_t> at = where.key(0) == "factors" ? where.number(0) : std::nullopt;
+    if (!at || *at >= drafts_.size()) { return QString::fromStdString(where.text()); }
+    return fieldTitle(inReadersUnit(fieldAt(*document_.design(), drafts_[*at].factor.path)), false);
 }
 
 void StudySetup::refreshProblems()
@@ -206,7 +202,10 @@ void StudySetup::refreshProblems()
     } catch (const Error& error) {
         const QString sentence = QString::fromStdString(error.what()).remove(0, QString("study: ").size());
         const qsizetype colon = sentence.indexOf(": ");
-        problems_ << tr("%1: %2").arg(placeInWords(sentence.left(colon).toStdString()), sentence.mid(colon + 2));
+        const std::string at = sentence.left(colon).toStdString(); // a reader of files tells its places as texts
+        std::size_t factor = 0;
+        const bool is_factor = std::sscanf(at.c_str(), "factors[%zu]", &factor) == 1;
+        problems_ << tr("%1: %2").arg(placeInWords(is_factor ? Place("factors") / factor : Place(at.c_str())), sentence.mid(colon + 2));
     }
 }
 

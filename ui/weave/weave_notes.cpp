@@ -143,9 +143,9 @@ void WeaveNotes::refresh()
         warnings_->setProperty("analysis", wrong);
     }
     QStringList sentences = warnings_->property("analysis").toStringList();
-    const std::string own = "fabrics[" + std::to_string(document_.fabricIndex()) + "].weave";
+    const Place own = Place("fabrics") / static_cast<std::size_t>(document_.fabricIndex()) / "weave";
     for (const Issue& issue : document_.issues()) {
-        if (issue.where.starts_with(own)) { sentences << issueText(issue); }
+        if (issue.where.is_in(own)) { sentences << issueText(issue); }
     }
     warnings_->setText(sentences.join('\n'));
     warnings_->setVisible(!sentences.isEmpty());

@@ -51,29 +51,31 @@ void DesignWorkspace::connectParts(Viewport& viewport)
     });
 }
 
-void DesignWorkspace::showFabricIssue(const QString& where, const QString& part)
+void DesignWorkspace::showFabricIssue(const Place& where)
 {
-    if (part.isEmpty() || part == "name") {
+    const std::string part = where.key(2);
+    if (part.empty() || part == "name") {
         reveal(docks_.candidates);
         candidates_->setFocus();
-    } else if (part.startsWith("weave")) {
+    } else if (part == "weave") {
         reveal(docks_.weave);
         weave_->paper()->setFocus();
-    } else if (part.startsWith("warp_order") || part.startsWith("weft_order")) {
+    } else if (part == "warp_order" || part == "weft_order") {
         reveal(docks_.draft);
-        draft_->order()->showOrder(part.startsWith("warp_order"));
+        draft_->order()->showOrder(part == "warp_order");
     } else {
         reveal(docks_.fabric);
-        fabric_->showField(where.toStdString());
+        fabric_->showField(where);
     }
 }
 
 /// Under the fabric that uses the material, where one does.
-void DesignWorkspace::showMaterialIssue(const QString& where, int material)
+void DesignWorkspace::showMaterialIssue(const Place& where)
 {
     const Design& design = *document_.design();
-    if (material >= static_cast<int>(design.materials.size())) { return; }
-    const std::string& name = design.materials[static_cast<std::size_t>(material)].name;
+    const std::size_t material = where.number(0).value_or(0);
+    if (material >= design.materials.size()) { return; }
+    const std::string& name = design.materials[material].name;
     const auto made_of = [&name](const Yarn& yarn) {
         const auto names = materials_in(yarn);
         return std::find(names.begin(), names.end(), name) != names.end();
@@ -86,7 +88,7 @@ void DesignWorkspace::showMaterialIssue(const QString& where, int material)
         if (found != design.fabrics.end()) { document_.setFabricIndex(static_cast<int>(found - design.fabrics.begin())); }
     }
     reveal(docks_.fabric);
-    if (!fabric_->showField(where.toStdString())) {
+    if (!fabric_->showField(where)) {
         Q_EMIT messageShown(tr("Edit this value of “%1” in the project file, under “materials”.").arg(QString::fromStdString(name)), 8000);
     }
 }

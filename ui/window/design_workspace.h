@@ -14,6 +14,7 @@ class Document;
 class DraftEditor;
 class FabricPanel;
 class LivePanel;
+class Place;
 class Viewport;
 class WeaveEditor;
 
@@ -34,9 +35,9 @@ public:
     LivePanel& live() { return *live_; }
     const Docks& docks() const { return docks_; }
     /// Focuses the field of a value of the chosen fabric. where: its path in the project; part: the same within the fabric.
-    void showFabricIssue(const QString& where, const QString& part);
+    void showFabricIssue(const Place& where);
     /// Focuses the field of a value of one of the project's own materials, and selects a fabric that uses it.
-    void showMaterialIssue(const QString& where, int material);
+    void showMaterialIssue(const Place& where);
 
 Q_SIGNALS:
     void problemFound(const QString& sentence);

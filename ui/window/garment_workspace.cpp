@@ -156,9 +156,9 @@ bool GarmentWorkspace::pressKey(int key)
     }
 }
 
-void GarmentWorkspace::showIssue(const QString& list, int index)
+void GarmentWorkspace::showIssue(bool of_garment, int index)
 {
-    if (list == "garments") {
+    if (of_garment) {
         choice_.setGarmentIndex(index);
         reveal(docks_.garment);
         return;

@@ -67,7 +67,7 @@ public:
     void setShown(bool shown);
     bool pressKey(int key);
     /// Chooses the garment or the experiment of an issue.
-    void showIssue(const QString& list, int index);
+    void showIssue(bool of_garment, int index);
     /// Reads a recording, unless a run is in progress. Where the project has neither changes nor runs, the design of the recording takes
     /// its place once that is read.
     void openRecording(const QString& path);

@@ -23,7 +23,6 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QLayout>
-#include <QRegularExpression>
 #include <QScreen>
 #include <QSessionManager>
 #include <QSettings>
@@ -400,22 +399,19 @@ void MainWindow::refreshIssueCount()
 }
 
 /// Selects the fabric or experiment of the issue, and focuses its field.
-void MainWindow::showIssue(const QString& where)
+void MainWindow::showIssue(const Place& where)
 {
-    static const QRegularExpression form("^(fabrics|experiments|materials|liquids|garments)\\[(\\d+)\\]\\.?(.*)$");
-    const auto match = form.match(where);
-    const QString list = match.captured(1);
-    const int index = match.captured(2).toInt();
+    const std::string list = where.key(0);
+    const int index = static_cast<int>(where.number(0).value_or(0)), before = static_cast<int>(document_.design()->experiments.size());
     if (list == "fabrics") {
         document_.setFabricIndex(index);
-        design_->showFabricIssue(where, match.captured(3));
+        design_->showFabricIssue(where);
     } else if (list == "materials") {
-        design_->showMaterialIssue(where, index);
-    } else if (const int before = static_cast<int>(document_.design()->experiments.size());
-               list == "garments" || (list == "experiments" && index >= before)) {
+        design_->showMaterialIssue(where);
+    } else if (list == "garments" || (list == "experiments" && index >= before)) {
         setWorkspace(Workspace::garment);
-        garment_->showIssue(list, list == "garments" ? index : index - before);
-    } else if (match.hasMatch()) {
+        garment_->showIssue(list == "garments", list == "garments" ? index : index - before);
+    } else {
         if (list == "experiments") { document_.setExperimentIndex(index); }
         simulate_->showIssue(where);
     }

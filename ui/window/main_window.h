@@ -91,7 +91,7 @@ private:
     void refreshTitle();
     void refreshPicture();
     void refreshIssueCount();
-    void showIssue(const QString& where);
+    void showIssue(const Place& where);
     void showProblem(const QString& sentence);
     void showMessage(const QString& sentence, int ms = 4000);
     // main_window_actions.cpp

@@ -283,10 +283,10 @@ void SimulateWorkspace::takeDesign()
     chooseWhatRan();
 }
 
-void SimulateWorkspace::showIssue(const QString& where)
+void SimulateWorkspace::showIssue(const Place& where)
 {
     reveal(docks_.experiment);
-    experiment_->showField(where.toStdString());
+    experiment_->showField(where);
 }
 
 } // namespace hygroloom

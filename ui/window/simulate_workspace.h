@@ -17,6 +17,7 @@ namespace hygroloom {
 class Chart;
 class Document;
 class ExperimentPanel;
+class Place;
 class ResultsPanel;
 class RunFilm;
 class ProjectRuns;
@@ -81,7 +82,7 @@ public:
     void refreshActions();
     bool resultsAreStale() const { return stale_; }
     /// Focuses the field of a value of an experiment or a liquid.
-    void showIssue(const QString& where);
+    void showIssue(const Place& where);
 
     /// Asks afterwards whether to keep what was recorded.
     void stopByHand();
