@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/plan/idle_keys.h"
 
+#include "core/design/fields.h"
+
 #include <algorithm>
 
 namespace hygroloom {
@@ -37,54 +39,60 @@ bool sized_and_spun(const Fabric& fabric)
     return sized(fabric.warp) && sized(fabric.weft) && std::all_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), sized);
 }
 
-struct Row {
-    bool idle;
+struct Lack {
+    Need need;
+    bool is_so;
     const char* because;
-    std::vector<const char*> keys;
 };
 
-std::vector<Row> rows_of(const Fabric& fabric, const Experiment& experiment, const ModelPlan& plan)
+/// What is not so in a run, and why.
+std::vector<Lack> lacks_of(const Fabric& fabric, const Experiment& experiment, const ModelPlan& plan)
 {
     const bool by_suction = experiment.closure == Closure::pores, printed = experiment.closure == Closure::paper;
     const auto out = [&](const char* part) { return !plan.on(part) && !plan.watches(part); };
     const bool lie_alike = told_shape(fabric); // other yarns lie the flatter the less they are twisted
-    const bool turned_over_alike =
-        !wets_a_spot(experiment.type) && info_of(experiment.type).source != WaterSource::face && !fabric.finish_face && !fabric.finish_back;
-    return {
-        {!by_suction,
-         "only the closure pores reads it",
-         {"material.receding_angle_deg", "material.cross_section", "yarn.ply_twist_per_m", "yarn.irregularity_cv", "fabric.finish_face",
-          "fabric.finish_back", "fabric.finish_depth", "fabric.finish_holes", "fabric.flyaway.loop_density_per_mm",
-          "fabric.flyaway.hair_density_per_mm", "fabric.flyaway.hair_length_mm"}},
-        {lie_alike && (!by_suction || !meets_liquid(experiment)),
-         "sections of filament yarns and of given diameters do not follow it",
-         {"yarn.twist_per_m", "yarn.plies"}},
-        {sized_and_spun(fabric), "spun yarns of given diameters are packed as these say, and round", {"yarn.yarn_class"}},
-        {by_suction && falling_drops(experiment).empty(),
-         "no drop falls, which hairs would hold off",
-         {"fabric.flyaway.loop_density_per_mm", "fabric.flyaway.hair_density_per_mm", "fabric.flyaway.hair_length_mm"}},
-        {!fabric.finish_face && !fabric.finish_back, "no face has a finish of its own", {"fabric.finish_depth", "fabric.finish_holes"}},
-        {!wets_a_spot(experiment.type), "no drop or pool stands on a face", {"fabric.finish_holes"}},
-        {turned_over_alike, "no face differs from the other", {"draft.rising_shed"}},
-        {out("vapour"), "vapour is left out", {"experiment.climate.relative_humidity"}},
-        {!meets_liquid(experiment),
-         "no liquid comes to the cloth",
-         {"material.contact_angle_deg", "material.receding_angle_deg", "material.cross_section", "yarn.ply_twist_per_m",
-          "fabric.contact_angle_deg", "fabric.finish_face", "fabric.finish_back", "fabric.finish_depth", "fabric.finish_holes",
-          "experiment.liquid", "liquid.surface_tension_mn_m", "liquid.viscosity_mpa_s", "liquid.density_kg_m3"}},
-        {fabric.contact_angle_deg.has_value(), "the fabric's contact_angle_deg counts", {"material.contact_angle_deg"}},
-        {printed, "the closure paper gives all fibres the contact angle of cotton", {"material.contact_angle_deg"}},
-        {counts_filaments(fabric), "filament_count says how thick the fibres are", {"material.fibre_radius_um"}},
-        {fabric.measured.tortuosity.has_value(), "the measured tortuosity counts", {"yarn.ply_twist_per_m"}},
-        {lie_alike && fabric.measured.tortuosity.has_value(), "the measured tortuosity counts", {"yarn.twist_per_m", "yarn.plies"}},
-        {out("sorption"),
-         "sorption is left out",
-         {"material.saturation_regain", "material.fibre_diffusivity_m2_s", "material.heat_of_wetting_j_g", "material.sorption_heat_j_g"}},
-        {out("heat"),
-         "heat is left out",
-         {"material.thermal_conductivity_w_mk", "material.specific_heat_j_kgk", "material.heat_of_wetting_j_g",
-          "material.sorption_heat_j_g"}},
-    };
+    return {{Need::pores, !by_suction, "only the closure pores reads it"},
+            {Need::shape_by_twist, lie_alike && (!by_suction || !meets_liquid(experiment)),
+             "sections of filament yarns and of given diameters do not follow it"},
+            {Need::shape_by_class, sized_and_spun(fabric), "spun yarns of given diameters are packed as these say, and round"},
+            {Need::drops, by_suction && falling_drops(experiment).empty(), "no drop falls, which hairs would hold off"},
+            {Need::finish, !fabric.finish_face && !fabric.finish_back, "no face has a finish of its own"},
+            {Need::spot, !wets_a_spot(experiment.type), "no drop or pool stands on a face"},
+            {Need::vapour, out("vapour"), "vapour is left out"},
+            {Need::liquid, !meets_liquid(experiment), "no liquid comes to the cloth"},
+            {Need::fibre_angle, fabric.contact_angle_deg.has_value(), "the fabric's contact_angle_deg counts"},
+            {Need::fibre_angle, printed, "the closure paper gives all fibres the contact angle of cotton"},
+            {Need::fibre_radius, counts_filaments(fabric), "filament_count says how thick the fibres are"},
+            {Need::tortuosity, fabric.measured.tortuosity.has_value(), "the measured tortuosity counts"},
+            {Need::shape_by_twist, lie_alike && fabric.measured.tortuosity.has_value(), "the measured tortuosity counts"},
+            {Need::sorption, out("sorption"), "sorption is left out"},
+            {Need::heat, out("heat"), "heat is left out"}};
+}
+
+struct Reader {
+    std::string key;
+    Needs needs;
+};
+
+template <typename Owner> void add_rows(std::vector<Reader>& all, const std::string& object)
+{
+    for (const Field<Owner>& field : fields_of<Owner>()) all.push_back({object + "." + field.key, field.needs});
+}
+
+/// The keys that change water in some runs only: those of rows, and those of values that are no numbers.
+std::vector<Reader> readers()
+{
+    std::vector<Reader> all{{"material.cross_section", Need::pores | Need::liquid},
+                            {"material.fibre_diffusivity_m2_s", Need::sorption},
+                            {"material.sorption_heat_j_g", Need::sorption | Need::heat},
+                            {"experiment.liquid", Need::liquid}};
+    add_rows<Material>(all, "material");
+    add_rows<Yarn>(all, "yarn");
+    add_rows<Fabric>(all, "fabric");
+    add_rows<Flyaway>(all, "fabric.flyaway");
+    add_rows<Climate>(all, "experiment.climate");
+    add_rows<Liquid>(all, "liquid");
+    return all;
 }
 
 } // namespace
@@ -92,10 +100,14 @@ std::vector<Row> rows_of(const Fabric& fabric, const Experiment& experiment, con
 std::vector<IdleKey> idle_keys(const Fabric& fabric, const Experiment& experiment, const ModelPlan& plan)
 {
     std::vector<IdleKey> keys;
-    for (const Row& row : rows_of(fabric, experiment, plan))
-        for (const char* key : row.keys)
-            if (row.idle && std::none_of(keys.begin(), keys.end(), [&](const IdleKey& known) { return known.key == key; }))
-                keys.push_back({key, row.because});
+    const std::vector<Lack> lacks = lacks_of(fabric, experiment, plan);
+    for (const Reader& reader : readers()) {
+        const auto lack =
+            std::find_if(lacks.begin(), lacks.end(), [&](const Lack& each) { return each.is_so && reader.needs.has(each.need); });
+        if (lack != lacks.end()) keys.push_back({reader.key, lack->because});
+    }
+    if (!wets_a_spot(experiment.type) && info_of(experiment.type).source != WaterSource::face && !fabric.finish_face && !fabric.finish_back)
+        keys.push_back({"draft.rising_shed", "no face differs from the other"});
     return keys;
 }
 

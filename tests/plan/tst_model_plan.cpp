@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The plan: what it leaves out, and that it says why with a number.
 #include "core/base/error.h"
+#include "core/plan/idle_keys.h"
 #include "core/plan/plan_json.h"
 #include "core/run/plan_run.h"
 #include "core/scene/scene.h"
@@ -244,6 +245,20 @@ private Q_SLOTS:
         QVERIFY(draft.particles_per_droplet < reference.particles_per_droplet);
         QVERIFY(draft.fibre_shells < reference.fibre_shells);
         QVERIFY(draft.expected_seconds < reference.expected_seconds);
+    }
+    void keysAreIdleWhereWhatTheirRowsNeedIsMissing()
+    {
+        Design design = drop_design();
+        design.experiments[0].closure = Closure::pores;
+        const auto idle = idle_keys(design.fabrics[0], design.experiments[0], plan_of(design, Fidelity::draft, {{"heat", false}}));
+        const auto because = [&](const std::string& key) {
+            const auto found = std::find_if(idle.begin(), idle.end(), [&](const IdleKey& each) { return each.key == key; });
+            return found == idle.end() ? std::string() : found->because;
+        };
+        QCOMPARE(because("material.specific_heat_j_kgk"), std::string("heat is left out"));
+        QCOMPARE(because("fabric.finish_holes"), std::string("no face has a finish of its own"));
+        QCOMPARE(because("liquid.viscosity_mpa_s"), std::string());
+        QCOMPARE(because("fabric.ends_per_cm"), std::string()); // whose row needs nothing
     }
     void knobsOfWhatIsNotThereAreIdle()
     {
