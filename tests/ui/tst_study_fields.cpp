@@ -31,6 +31,10 @@ private Q_SLOTS:
         QCOMPARE(fieldTitle(sett, true), QString("cloth: ends (/cm)"));
         QCOMPARE(*sett.value, drop_design().fabrics[0].ends_per_cm);
         QCOMPARE(fieldTitle(fieldAt(drop_design(), volume), false), QString("droplets 1, volume (µl)"));
+        const auto title = [](const char* path) { return fieldTitle(fieldAt(drop_design(), path), false); };
+        QCOMPARE(title("fabrics[0].flyaway.loop_density_per_mm"), QString("flyaway, loops (/mm)")); // as the form says it
+        QCOMPARE(title("fabrics[0].warp.fibres_per_yarn"), QString("warp, fibres drawn"));
+        QCOMPARE(title("experiments[0].droplets[0].at_mm[1]"), QString("droplets 1, at 2 (mm)")); // which has no row
         // Every field that is offered is one that a study may have.
         const Design design = drop_design();
         for (const StudyField& field : studyFields(design)) {
@@ -41,8 +45,9 @@ private Q_SLOTS:
             study.factors[0].distribution.low = *field.value;
             study.factors[0].distribution.high = std::nextafter(*field.value, 1e9);
             for (const Issue& issue : validate(study, design)) {
-                QVERIFY2(!QString::fromStdString(issue.where).endsWith("path") || issue.text.find("There is no") == std::string::npos,
-                         (field.path + ": " + issue.text).c_str());
+                QVERIFY2(!QString::fromStdString(issue.where.text()).endsWith("path") ||
+                             issue.text().find("There is no") == std::string::npos,
+                         (field.path + ": " + issue.text()).c_str());
             }
         }
     }

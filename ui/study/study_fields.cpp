@@ -3,11 +3,14 @@
 
 #include "core/analysis/outcomes.h"
 #include "core/base/error.h"
+#include "core/base/trade_units.h"
+#include "core/design/field_labels.h"
 #include "core/plan/fidelity.h"
 #include "core/project/project_json.h"
 #include "core/project/project_value.h"
 
 #include "ui/basics/core_words.h"
+#include "ui/basics/language.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -18,35 +21,6 @@
 namespace hygroloom {
 
 namespace {
-
-struct Suffix {
-    const char* text;
-    const char* unit;
-};
-
-/// How keys end in their units; the longer first.
-constexpr Suffix suffixes[] = {{"_g_m2_h", "g/(m² h)"},
-                               {"_kg_m3", "kg/m³"},
-                               {"_j_kgk", "J/(kg K)"},
-                               {"_w_mk", "W/(m K)"},
-                               {"_g_m2", "g/m²"},
-                               {"_m2_s", "m²/s"},
-                               {"_mpa_s", "mPa s"},
-                               {"_mn_m", "mN/m"},
-                               {"_j_g", "J/g"},
-                               {"_m_s", "m/s"},
-                               {"_per_cm", "/cm"},
-                               {"_per_mm", "/mm"},
-                               {"_per_m", "/m"},
-                               {"_percent", "%"},
-                               {"_deg", "°"},
-                               {"_tex", "tex"},
-                               {"_mm", "mm"},
-                               {"_um", "µm"},
-                               {"_ul", "µl"},
-                               {"_cv", ""},
-                               {"_s", "s"},
-                               {"_c", "°C"}};
 
 /// What a project may leave out of a fabric, and a study may set all the same.
 constexpr const char* optional_fields[] = {"contact_angle_deg",   "thickness_mm",        "warp_crimp_percent",   "weft_crimp_percent",
@@ -61,15 +35,23 @@ bool isPassedOver(const std::string& key)
     return false;
 }
 
-/// Takes the unit off the end of a key.
-QString takeUnit(std::string& key)
+/// As the trade writes it.
+QString unitOf(const std::string& key) { return QString::fromUtf8(trade_units(stored_kind(key)).front().spellings.front()); }
+
+/// The row's label; of a key that has no row its words, without the unit.
+QString wordOf(const std::string& key)
 {
-    for (const Suffix& suffix : suffixes) {
-        if (!key.ends_with(suffix.text)) { continue; }
-        key = key.substr(0, key.size() - std::string_view(suffix.text).size());
-        return QString::fromUtf8(suffix.unit);
+    if (QString label = QString::fromStdString(label_of_key(key)); !label.isEmpty()) {
+        label[0] = label[0].toUpper();
+        return withinSentence(coreWord(label));
     }
-    return {};
+    const Stored kind = stored_kind(key);
+    std::size_t end = key.size();
+    for (std::size_t at = key.rfind('_'); kind != Stored::number && end == key.size() && at != std::string::npos && at > 0;
+         at = key.rfind('_', at - 1)) {
+        if (stored_kind(key.substr(at)) == kind) { end = at; }
+    }
+    return coreWord(QString::fromStdString(key.substr(0, end)).replace('_', ' '));
 }
 
 /// "warp.twist_per_m" -> "warp, twist" and "/m"; "droplets[0].volume_ul" -> "droplets 1, volume" and "µl".
@@ -79,9 +61,9 @@ void nameField(StudyField& field, const QString& below)
     for (const QString& piece : below.split('.', Qt::SkipEmptyParts)) {
         static const QRegularExpression form(R"(^([^\[]*)(?:\[(\d+)\])?)");
         const auto match = form.match(piece);
-        std::string key = match.captured(1).toStdString();
-        field.unit = takeUnit(key);
-        QString word = coreWord(QString::fromStdString(key).replace('_', ' '));
+        const std::string key = match.captured(1).toStdString();
+        field.unit = unitOf(key);
+        QString word = wordOf(key);
         if (!match.captured(2).isEmpty()) { word += QString(" %1").arg(match.captured(2).toInt() + 1); }
         words << word;
     }
@@ -224,9 +206,7 @@ MetricName metricName(const std::string& key)
             return {coreTitle(info.title, info.face), QString::fromStdString(info.unit)};
         }
     }
-    std::string name = key;
-    const QString unit = takeUnit(name);
-    return {coreWord(QString::fromStdString(name).replace('_', ' ')), unit};
+    return {wordOf(key), unitOf(key)};
 }
 
 QString studyNumber(double number)
