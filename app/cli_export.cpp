@@ -235,7 +235,7 @@ void add_export(CLI::App& app, Verb& verb)
     CLI::App& export_verb =
         *app.add_subcommand("export", "Write a piece of a fabric as a mesh or as curves, its draft (WIF), or its repeat as textures");
     export_verb.footer("Example: hygroloom-cli export cloth.hygro --fabric \"Textile F\" --detail yarn --size-mm 5x5 -o cloth.obj\n"
-                       "Meshes: .obj .ply .stl .3mf in mm; .glb .gltf .dae .x3d in m, .fbx in cm. Curves: .bcc .usda. The draft: .wif.\n"
+                       "Meshes: .obj .ply .stl in mm; .glb .gltf .dae in m, .fbx in cm. Curves: .bcc .usda. The draft: .wif.\n"
                        "`export cloth.hygro --textures --dpi 1200 -o FOLDER` writes one repeat as pictures that tile: colour, normals, "
                        "roughness, opacity, dry and wet, with materials for glTF and OBJ.\n"
                        "Ctrl-C leaves no file.");

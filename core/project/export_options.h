@@ -10,7 +10,7 @@
 
 namespace hygroloom {
 
-enum class MeshFormat { obj, ply, stl, glb, gltf, fbx, three_mf, collada, x3d, bcc, usda };
+enum class MeshFormat { obj, ply, stl, glb, gltf, fbx, collada, bcc, usda };
 
 /// What a format is called and what it holds.
 struct MeshFormatTraits {

@@ -111,7 +111,7 @@ void write_usda(const ExportJob& job, const std::filesystem::path& path);
 double bcc_bytes(const ExportEstimate& size);
 double usda_bytes(const ExportJob& job, const ExportEstimate& size);
 
-/// FBX, 3MF, Collada and X3D, through Assimp.
+/// FBX and Collada, through Assimp.
 void write_scene(const ExportJob& job, const std::filesystem::path& path);
 double scene_bytes(const ExportJob& job, const ExportEstimate& size);
 double scene_memory(const ExportJob& job, const ExportEstimate& size);

@@ -21,11 +21,10 @@ namespace hygroloom {
 namespace {
 
 constexpr MeshFormatTraits all_formats[] = {
-    {MeshFormat::obj, ".obj", "OBJ", false, true, true, true},         {MeshFormat::ply, ".ply", "PLY", false, true, true, true},
-    {MeshFormat::stl, ".stl", "STL", false, false, false, true},       {MeshFormat::glb, ".glb", "GLB", false, true, true, true},
-    {MeshFormat::gltf, ".gltf", "glTF", false, true, true, true},      {MeshFormat::fbx, ".fbx", "FBX", false, false, true, false},
-    {MeshFormat::three_mf, ".3mf", "3MF", false, false, false, false}, {MeshFormat::collada, ".dae", "Collada", false, false, true, false},
-    {MeshFormat::x3d, ".x3d", "X3D", false, false, true, false},       {MeshFormat::bcc, ".bcc", "BCC", true, true, false, true},
+    {MeshFormat::obj, ".obj", "OBJ", false, true, true, true},           {MeshFormat::ply, ".ply", "PLY", false, true, true, true},
+    {MeshFormat::stl, ".stl", "STL", false, false, false, true},         {MeshFormat::glb, ".glb", "GLB", false, true, true, true},
+    {MeshFormat::gltf, ".gltf", "glTF", false, true, true, true},        {MeshFormat::fbx, ".fbx", "FBX", false, false, true, false},
+    {MeshFormat::collada, ".dae", "Collada", false, false, true, false}, {MeshFormat::bcc, ".bcc", "BCC", true, true, false, true},
     {MeshFormat::usda, ".usda", "USD", true, true, true, true},
 };
 const MeshFormatTraits& traits(MeshFormat format)
@@ -50,8 +49,8 @@ std::string refusal(const ExportJob& job, const ExportEstimate& size, const Gltf
         return fmt::format("{} files are written with triangles only; write centrelines as .obj, .ply, .glb, .gltf, .bcc or .usda.",
                            format.name);
     if (!format.colors && job.wet())
-        return fmt::format("{} files are written without colours of vertices; write a water map as .ply, .obj, .glb, .gltf, .fbx, .dae, "
-                           ".x3d or .usda.",
+        return fmt::format("{} files are written without colours of vertices; write a water map as .ply, .obj, .glb, .gltf, .fbx, .dae or "
+                           ".usda.",
                            format.name);
     constexpr std::size_t most_vertices = std::numeric_limits<std::int32_t>::max();
     if ((job.format == MeshFormat::ply || job.format == MeshFormat::obj) && size.vertices > most_vertices)

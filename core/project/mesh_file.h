@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A textile as meshes and curves for other programs. Most formats are written piece by piece, so that memory follows the
-// longest yarn or fibre and not the textile. Millimetres with z out of the top face, but GLB, glTF, Collada and X3D in metres and FBX in
+// longest yarn or fibre and not the textile. Millimetres with z out of the top face, but GLB, glTF and Collada in metres and FBX in
 // centimetres, with y out of it.
 #pragma once
 
@@ -29,7 +29,7 @@ struct Exported {
     std::uintmax_t bytes = 0;
 };
 
-/// Yarns are named warp_000, weft_000 (not in PLY, STL and 3MF) and have their own colours (not in STL and 3MF). Everything goes to
+/// Yarns are named warp_000, weft_000 (not in PLY and STL) and have their own colours (not in STL). Everything goes to
 /// temporary files, renamed at the end. fabric is the one the textile was built from. Throws Error with the estimate's refusal, FileError,
 /// or Cancelled; no file is changed then, unless one of several files cannot be renamed after others were.
 Exported export_textile(const Textile& textile, const Fabric& fabric, const ExportOptions& options, const std::filesystem::path& path,

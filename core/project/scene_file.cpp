@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// FBX, 3MF, Collada and X3D through Assimp's exporters, which want the whole scene in memory and copy it. Assimp 5.2.5 needs mending:
-// its binary FBX lacks the records that end a list of nodes, and its X3D has six decimals whatever the unit.
+// FBX and Collada through Assimp's exporters, which want the whole scene in memory and copy it. Assimp 5.2.5's binary FBX needs mending: it
+// lacks the records that end a list of nodes.
 #include "core/base/error.h"
 #include "core/project/atomic_file.h"
 #include "core/project/export_private.h"
@@ -15,31 +15,9 @@
 namespace hygroloom {
 namespace {
 
-bool z_up(MeshFormat format) { return format == MeshFormat::three_mf; }
-
-/// Of the numbers in the file, per metre.
-float scale_of(MeshFormat format)
-{
-    switch (format) {
-    case MeshFormat::three_mf:
-    case MeshFormat::x3d: return 1000; // X3D is in metres: a scale stands over the yarns
-    case MeshFormat::fbx: return 100;
-    default: return 1;
-    }
-}
-
-const char* exporter_of(MeshFormat format)
-{
-    switch (format) {
-    case MeshFormat::fbx: return "fbx";
-    case MeshFormat::three_mf: return "3mf";
-    case MeshFormat::collada: return "collada";
-    default: return "x3d";
-    }
-}
-
-/// From the textile's axes to the format's.
-aiVector3D turned(MeshFormat format, const float* v) { return z_up(format) ? aiVector3D(v[0], v[1], v[2]) : aiVector3D(v[0], v[2], -v[1]); }
+/// From the textile's axes, in m, to the format's, with y up and FBX in cm.
+aiVector3D turned(const float* v) { return {v[0], v[2], -v[1]}; }
+float scale_of(MeshFormat format) { return format == MeshFormat::fbx ? 100 : 1; }
 
 /// A yarn's mesh while its pieces come in.
 struct YarnPart {
@@ -73,8 +51,8 @@ void fill(const ExportJob& job, const YarnMesh& piece, YarnPart& part)
     const MeshGroup& group = piece.groups[0];
     for (std::size_t i = 0; i < group.vertices; ++i) {
         const std::size_t v = part.vertices + i;
-        mesh.mVertices[v] = scale_of(job.format) * turned(job.format, &piece.positions[3 * i]);
-        mesh.mNormals[v] = turned(job.format, &piece.normals[3 * i]);
+        mesh.mVertices[v] = scale_of(job.format) * turned(&piece.positions[3 * i]);
+        mesh.mNormals[v] = turned(&piece.normals[3 * i]);
         mesh.mTextureCoords[0][v] = {piece.uvs[2 * i], piece.uvs[2 * i + 1], 0};
         if (!job.wet()) continue;
         const Color color = job.color(group.kind, group.yarn, piece.segment_of_vertex[i]);
@@ -98,8 +76,7 @@ void fill_scene(const ExportJob& job, aiScene& scene, std::vector<YarnPart>& par
     scene.mMaterials = new aiMaterial*[job.materials.size()];
     for (std::size_t i = 0; i < job.materials.size(); ++i) {
         const aiString name(job.materials[i].name);
-        // Assimp 5.2.5 writes every colour of a 3MF as black but white.
-        const Color color = job.format == MeshFormat::three_mf ? Color{255, 255, 255} : job.materials[i].color;
+        const Color color = job.materials[i].color;
         const aiColor4D diffuse(static_cast<float>(color.red) / 255, static_cast<float>(color.green) / 255,
                                 static_cast<float>(color.blue) / 255, 1);
         scene.mMaterials[i] = new aiMaterial;
@@ -110,7 +87,6 @@ void fill_scene(const ExportJob& job, aiScene& scene, std::vector<YarnPart>& par
     scene.mNumMeshes = count;
     scene.mMeshes = new aiMesh*[count];
     scene.mRootNode = new aiNode("textile");
-    if (job.format == MeshFormat::x3d) aiMatrix4x4::Scaling(aiVector3D(0.001f), scene.mRootNode->mTransformation);
     scene.mRootNode->mNumChildren = count;
     scene.mRootNode->mChildren = new aiNode*[count];
     for (unsigned i = 0; i < count; ++i) {
@@ -185,7 +161,7 @@ void write_scene(const ExportJob& job, const std::filesystem::path& path)
         });
         fill_scene(job, scene, parts);
         Assimp::Exporter exporter;
-        if (exporter.Export(&scene, exporter_of(job.format), path.string()) != aiReturn_SUCCESS)
+        if (exporter.Export(&scene, job.format == MeshFormat::fbx ? "fbx" : "collada", path.string()) != aiReturn_SUCCESS)
             throw FileError(job.shown + ": The file cannot be made: " + exporter.GetErrorString());
     }
     if (job.format != MeshFormat::fbx) return;
@@ -200,26 +176,15 @@ double scene_bytes(const ExportJob& job, const ExportEstimate& size)
 {
     const auto v = static_cast<double>(size.vertices), t = static_cast<double>(size.triangles), yarns = static_cast<double>(size.yarns);
     const double water = job.wet() ? 1 : 0;
-    switch (job.format) {
-    case MeshFormat::fbx: return 1e4 + 2000 * yarns + 40 * v + 96 * t + water * 96 * t;
-    case MeshFormat::three_mf: return 1e3 + 9 * v + 4.5 * t;
-    case MeshFormat::collada: return 1e3 + 1500 * yarns + 80 * v + 20 * t + water * 30 * v;
-    default: return 1e3 + 500 * yarns + 80 * v + 25 * t + water * 30 * v;
-    }
+    return job.format == MeshFormat::fbx ? 1e4 + 2000 * yarns + 40 * v + 96 * t + water * 96 * t
+                                         : 1e3 + 1500 * yarns + 80 * v + 20 * t + water * 30 * v;
 }
 
 double scene_memory(const ExportJob& job, const ExportEstimate& size)
 {
     // The scene and Assimp's copy of it, and so often the text it puts together; measured at 0.25 to 1 million vertices.
     const auto v = static_cast<double>(size.vertices), t = static_cast<double>(size.triangles);
-    const double scenes = 2 * ((36 + (job.wet() ? 16 : 0)) * v + 48 * t);
-    double text = scene_bytes(job, size);
-    switch (job.format) {
-    case MeshFormat::three_mf: text = 2.5 * (41 * v + 45 * t); break; // before it is packed
-    case MeshFormat::x3d: text *= 0.3; break;
-    default: text *= 2.1;
-    }
-    return 20e6 + scenes + text;
+    return 20e6 + 2 * ((36 + (job.wet() ? 16 : 0)) * v + 48 * t) + 2.1 * scene_bytes(job, size);
 }
 
 } // namespace hygroloom
