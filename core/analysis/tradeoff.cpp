@@ -2,9 +2,9 @@
 #include "core/analysis/tradeoff.h"
 
 #include "core/analysis/outcomes.h"
+#include "core/base/moment.h"
 #include "core/base/version.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <sys/utsname.h>
@@ -168,7 +168,7 @@ Tradeoff tradeoff_here(const std::string& fabric, const std::string& experiment)
     Tradeoff t;
     t.program = std::string("Hygroloom ") + program_version();
     t.commit = program_commit();
-    t.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+    t.date = date_now();
     utsname machine{};
     if (uname(&machine) == 0) t.machine = machine.nodename;
     if (double load = 0; getloadavg(&load, 1) == 1) t.load = load;

@@ -3,6 +3,7 @@
 
 #include "core/analysis/metrics.h"
 #include "core/base/error.h"
+#include "core/base/moment.h"
 #include "core/design/validate.h"
 #include "core/physics/caps.h"
 #include "core/run/plan_run.h"
@@ -12,7 +13,6 @@
 #include "core/solver/cap_shapes.h"
 #include "core/solver/yarn_start.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -83,7 +83,7 @@ RunningCloth::RunningCloth(const Design& design, const Climate& air)
     run.plan = plan_of_table(whole, run.textile);
     if (const std::string reason = why_no_caps(run.plan, run.fabric); !reason.empty()) throw Error(reason);
     run.threads = 1;
-    run.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+    run.date = date_now();
     run.backend = backend_->name();
     backend_->set_threads(run.threads);
     run.device = backend_->device();

@@ -2,13 +2,13 @@
 #include "core/run/runner.h"
 
 #include "core/base/error.h"
+#include "core/base/moment.h"
 #include "core/plan/bundling.h"
 #include "core/plan/frame_times.h"
 #include "core/run/course.h"
 #include "core/run/plan_run.h"
 #include "core/run/publisher.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <atomic>
@@ -62,7 +62,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     if (options.frame_interval > 0) run.plan.frame_interval = options.frame_interval;
     run.seed = options.seed;
     run.threads = options.threads;
-    run.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+    run.date = date_now();
     run.backend = backend.name();
     backend.set_threads(options.threads);
     run.device = backend.device();

@@ -2,10 +2,8 @@
 #include "core/wear/garment_run.h"
 
 #include "core/base/error.h"
+#include "core/base/moment.h"
 #include "core/solver/backend.h"
-
-#include <fmt/chrono.h>
-#include <fmt/format.h>
 
 #include <chrono>
 #include <optional>
@@ -20,10 +18,8 @@ double run_garment(const GarmentParts& parts, const GarmentRunOptions& options, 
     if (control.cancel) throw Cancelled();
     if (!garment.memory_is_short.empty() && callbacks.memory_is_short) callbacks.memory_is_short(garment.memory_is_short);
     backend.set_threads(options.threads);
-    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-    const auto record = std::make_shared<const WearRecord>(WearRecord{*parts.design, wear_layout(parts, garment),
-                                                                      name_of(options.how.fidelity), backend.name(), backend.device(),
-                                                                      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))});
+    const auto record = std::make_shared<const WearRecord>(WearRecord{
+        *parts.design, wear_layout(parts, garment), name_of(options.how.fidelity), backend.name(), backend.device(), date_now()});
     std::optional<WearWriter> recording;
     if (!options.recording.empty()) recording.emplace(options.recording, *record);
     if (callbacks.started) callbacks.started(record);
