@@ -39,6 +39,8 @@ look(json.load(sys.stdin))
 literal = r"\"(?:[^\"\\]|\\.)*\""
 for path in [*pathlib.Path("core").rglob("*.cpp"), *pathlib.Path("core").rglob("*.h")]:
     messages.update(re.findall(r"\bsay\(\s*((?:" + literal + r"\s*)+)", path.read_text()))
+names = [line for line in pathlib.Path("resources/translations/core_words.txt").read_text().splitlines() if line and not line.startswith("#")]
+messages.update(json.dumps(name, ensure_ascii=False) for name in names)
 print("const char* messages[] = {" + ", ".join("QT_TRANSLATE_NOOP(\"core\", %s)" % each for each in sorted(messages)) + "};")
 print("const char* texts[] = {" + ", ".join("QT_TRANSLATE_NOOP(\"core\", %s)" % json.dumps(text, ensure_ascii=False) for text in sorted(texts)) + "};")
 ' > "$rows/fields.cpp"

@@ -181,7 +181,10 @@ private Q_SLOTS:
         for (const KnobInfo& knob : knob_table()) { named.insert(QString(knob.name).replace('_', ' ').toStdString()); }
         for (const Fidelity fidelity : all_fidelities) { named.insert(name_of(fidelity)); }
         named.erase("");
-        const std::set<std::string> table(coreWords().begin(), coreWords().end());
+        std::set<std::string> table;
+        for (const Entry& entry : messagesOf(file)) {
+            if (entry.context == "core") { table.insert(entry.source.toStdString()); }
+        }
         for (const std::string& name : named) { QVERIFY2(table.count(name), name.c_str()); }
         QCOMPARE(coreTitle("wetted radius", "top"), QString("Benetzungsradius, oben"));
         QCOMPARE(coreWord("a name that somebody gave"), QString("a name that somebody gave"));

@@ -6,7 +6,6 @@
 #include <QString>
 
 #include <string>
-#include <vector>
 
 namespace hygroloom {
 
@@ -17,8 +16,5 @@ QString coreWord(const char* english);
 
 /// "wetted radius, top"; an empty face is left out.
 QString coreTitle(const std::string& title, const std::string& face);
-
-/// All of the table, in English.
-const std::vector<const char*>& coreWords();
 
 } // namespace hygroloom
