@@ -181,13 +181,10 @@ namespace {
 /// hint: what to do where there is none.
 template <typename Item> const Item& chosen(const std::vector<Item>& items, const std::string& name, const char* what, const char* hint)
 {
-    std::vector<std::string> known;
-    std::string names;
-    for (const Item& item : items) {
+    for (const Item& item : items)
         if (item.name == name || (name.empty() && items.size() == 1)) return item;
-        known.push_back(item.name);
-        names += (names.empty() ? "\"" : ", \"") + item.name + "\"";
-    }
+    const std::vector<std::string> known = names_in(items);
+    const std::string names = listed_in_quotes(known);
     if (items.empty()) throw Stop(exit_usage, fmt::format("The project has no {}. {}", what, hint));
     if (name.empty()) throw Stop(exit_usage, fmt::format("The project has several {}s; choose one with --{}: {}.", what, what, names));
     throw Stop(exit_usage, fmt::format("The project has no {} \"{}\"{} It has {}.", what, name, did_you_mean(name, known), names));

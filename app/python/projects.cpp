@@ -17,13 +17,10 @@ namespace {
 
 template <typename Item> const Item& chosen(const std::vector<Item>& items, const std::string& name, const char* what)
 {
-    std::vector<std::string> known;
-    std::string names;
-    for (const Item& item : items) {
+    for (const Item& item : items)
         if (item.name == name || (name.empty() && items.size() == 1)) return item;
-        known.push_back(item.name);
-        names += (names.empty() ? "\"" : ", \"") + item.name + "\"";
-    }
+    const std::vector<std::string> known = names_in(items);
+    const std::string names = listed_in_quotes(known);
     if (items.empty()) throw Error(fmt::format("The project has no {}.", what));
     if (name.empty()) throw Error(fmt::format("The project has several {0}s; name one with {0}=: {1}.", what, names));
     throw Error(fmt::format("The project has no {} \"{}\"{} It has {}.", what, name, did_you_mean(name, known), names));
@@ -49,7 +46,7 @@ std::string first_of(const char* what, const std::vector<Issue>& issues)
     const auto errors = std::count_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
     const auto first = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
     const std::string more = errors > 1 ? fmt::format(" There are {} more errors; see .issues.", errors - 1) : "";
-    return fmt::format("The {} has errors; nothing was computed. {}: {}{}", what, first->where, first->text, more);
+    return fmt::format("The {} has errors; nothing was computed. {}: {}{}", what, first->where.text(), first->text(), more);
 }
 
 py::list fabric_names(const Design& design)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/base/words.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace hygroloom {
@@ -42,6 +45,13 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
 {
     const std::string near = nearest_word(word, words);
     return near.empty() ? "." : "; did you mean \"" + near + "\"?";
+}
+
+std::string listed(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+
+std::string listed_in_quotes(const std::vector<std::string>& words)
+{
+    return words.empty() ? std::string() : fmt::format("\"{}\"", fmt::join(words, "\", \""));
 }
 
 } // namespace hygroloom

@@ -13,6 +13,19 @@ std::string nearest_word(const std::string& word, const std::vector<std::string>
 /// The end of a sentence that names an unknown word: "; did you mean "denim"?", or a full stop where no known word is near.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& words);
 
+/// Of named things, in their order.
+template <typename Items> std::vector<std::string> names_in(const Items& items)
+{
+    std::vector<std::string> names;
+    for (const auto& item : items) names.push_back(item.name);
+    return names;
+}
+
+/// "denim, poplin".
+std::string listed(const std::vector<std::string>& words);
+/// The same with each in quotation marks.
+std::string listed_in_quotes(const std::vector<std::string>& words);
+
 /// Of a place counted from 0, as yarns of stripes are named: A to Z, then AA, AB …
 inline std::string letters_of(int place)
 {

@@ -6,8 +6,6 @@
 
 #include "core/design/fabric_quantities.h"
 
-#include <fmt/ranges.h>
-
 namespace hygroloom {
 
 namespace {
@@ -18,11 +16,9 @@ constexpr double loosest_usual_packing = 0.3, densest_usual_packing = 0.85;
 void require_material(const Design& design, const std::string& name, const Place& at, IssueList& list)
 {
     if (find_material(design, name)) return;
-    std::vector<std::string> known;
-    for (const Material& own : design.materials) known.push_back(own.name);
-    for (const Material& shipped : material_library()) known.push_back(shipped.name);
-    list.error("unknown_material", at,
-               say("There is no material \"{}\"{} Known are: {}.", name, or_near(name, known), fmt::format("{}", fmt::join(known, ", "))));
+    std::vector<std::string> known = names_in(design.materials);
+    for (const std::string& shipped : names_in(material_library())) known.push_back(shipped);
+    list.error("unknown_material", at, say("There is no material \"{}\"{} Known are: {}.", name, or_near(name, known), listed(known)));
 }
 
 bool validate_core(const Design& design, const Yarn& yarn, const Place& where, IssueList& list)

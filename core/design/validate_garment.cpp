@@ -8,13 +8,6 @@ namespace hygroloom {
 
 namespace {
 
-std::string listed(const std::vector<std::string>& words)
-{
-    std::string all;
-    for (const std::string& word : words) all += (all.empty() ? "\"" : ", \"") + word + "\"";
-    return all;
-}
-
 bool is_in(const std::string& word, const std::vector<std::string>& words)
 {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -24,7 +17,7 @@ void validate_built_in(const BuiltInGarment& garment, const Place& where, IssueL
 {
     if (!is_in(garment.kind, built_in_garments())) {
         list.error("unknown_garment", where / "built_in",
-                   say("There is no built-in garment \"{}\"; there are {}.", garment.kind, listed(built_in_garments())));
+                   say("There is no built-in garment \"{}\"; there are {}.", garment.kind, listed_in_quotes(built_in_garments())));
         return;
     }
     for (Field<BuiltInGarment> size : fields_of<BuiltInGarment>()) {
@@ -51,8 +44,7 @@ void validate_cuts(const Design& design, const Garment& garment, const Place& wh
     if (garment.panels.empty())
         list.error("no_panels", where / "panels",
                    say("A garment needs a fabric for its panels; name panels, or \"*\" for all that are not named."));
-    std::vector<std::string> fabrics;
-    for (const Fabric& fabric : design.fabrics) fabrics.push_back(fabric.name);
+    const std::vector<std::string> fabrics = names_in(design.fabrics);
     for (const auto& [panel, cut] : garment.panels) {
         const Place at = where / "panels" / panel;
         if (panel.empty()) list.error("empty_name", where / "panels", say("The name of a panel is empty; give one."));
@@ -111,13 +103,13 @@ void validate_wearer(const Wearer& wearer, const Place& where, IssueList& list)
         if (zone != "default" && !is_in(zone, gap_zones()))
             list.error("unknown_zone", at,
                        say("There is no zone \"{}\" of the body{} There are \"default\", {}.", zone, or_near(zone, gap_zones()),
-                           listed(gap_zones())));
+                           listed_in_quotes(gap_zones())));
         list.range(at, say("gap between skin and cloth"), gap, 0, 100, Stored::mm);
     }
     if (!is_in(wearer.zones, sweat_tables()) && !wearer.zones.ends_with(".csv"))
         list.error("unknown_sweat_table", where / "zones",
                    say("There is no table of sweat rates \"{}\"; there are {}, or name a file that ends in .csv.", wearer.zones,
-                       listed(sweat_tables())));
+                       listed_in_quotes(sweat_tables())));
     validate_own_zones(wearer.own_zones, where / "own_zones", list);
 }
 

@@ -42,10 +42,8 @@ const std::string& zone_in(const CsvTable& csv, std::size_t row, std::size_t col
     known.emplace_back("default");
     const std::string& zone = csv.rows[row][column];
     if (std::find(known.begin(), known.end(), zone) != known.end()) return zone;
-    std::string all;
-    for (const std::string& word : known) all += (all.empty() ? "" : ", ") + word;
-    throw FileError(
-        fmt::format("{}There is no zone \"{}\" of the body{} There are {}.", place_of(csv, row), zone, did_you_mean(zone, known), all));
+    throw FileError(fmt::format("{}There is no zone \"{}\" of the body{} There are {}.", place_of(csv, row), zone,
+                                did_you_mean(zone, known), listed(known)));
 }
 
 double number_within(const CsvTable& csv, std::size_t row, std::size_t column, const char* name, double least, double most)

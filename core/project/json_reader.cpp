@@ -286,10 +286,8 @@ void ObjectReader::finish(const std::vector<std::string>& required) const
     for (const auto& [key, member] : value_.items()) {
         if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
         const std::string near = nearest_word(key, known_);
-        std::string all;
-        for (const std::string& word : known_) all += (all.empty() ? "" : ", ") + word;
         refuse_at(file_, path_,
-                  near.empty() ? fmt::format("The key {} is not known here. Known are: {}.", in_words(key), all)
+                  near.empty() ? fmt::format("The key {} is not known here. Known are: {}.", in_words(key), listed(known_))
                                : fmt::format("The key {} is not known here; did you mean \"{}\"?", in_words(key), near));
     }
     for (const std::string& key : required)

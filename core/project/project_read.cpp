@@ -74,9 +74,8 @@ Material read_material(const ProjectJson& value, const std::string& file, const 
     if (!based_on.empty()) {
         const Material* base = find_library_material(based_on);
         if (!base) {
-            std::string all;
-            for (const Material& known : material_library()) all += (all.empty() ? "" : ", ") + known.name;
-            object.refuse("based_on", fmt::format("The library has no material {}. It has: {}.", in_words(based_on), all));
+            const std::string known = listed(names_in(material_library()));
+            object.refuse("based_on", fmt::format("The library has no material {}. It has: {}.", in_words(based_on), known));
         }
         material = *base;
     }

@@ -39,12 +39,8 @@ private:
     template <typename Item>
     void check_names(const Place& key, const Message& what, const std::vector<std::string>& names, const std::vector<Item>& items)
     {
-        std::vector<std::string> known;
-        std::string all;
-        for (const Item& item : items) {
-            known.push_back(item.name);
-            all += (all.empty() ? "\"" : ", \"") + item.name + "\"";
-        }
+        const std::vector<std::string> known = names_in(items);
+        const std::string all = listed_in_quotes(known);
         if (names.empty() && items.size() == 1) return;
         if (items.empty()) return add(key, say("The project has no {} that a study can run.", what));
         if (names.empty()) return add(key, say("The project has several {}s; list those to run: {}.", what, all));
@@ -60,12 +56,10 @@ private:
         for (const std::string& name : experiments_of(study_, design_))
             for (const OutcomeInfo& info : reported_by(find_experiment(design_, name)->type))
                 if (std::find(known.begin(), known.end(), info.key) == known.end()) known.push_back(info.key);
-        std::string all;
-        for (const std::string& key : known) all += (all.empty() ? "" : ", ") + key;
         for (std::size_t i = 0; i < study_.metrics.size(); ++i)
             if (std::find(known.begin(), known.end(), study_.metrics[i]) == known.end())
                 add(Place("metrics") / i, say("No experiment of the study has the metric \"{}\"{} They have: {}.", study_.metrics[i],
-                                              or_near(study_.metrics[i], known), all));
+                                              or_near(study_.metrics[i], known), listed(known)));
     }
     /// The path must lead somewhere, and the first value must be one that may stand there.
     void check_factor(std::size_t k, bool named)
@@ -156,17 +150,10 @@ private:
     std::vector<Issue> issues_;
 };
 
-std::string listed(const std::vector<std::string>& names)
-{
-    std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "\"" : ", \"") + name + "\"";
-    return all;
-}
-
 std::optional<Message> not_run(const Message& what, const std::string& name, const std::vector<std::string>& run)
 {
     if (std::find(run.begin(), run.end(), name) != run.end()) return {};
-    return say("The study does not run the {} \"{}\", so this changes nothing. It runs {}.", what, name, listed(run));
+    return say("The study does not run the {} \"{}\", so this changes nothing. It runs {}.", what, name, listed_in_quotes(run));
 }
 
 /// Of what the fabrics' yarns are.
@@ -222,7 +209,7 @@ std::optional<Message> out_of_reach(const Study& study, const Design& design, co
     const std::vector<std::string> used = fibre ? fibres_of(fabrics, design) : liquids_of(experiments, design);
     if (std::find(used.begin(), used.end(), name) != used.end()) return {};
     return say("No {} of the study has \"{}\", so this changes nothing. They have {}.", fibre ? say("fabric") : say("experiment"), name,
-               listed(used));
+               listed_in_quotes(used));
 }
 
 std::vector<Issue> validate(const Study& study, const Design& design) { return Check(study, design).issues(); }

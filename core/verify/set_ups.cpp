@@ -2,6 +2,7 @@
 #include "core/verify/set_ups.h"
 
 #include "core/base/error.h"
+#include "core/base/words.h"
 #include "core/physics/air.h"
 #include "core/physics/sorption.h"
 #include "core/project/library.h"
@@ -18,7 +19,7 @@ Scene bare_scene(int ends, int picks, double pitch, double temperature)
     scene.cloth.length.assign(static_cast<std::size_t>(scene.cloth.segments()), pitch);
     scene.cloth.warp_up.resize(static_cast<std::size_t>(scene.cloth.crossings()));
     for (int end = 0; end < ends; ++end)
-        for (int pick = 0; pick < picks; ++pick) scene.cloth.warp_up[static_cast<std::size_t>(end * picks + pick)] = (end + pick) % 2 == 0;
+        for (int pick = 0; pick < picks; ++pick) scene.cloth.warp_up[end * picks + pick] = (end + pick) % 2 == 0;
     scene.cloth.cell_area = pitch * pitch;
     scene.cloth.half_thickness = 0.25 * pitch;
     YarnParameters yarn;
@@ -66,9 +67,7 @@ const Material& library_material(const std::string& name)
     const auto known = usual.find(name);
     const Material* material = find_library_material(known == usual.end() ? name : known->second);
     if (material) return *material;
-    std::string names;
-    for (const Material& one : material_library()) names += (names.empty() ? "" : ", ") + one.name;
-    throw Error("There is no material \"" + name + "\" in the library; there are: " + names + ".");
+    throw Error("There is no material \"" + name + "\" in the library; there are: " + listed(names_in(material_library())) + ".");
 }
 
 const Fabric& library_fabric(const std::string& name)
@@ -138,7 +137,7 @@ Scene warm_yarn(int cells, double cell, double diffusivity, bool both_ends)
     scene.cloth.start.warmth = 1;
     scene.supply.fed.assign(static_cast<std::size_t>(scene.cloth.segments()), 0);
     scene.supply.fed[0] = 1;
-    if (both_ends) scene.supply.fed[static_cast<std::size_t>(cells - 1)] = 1;
+    if (both_ends) scene.supply.fed[cells - 1] = 1;
     return scene;
 }
 
