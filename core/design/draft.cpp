@@ -60,7 +60,7 @@ Draft with_liftplan(const Draft& draft)
     for (const std::vector<int>& treadles : draft.treadling) {
         std::vector<int>& shafts = lifted.liftplan.emplace_back();
         for (int treadle : treadles) {
-            const std::vector<int>& tied = draft.tie_up[static_cast<std::size_t>(treadle)];
+            const std::vector<int>& tied = draft.tie_up[treadle];
             shafts.insert(shafts.end(), tied.begin(), tied.end());
         }
         std::sort(shafts.begin(), shafts.end());

@@ -15,12 +15,12 @@ void raise(const Draft& draft, std::size_t pick, std::vector<std::uint8_t>& rais
 {
     std::fill(raised.begin(), raised.end(), std::uint8_t(!draft.rising_shed));
     const auto name = [&](const std::vector<int>& shafts) {
-        for (int shaft : shafts) raised[static_cast<std::size_t>(shaft)] = draft.rising_shed;
+        for (int shaft : shafts) raised[shaft] = draft.rising_shed;
     };
     if (!draft.liftplan.empty()) {
         name(draft.liftplan[pick]);
     } else {
-        for (int treadle : draft.treadling[pick]) name(draft.tie_up[static_cast<std::size_t>(treadle)]);
+        for (int treadle : draft.treadling[pick]) name(draft.tie_up[treadle]);
     }
 }
 
@@ -35,7 +35,7 @@ Weave drawdown(const Draft& draft)
         raise(draft, pick, raised);
         std::uint8_t* row = up.data() + pick * ends;
         for (std::size_t end = 0; end < ends; ++end)
-            for (int shaft : draft.threading[end]) row[end] |= raised[static_cast<std::size_t>(shaft)];
+            for (int shaft : draft.threading[end]) row[end] |= raised[shaft];
     }
     return {static_cast<int>(ends), static_cast<int>(picks), std::move(up)};
 }
@@ -71,7 +71,7 @@ Draft smallest_draft(const Weave& weave)
         if (!fresh) continue;
         std::vector<int>& tied = draft.tie_up.emplace_back();
         for (int shaft = 0; shaft < draft.shafts; ++shaft)
-            if (up[pick * ends + first_end[static_cast<std::size_t>(shaft)]]) tied.push_back(shaft);
+            if (up[pick * ends + first_end[shaft]]) tied.push_back(shaft);
     }
     draft.treadles = rows.size();
     return draft;

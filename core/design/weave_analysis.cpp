@@ -87,10 +87,10 @@ void count_cloths(const Threads& ends, const Threads& picks, WeaveAnalysis& anal
     analysis.cloths = 0;
     long from_r = 0, from_s = 0, ups_r = 0;
     for (long r = 0; r <= n; ++r) {
-        if (r > 0) ups_r += end_ups[static_cast<std::size_t>(r - 1)];
+        if (r > 0) ups_r += end_ups[r - 1];
         long ups = ups_r;
         for (long s = 0; s <= m; ++s) {
-            if (s > 0) ups += pick_ups[static_cast<std::size_t>(s - 1)];
+            if (s > 0) ups += pick_ups[s - 1];
             if (ups != r * m + s * n - r * s) continue;
             if (r > from_r && s > from_s && ++analysis.cloths == 1) {
                 analysis.top_ends = static_cast<int>(r - from_r);

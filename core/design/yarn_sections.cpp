@@ -340,7 +340,7 @@ YarnOrder yarn_order(const Fabric& fabric, bool warp)
     };
     std::vector<Yarn> seen;
     for (const YarnRun& run : given.empty() ? alike : given) {
-        int& type = type_of[static_cast<std::size_t>(run.yarn)];
+        int& type = type_of[run.yarn];
         if (type < 0) {
             const auto same = std::find(seen.begin(), seen.end(), colourless(run.yarn));
             type = static_cast<int>(same - seen.begin());

@@ -43,7 +43,7 @@ std::vector<Extent> extents_of(const GarmentPattern& pattern)
     };
     for (std::size_t t = 0; t < pattern.shape.triangles.size(); ++t)
         for (const int corner : pattern.shape.triangles[t])
-            add(static_cast<std::size_t>(pattern.shape.panel[t]), pattern.shape.places[static_cast<std::size_t>(corner)]);
+            add(static_cast<std::size_t>(pattern.shape.panel[t]), pattern.shape.places[corner]);
     for (std::size_t p = 0; p < extents.size(); ++p) {
         if (counts[p] == 0)
             for (const FlatPlace& flat : outline_of(pattern.panels[p])) add(p, in_space(pattern.panels[p], flat));
@@ -102,7 +102,7 @@ void find_body(GarmentPattern& pattern)
 
 int zone_at(const GarmentPattern& pattern, int panel, const Vec3d& place)
 {
-    const PatternPanel& cloth = pattern.panels[static_cast<std::size_t>(panel)];
+    const PatternPanel& cloth = pattern.panels[panel];
     if (!pattern.is_placed && !pattern.is_draped) return zone_by_name(cloth);
     const double height = place.y - pattern.floor;
     if (cloth.on_arm) return zone_on_arm(place, height);
@@ -118,7 +118,7 @@ int zone_at(const GarmentPattern& pattern, int panel, const Vec3d& place)
 
 int zone_at(const Garment& garment, const GarmentPattern& pattern, int panel, const Vec3d& place, const FlatPlace& flat)
 {
-    const std::string& name = pattern.panels[static_cast<std::size_t>(panel)].cut();
+    const std::string& name = pattern.panels[panel].cut();
     const std::vector<OwnZone>& own = garment.wearer.own_zones;
     for (std::size_t k = own.size(); k-- > 0;)
         if (own[k].panel == name && is_inside(own[k].outline_mm, mm_from_metre(flat[0]), mm_from_metre(flat[1])))
@@ -136,7 +136,7 @@ double gap_at(const Garment& garment, const GarmentPattern& pattern, int panel, 
         const auto shoulder = garment.wearer.gap_mm.find("shoulder");
         if (shoulder != garment.wearer.gap_mm.end()) return shoulder->second;
     }
-    return garment.gap_of(body_zones()[static_cast<std::size_t>(zone)]);
+    return garment.gap_of(body_zones()[zone]);
 }
 
 } // namespace hygroloom

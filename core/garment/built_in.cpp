@@ -81,7 +81,7 @@ public:
     void sew(int panel, int edge, int other, int other_edge) { pattern_.seams.push_back({panel, edge, other, other_edge, true}); }
     GarmentPattern finish() &&
     {
-        make_shape(pattern_, [this](int panel, const FlatPlace& flat) { return surfaces_[static_cast<std::size_t>(panel)](flat); });
+        make_shape(pattern_, [this](int panel, const FlatPlace& flat) { return surfaces_[panel](flat); });
         pattern_.is_draped = true;
         pattern_.uv_scale = 1e-3; // flat coordinates are millimetres of cloth
         find_body(pattern_);

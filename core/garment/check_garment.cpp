@@ -37,8 +37,7 @@ Message no_panel(const std::string& name, const std::vector<std::string>& names)
 bool are_sewn(const GarmentPattern& pattern, const std::string& one, const std::string& other)
 {
     return std::any_of(pattern.seams.begin(), pattern.seams.end(), [&](const PatternSeam& seam) {
-        const std::string &a = pattern.panels[static_cast<std::size_t>(seam.panel_a)].name,
-                          &b = pattern.panels[static_cast<std::size_t>(seam.panel_b)].name;
+        const std::string &a = pattern.panels[seam.panel_a].name, &b = pattern.panels[seam.panel_b].name;
         return (a == one && b == other) || (a == other && b == one);
     });
 }

@@ -140,22 +140,22 @@ std::vector<int> panels_of(const FlatMesh& mesh, const FlatIslands& found, const
     for (const Island& island : found.islands) {
         std::map<int, int> votes;
         for (const int t : island.triangles)
-            for (const int place : mesh.triangles[static_cast<std::size_t>(t)])
-                if (const auto panel = known.find(words[static_cast<std::size_t>(place)]); panel != known.end()) ++votes[panel->second];
+            for (const int place : mesh.triangles[t])
+                if (const auto panel = known.find(words[place]); panel != known.end()) ++votes[panel->second];
         int chosen = -1;
         for (const auto& [panel, count] : votes)
             if (chosen < 0 || count > votes[chosen]) chosen = panel;
         const int number = static_cast<int>(panels.size());
-        if (chosen >= 0 && owner[static_cast<std::size_t>(chosen)] >= 0) {
-            const int other = owner[static_cast<std::size_t>(chosen)];
-            pattern.issues.push_back(fmt::format("The drape has the panel \"{}\" in several pieces; the largest is used.",
-                                                 pattern.panels[static_cast<std::size_t>(chosen)].name));
-            if (found.islands[static_cast<std::size_t>(other)].triangles.size() >= island.triangles.size())
+        if (chosen >= 0 && owner[chosen] >= 0) {
+            const int other = owner[chosen];
+            pattern.issues.push_back(
+                fmt::format("The drape has the panel \"{}\" in several pieces; the largest is used.", pattern.panels[chosen].name));
+            if (found.islands[other].triangles.size() >= island.triangles.size())
                 chosen = -1;
             else
-                panels[static_cast<std::size_t>(other)] = -1;
+                panels[other] = -1;
         }
-        if (chosen >= 0) owner[static_cast<std::size_t>(chosen)] = number;
+        if (chosen >= 0) owner[chosen] = number;
         panels.push_back(chosen);
     }
     for (std::size_t p = 0; p < owner.size(); ++p)
@@ -211,13 +211,13 @@ void put_into_space(const FlatMesh& mesh, const FlatIslands& found, const std::v
         for (const int t : found.islands[i].triangles) {
             std::array<int, 3> triangle{};
             for (std::size_t k = 0; k < 3; ++k) {
-                const int corner = found.triangles[static_cast<std::size_t>(t)][k];
+                const int corner = found.triangles[t][k];
                 const auto [at, fresh] = numbers.try_emplace(corner, static_cast<int>(pattern.shape.flat.size()));
                 triangle[k] = at->second;
                 if (!fresh) continue;
-                const FlatCorner& given = found.corners[static_cast<std::size_t>(corner)];
+                const FlatCorner& given = found.corners[corner];
                 pattern.shape.flat.push_back(fits[i].flat(given.uv));
-                pattern.shape.places.push_back(found.places[static_cast<std::size_t>(given.place)]);
+                pattern.shape.places.push_back(found.places[given.place]);
             }
             pattern.shape.triangles.push_back(triangle);
             pattern.shape.panel.push_back(panels[i]);
@@ -246,8 +246,8 @@ void take_drape(GarmentPattern& pattern, std::string_view obj, std::string_view 
     std::vector<std::vector<FlatPlace>> loops(fits.size());
     for (std::size_t i = 0; i < fits.size(); ++i) {
         if (panels[i] < 0) continue;
-        for (const int corner : found.islands[i].loop) loops[i].push_back(found.corners[static_cast<std::size_t>(corner)].uv);
-        const PatternPanel& panel = pattern.panels[static_cast<std::size_t>(panels[i])];
+        for (const int corner : found.islands[i].loop) loops[i].push_back(found.corners[corner].uv);
+        const PatternPanel& panel = pattern.panels[panels[i]];
         // Both counts are a stranger's; their product is bounded.
         if (loops[i].size() * panel.edges.size() > 2'000'000)
             throw FileError(fmt::format("{}: The outline of \"{}\" has too many places.", name, panel.name));
@@ -256,7 +256,7 @@ void take_drape(GarmentPattern& pattern, std::string_view obj, std::string_view 
     agree(fits, panels, pattern, name);
     for (std::size_t i = 0; i < fits.size(); ++i) {
         if (panels[i] < 0) continue;
-        const PatternPanel& panel = pattern.panels[static_cast<std::size_t>(panels[i])];
+        const PatternPanel& panel = pattern.panels[panels[i]];
         std::vector<FlatPlace> corners;
         for (const PanelEdge& edge : panel.edges) corners.push_back(edge.places.front());
         const std::vector<FlatPlace> at = nearest(loops[i], corners, fits[i]);

@@ -18,8 +18,8 @@ public:
         const int count = static_cast<int>(outline.size());
         FlatPlace least = outline[0], most = outline[0];
         for (int i = 0; i < count; ++i) {
-            next_[static_cast<std::size_t>(i)] = (i + 1) % count;
-            before_[static_cast<std::size_t>(i)] = (i + count - 1) % count;
+            next_[i] = (i + 1) % count;
+            before_[i] = (i + count - 1) % count;
             for (std::size_t axis = 0; axis < 2; ++axis) {
                 least[axis] = std::min(least[axis], at(i)[axis]);
                 most[axis] = std::max(most[axis], at(i)[axis]);
@@ -29,8 +29,8 @@ public:
         thin_ = 1e-13 * (width * width + height * height);
         side_ = signed_area(outline) < 0 ? -1 : 1;
     }
-    int next(int corner) const { return next_[static_cast<std::size_t>(corner)]; }
-    int before(int corner) const { return before_[static_cast<std::size_t>(corner)]; }
+    int next(int corner) const { return next_[corner]; }
+    int before(int corner) const { return before_[corner]; }
     void cut(int corner)
     {
         next_[static_cast<std::size_t>(before(corner))] = next(corner);
@@ -50,7 +50,7 @@ public:
     }
 
 private:
-    const FlatPlace& at(int corner) const { return outline_[static_cast<std::size_t>(corner)]; }
+    const FlatPlace& at(int corner) const { return outline_[corner]; }
     double area(const FlatPlace& a, const FlatPlace& b, const FlatPlace& c) const { return side_ * twice_area(a, b, c); }
 
     const std::vector<FlatPlace>& outline_;

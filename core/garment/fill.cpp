@@ -40,7 +40,7 @@ public:
     FilledPanel result(bool whole) && { return {std::move(places_), std::move(corners_), whole}; }
 
 private:
-    const FlatPlace& at(int place) const { return places_[static_cast<std::size_t>(place)]; }
+    const FlatPlace& at(int place) const { return places_[place]; }
     int containing(const FlatPlace& place);
     void flip_from(int triangle, int corner);
     int corner_towards(int triangle, int other) const;
@@ -49,7 +49,7 @@ private:
     {
         if (triangle < 0) return;
         const int corner = corner_towards(triangle, from);
-        if (corner < 3) beyond_[static_cast<std::size_t>(triangle)][static_cast<std::size_t>(corner)] = to;
+        if (corner < 3) beyond_[triangle][corner] = to;
     }
 
     std::vector<FlatPlace> places_;
@@ -66,19 +66,19 @@ void Triangulation::join()
     std::map<std::pair<int, int>, std::pair<int, int>> sides;
     for (int t = 0; t < static_cast<int>(corners_.size()); ++t)
         for (int k = 0; k < 3; ++k) {
-            const auto& corner = corners_[static_cast<std::size_t>(t)];
+            const auto& corner = corners_[t];
             const int from = corner[static_cast<std::size_t>((k + 1) % 3)], to = corner[static_cast<std::size_t>((k + 2) % 3)];
             sides[{from, to}] = {t, k};
             const auto other = sides.find({to, from});
             if (other == sides.end()) continue;
-            beyond_[static_cast<std::size_t>(t)][static_cast<std::size_t>(k)] = other->second.first;
-            beyond_[static_cast<std::size_t>(other->second.first)][static_cast<std::size_t>(other->second.second)] = t;
+            beyond_[t][k] = other->second.first;
+            beyond_[other->second.first][other->second.second] = t;
         }
 }
 
 int Triangulation::corner_towards(int triangle, int other) const
 {
-    const auto& beyond = beyond_[static_cast<std::size_t>(triangle)];
+    const auto& beyond = beyond_[triangle];
     return static_cast<int>(std::find(beyond.begin(), beyond.end(), other) - beyond.begin());
 }
 
@@ -90,15 +90,15 @@ void Triangulation::flip_from(int triangle, int corner)
     while (!waiting_.empty()) {
         const auto [t, k] = waiting_.back();
         waiting_.pop_back();
-        const int u = beyond_[static_cast<std::size_t>(t)][static_cast<std::size_t>(k)];
+        const int u = beyond_[t][k];
         if (u < 0 || ++flips > 100000) continue;
         const int m = corner_towards(u, t);
         if (m > 2) continue;
-        auto &own = corners_[static_cast<std::size_t>(t)], &other = corners_[static_cast<std::size_t>(u)];
-        auto &own_beyond = beyond_[static_cast<std::size_t>(t)], &other_beyond = beyond_[static_cast<std::size_t>(u)];
+        auto &own = corners_[t], &other = corners_[u];
+        auto &own_beyond = beyond_[t], &other_beyond = beyond_[u];
         const auto k1 = static_cast<std::size_t>((k + 1) % 3), k2 = static_cast<std::size_t>((k + 2) % 3);
         const auto m1 = static_cast<std::size_t>((m + 1) % 3), m2 = static_cast<std::size_t>((m + 2) % 3);
-        const int a = own[static_cast<std::size_t>(k)], b = own[k1], c = own[k2], d = other[static_cast<std::size_t>(m)];
+        const int a = own[k], b = own[k1], c = own[k2], d = other[m];
         if (!in_circle(at(a), at(b), at(c), at(d))) continue;
         if (!(twice_area(at(a), at(b), at(d)) > 0 && twice_area(at(a), at(d), at(c)) > 0)) continue;
         // a-b-c and d-c-b become a-b-d and a-d-c.
@@ -125,16 +125,16 @@ int Triangulation::containing(const FlatPlace& place)
 {
     int t = last_;
     for (int steps = 0; steps < 1000 && t >= 0; ++steps) {
-        const auto& corner = corners_[static_cast<std::size_t>(t)];
+        const auto& corner = corners_[t];
         int out = -1;
         for (int k = 0; k < 3 && out < 0; ++k)
             if (twice_area(at(corner[static_cast<std::size_t>((k + 1) % 3)]), at(corner[static_cast<std::size_t>((k + 2) % 3)]), place) < 0)
                 out = k;
         if (out < 0) return t;
-        t = beyond_[static_cast<std::size_t>(t)][static_cast<std::size_t>(out)];
+        t = beyond_[t][out];
     }
     for (t = 0; t < static_cast<int>(corners_.size()); ++t) { // the way is barred by the outline
-        const auto& corner = corners_[static_cast<std::size_t>(t)];
+        const auto& corner = corners_[t];
         bool inside = true;
         for (std::size_t k = 0; k < 3 && inside; ++k) inside = twice_area(at(corner[k]), at(corner[(k + 1) % 3]), place) >= 0;
         if (inside) return t;
@@ -147,7 +147,7 @@ void Triangulation::insert(const FlatPlace& place)
     const int t = containing(place);
     if (t < 0) return;
     last_ = t;
-    const std::array<int, 3> corner = corners_[static_cast<std::size_t>(t)], beyond = beyond_[static_cast<std::size_t>(t)];
+    const std::array<int, 3> corner = corners_[t], beyond = beyond_[t];
     for (std::size_t k = 0; k < 3; ++k) {
         const FlatPlace &a = at(corner[k]), &b = at(corner[(k + 1) % 3]);
         const double side = std::hypot(b[0] - a[0], b[1] - a[1]);
@@ -156,10 +156,10 @@ void Triangulation::insert(const FlatPlace& place)
     }
     const int p = static_cast<int>(places_.size()), u = static_cast<int>(corners_.size()), v = u + 1;
     places_.push_back(place);
-    corners_[static_cast<std::size_t>(t)] = {p, corner[1], corner[2]};
+    corners_[t] = {p, corner[1], corner[2]};
     corners_.push_back({corner[0], p, corner[2]});
     corners_.push_back({corner[0], corner[1], p});
-    beyond_[static_cast<std::size_t>(t)] = {beyond[0], u, v};
+    beyond_[t] = {beyond[0], u, v};
     beyond_.push_back({t, beyond[1], v});
     beyond_.push_back({t, u, beyond[2]});
     turn_to(beyond[1], t, u);
@@ -240,7 +240,7 @@ void make_shape(GarmentPattern& pattern, const std::function<Vec3d(int, const Fl
     std::size_t work = most_work;
     pattern.shape = {};
     for (int p = 0; p < static_cast<int>(pattern.panels.size()); ++p) {
-        const PatternPanel& panel = pattern.panels[static_cast<std::size_t>(p)];
+        const PatternPanel& panel = pattern.panels[p];
         const FilledPanel flat = filled(panel, spacing, work);
         if (!flat.whole)
             pattern.issues.push_back(fmt::format(
@@ -259,8 +259,7 @@ void make_shape(GarmentPattern& pattern, const std::function<Vec3d(int, const Fl
 
 void make_flat_shape(GarmentPattern& pattern)
 {
-    make_shape(pattern,
-               [&pattern](int panel, const FlatPlace& flat) { return in_space(pattern.panels[static_cast<std::size_t>(panel)], flat); });
+    make_shape(pattern, [&pattern](int panel, const FlatPlace& flat) { return in_space(pattern.panels[panel], flat); });
 }
 
 } // namespace hygroloom

@@ -43,7 +43,7 @@ public:
                 for (std::int64_t z = -1; z <= 1; ++z) {
                     const auto cell = cells_.find({own[0] + x, own[1] + y, own[2] + z});
                     if (cell == cells_.end()) continue;
-                    if (length(places_[static_cast<std::size_t>(cell->second)] - place) <= tolerance_) return cell->second;
+                    if (length(places_[cell->second] - place) <= tolerance_) return cell->second;
                 }
         cells_.emplace(own, static_cast<int>(places_.size()));
         places_.push_back(place);
@@ -62,9 +62,9 @@ private:
 
 int root_of(std::vector<int>& parents, int one)
 {
-    while (parents[static_cast<std::size_t>(one)] != one) {
-        int& parent = parents[static_cast<std::size_t>(one)];
-        parent = parents[static_cast<std::size_t>(parent)];
+    while (parents[one] != one) {
+        int& parent = parents[one];
+        parent = parents[parent];
         one = parent;
     }
     return one;
@@ -72,10 +72,10 @@ int root_of(std::vector<int>& parents, int one)
 
 void weld(const FlatMesh& mesh, FlatIslands& found)
 {
-    Vec3d least = mesh.places[static_cast<std::size_t>(mesh.triangles[0][0])], most = least;
+    Vec3d least = mesh.places[mesh.triangles[0][0]], most = least;
     for (const auto& triangle : mesh.triangles)
         for (const int corner : triangle) {
-            const Vec3d& p = mesh.places[static_cast<std::size_t>(corner)];
+            const Vec3d& p = mesh.places[corner];
             least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
             most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
         }
@@ -90,7 +90,7 @@ void weld(const FlatMesh& mesh, FlatIslands& found)
                 welded[given] = welder.weld(mesh.places[given] - least);
                 if (welded[given] == static_cast<int>(found.first_place.size())) found.first_place.push_back(static_cast<int>(given));
             }
-            const FlatPlace& uv = mesh.uv[static_cast<std::size_t>(mesh.uv_triangles[t][k])];
+            const FlatPlace& uv = mesh.uv[mesh.uv_triangles[t][k]];
             const auto [at, fresh] = corners.try_emplace({welded[given], uv}, static_cast<int>(found.corners.size()));
             if (fresh) found.corners.push_back({welded[given], uv});
             triangle[k] = at->second;
@@ -122,10 +122,10 @@ private:
         int number;
         bool operator<(const Side& other) const { return std::pair(ends, number) < std::pair(other.ends, other.number); }
     };
-    std::array<int, 3>& triangle(int t) const { return found_.triangles[static_cast<std::size_t>(t)]; }
-    int from(int side) const { return triangle(side / 3)[static_cast<std::size_t>(side % 3)]; }
-    int& beyond(int side) { return beyond_[static_cast<std::size_t>(side)]; }
-    int beyond(int side) const { return beyond_[static_cast<std::size_t>(side)]; }
+    std::array<int, 3>& triangle(int t) const { return found_.triangles[t]; }
+    int from(int side) const { return triangle(side / 3)[side % 3]; }
+    int& beyond(int side) { return beyond_[side]; }
+    int beyond(int side) const { return beyond_[side]; }
     static int next(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
     std::vector<bool> counting() const;
     void pair(std::vector<int> sharing);
@@ -153,7 +153,7 @@ std::vector<bool> Sides::counting() const
         if (i > 0 && all[i - 1].first == corners)
             ++found_.doubled;
         else
-            counts[static_cast<std::size_t>(all[i].second)] = true;
+            counts[all[i].second] = true;
     }
     return counts;
 }
@@ -175,7 +175,7 @@ void Sides::join()
     const std::vector<bool> counts = counting();
     std::vector<Side> sides;
     for (int side = 0; side < static_cast<int>(beyond_.size()); ++side) {
-        if (!counts[static_cast<std::size_t>(side / 3)]) continue;
+        if (!counts[side / 3]) continue;
         const auto [a, b] = std::minmax({from(side), from(next(side))});
         sides.push_back({key_of(a, b), side});
     }
@@ -194,7 +194,7 @@ void Sides::join()
     }
     std::map<int, std::size_t> numbers;
     for (int t = 0; t < static_cast<int>(found_.triangles.size()); ++t) {
-        if (!counts[static_cast<std::size_t>(t)]) continue;
+        if (!counts[t]) continue;
         const auto [number, fresh] = numbers.try_emplace(root_of(parents, t), found_.islands.size());
         if (fresh) found_.islands.emplace_back();
         found_.islands[number->second].triangles.push_back(t);
@@ -212,15 +212,15 @@ void Sides::turn_over(int t)
 void Sides::orient(Island& island)
 {
     for (const int first : island.triangles) {
-        if (seen_[static_cast<std::size_t>(first)]) continue;
+        if (seen_[first]) continue;
         std::vector<int> piece{first}, turned;
-        seen_[static_cast<std::size_t>(first)] = true;
+        seen_[first] = true;
         for (std::size_t i = 0; i < piece.size(); ++i)
             for (int side = 3 * piece[i]; side < 3 * piece[i] + 3; ++side) {
                 if (beyond(side) < 0) continue;
                 const int across = beyond(side), other = across / 3;
                 const bool against = from(across) == from(side); // both go the same way along it
-                if (seen_[static_cast<std::size_t>(other)]) {
+                if (seen_[other]) {
                     if (against) beyond(across) = beyond(side) = -1;
                     continue;
                 }
@@ -228,7 +228,7 @@ void Sides::orient(Island& island)
                     turn_over(other);
                     turned.push_back(other);
                 }
-                seen_[static_cast<std::size_t>(other)] = true;
+                seen_[other] = true;
                 piece.push_back(other);
             }
         if (2 * turned.size() > piece.size()) {
@@ -244,10 +244,10 @@ std::vector<std::vector<int>> Sides::loops(const Island& island)
     std::vector<std::vector<int>> all;
     for (const int t : island.triangles)
         for (int first = 3 * t; first < 3 * t + 3; ++first) {
-            if (beyond(first) >= 0 || passed_[static_cast<std::size_t>(first)]) continue;
+            if (beyond(first) >= 0 || passed_[first]) continue;
             all.emplace_back();
-            for (int side = first; !passed_[static_cast<std::size_t>(side)];) {
-                passed_[static_cast<std::size_t>(side)] = true;
+            for (int side = first; !passed_[side];) {
+                passed_[side] = true;
                 all.back().push_back(from(side));
                 for (side = next(side); beyond(side) >= 0;) side = next(beyond(side)); // round the corner, triangle by triangle
             }
@@ -261,13 +261,13 @@ void part_corners(FlatIslands& found)
     std::vector<int> owner(found.corners.size(), -1);
     for (int i = 0; i < static_cast<int>(found.islands.size()); ++i) {
         std::map<int, int> copies;
-        for (const int t : found.islands[static_cast<std::size_t>(i)].triangles)
-            for (int& corner : found.triangles[static_cast<std::size_t>(t)]) {
-                if (owner[static_cast<std::size_t>(corner)] < 0) owner[static_cast<std::size_t>(corner)] = i;
-                if (owner[static_cast<std::size_t>(corner)] == i) continue;
+        for (const int t : found.islands[i].triangles)
+            for (int& corner : found.triangles[t]) {
+                if (owner[corner] < 0) owner[corner] = i;
+                if (owner[corner] == i) continue;
                 const auto [copy, fresh] = copies.try_emplace(corner, static_cast<int>(found.corners.size()));
                 if (fresh) {
-                    found.corners.push_back(found.corners[static_cast<std::size_t>(corner)]);
+                    found.corners.push_back(found.corners[corner]);
                     owner.push_back(i);
                 }
                 corner = copy->second;
@@ -278,9 +278,9 @@ void part_corners(FlatIslands& found)
 /// Mirrors an island that is seen from inside, and finds the longest way round it.
 void trace(FlatIslands& found, Island& island, Sides& sides)
 {
-    const auto uv = [&found](int corner) -> FlatPlace& { return found.corners[static_cast<std::size_t>(corner)].uv; };
+    const auto uv = [&found](int corner) -> FlatPlace& { return found.corners[corner].uv; };
     const auto area = [&](int t) {
-        const auto& [a, b, c] = found.triangles[static_cast<std::size_t>(t)];
+        const auto& [a, b, c] = found.triangles[t];
         return twice_area(uv(a), uv(b), uv(c));
     };
     double sum = 0;
@@ -288,9 +288,7 @@ void trace(FlatIslands& found, Island& island, Sides& sides)
     island.mirrored = sum < 0;
     if (island.mirrored) {
         std::vector<int> corners;
-        for (const int t : island.triangles)
-            corners.insert(corners.end(), found.triangles[static_cast<std::size_t>(t)].begin(),
-                           found.triangles[static_cast<std::size_t>(t)].end());
+        for (const int t : island.triangles) corners.insert(corners.end(), found.triangles[t].begin(), found.triangles[t].end());
         std::sort(corners.begin(), corners.end());
         corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
         for (const int corner : corners) uv(corner)[0] = -uv(corner)[0];

@@ -41,18 +41,15 @@ struct Stretch {
     double across = 0, along = 0, flat = 0, space = 0;
 };
 
-Vec3d place_of(const FlatIslands& islands, int corner)
-{
-    return islands.places[static_cast<std::size_t>(islands.corners[static_cast<std::size_t>(corner)].place)];
-}
+Vec3d place_of(const FlatIslands& islands, int corner) { return islands.places[static_cast<std::size_t>(islands.corners[corner].place)]; }
 
 /// Of the triangles that have a flat area.
 std::vector<Stretch> stretches_of(const FlatIslands& islands, const Island& island)
 {
     std::vector<Stretch> found;
     for (const int t : island.triangles) {
-        const auto& [a, b, c] = islands.triangles[static_cast<std::size_t>(t)];
-        const auto uv = [&](int corner) { return islands.corners[static_cast<std::size_t>(corner)].uv; };
+        const auto& [a, b, c] = islands.triangles[t];
+        const auto uv = [&](int corner) { return islands.corners[corner].uv; };
         const Vec3d p = place_of(islands, b) - place_of(islands, a), q = place_of(islands, c) - place_of(islands, a);
         const double pu = uv(b)[0] - uv(a)[0], pv = uv(b)[1] - uv(a)[1], qu = uv(c)[0] - uv(a)[0], qv = uv(c)[1] - uv(a)[1];
         const double twice = std::abs(pu * qv - qu * pv);
@@ -106,7 +103,7 @@ bool fill_alike(const FlatIslands& islands)
         FlatPlace low{1e300, 1e300}, high{-1e300, -1e300};
         for (const int corner : island.loop)
             for (std::size_t axis = 0; axis < 2; ++axis) {
-                const double at = islands.corners[static_cast<std::size_t>(corner)].uv[axis];
+                const double at = islands.corners[corner].uv[axis];
                 low[axis] = std::min(low[axis], at);
                 high[axis] = std::max(high[axis], at);
             }
@@ -123,7 +120,7 @@ bool are_apart(double one, double other, double times) { return one > times * ot
 void scale(FlatIslands& islands, const Island& island, const std::array<double, 2>& by, std::vector<bool>& done)
 {
     for (const int t : island.triangles)
-        for (const int corner : islands.triangles[static_cast<std::size_t>(t)]) {
+        for (const int corner : islands.triangles[t]) {
             const auto at = static_cast<std::size_t>(corner);
             for (std::size_t axis = 0; axis < 2 && !done[at]; ++axis) islands.corners[at].uv[axis] *= by[axis];
             done[at] = true;
@@ -136,7 +133,7 @@ double area_in_space(const FlatIslands& islands, const Island& island)
 {
     double area = 0;
     for (const int t : island.triangles) {
-        const auto& [a, b, c] = islands.triangles[static_cast<std::size_t>(t)];
+        const auto& [a, b, c] = islands.triangles[t];
         area += 0.5 * length(cross(place_of(islands, b) - place_of(islands, a), place_of(islands, c) - place_of(islands, a)));
     }
     return area;

@@ -159,7 +159,7 @@ std::vector<Matrix4d> GltfReader::skin(const ProjectJson& node, const ProjectJso
                 if (w == 0) continue;
                 if (!(j >= 0 && j < static_cast<double>(joints.size())))
                     file_.refuse(fmt::format("A vertex names joint {} of skins[{}], which is not there.", j, *number));
-                places[i] += w * joints[static_cast<std::size_t>(j)];
+                places[i] += w * joints[j];
             }
     }
     return places;

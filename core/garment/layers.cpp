@@ -46,10 +46,10 @@ void add_layers(GarmentPattern& pattern, const Garment& garment)
     std::vector<std::vector<int>> layers; // of each panel, from the outside on
     const int count = static_cast<int>(pattern.panels.size());
     for (int panel = 0; panel < count; ++panel) {
-        const PanelCut* cut = garment.cut_of(pattern.panels[static_cast<std::size_t>(panel)].name);
+        const PanelCut* cut = garment.cut_of(pattern.panels[panel].name);
         std::vector<int>& own = layers.emplace_back(1, panel);
         for (int layer = 2; cut != nullptr && layer <= cut->layers; ++layer) {
-            PatternPanel inner = pattern.panels[static_cast<std::size_t>(panel)];
+            PatternPanel inner = pattern.panels[panel];
             inner.layer_of = inner.name;
             inner.name = layer_prefix(inner.name) + std::to_string(layer);
             inner.over = own.back();
@@ -60,7 +60,7 @@ void add_layers(GarmentPattern& pattern, const Garment& garment)
     }
     const std::vector<PatternSeam> seams = pattern.seams;
     for (const PatternSeam& seam : seams) {
-        const std::vector<int>&a = layers[static_cast<std::size_t>(seam.panel_a)], &b = layers[static_cast<std::size_t>(seam.panel_b)];
+        const std::vector<int>&a = layers[seam.panel_a], &b = layers[seam.panel_b];
         for (std::size_t layer = 1; layer < std::max(a.size(), b.size()); ++layer) {
             PatternSeam inner = seam;
             inner.panel_a = a[std::min(layer, a.size() - 1)];

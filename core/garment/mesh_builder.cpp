@@ -66,7 +66,7 @@ void MeshBuilder::add_face(const std::vector<Corner>& corners)
         if (place < 0 || flat < 0 || static_cast<std::size_t>(place) >= places() || static_cast<std::size_t>(flat) >= flats())
             refuse(fmt::format("A face names vertex {}, which is not there; the last is {}, counted from 0.", place,
                                static_cast<long long>(places()) - 1));
-        outline_.push_back(mesh_.uv[static_cast<std::size_t>(flat)]);
+        outline_.push_back(mesh_.uv[flat]);
     }
     if (corners.size() < 3) return;
     if (corners.size() == 3) return add_triangle(corners[0], corners[1], corners[2]);
@@ -76,8 +76,7 @@ void MeshBuilder::add_face(const std::vector<Corner>& corners)
         ears_.clear();
         for (int i = 2; i < static_cast<int>(corners.size()); ++i) ears_.push_back({0, i - 1, i});
     }
-    for (const auto& [a, b, c] : ears_)
-        add_triangle(corners[static_cast<std::size_t>(a)], corners[static_cast<std::size_t>(b)], corners[static_cast<std::size_t>(c)]);
+    for (const auto& [a, b, c] : ears_) add_triangle(corners[a], corners[b], corners[c]);
 }
 
 void MeshBuilder::give_labels()
@@ -89,7 +88,7 @@ void MeshBuilder::give_labels()
     mesh_.label.assign(named_.size(), -1);
     if (way == 3) return;
     mesh_.labels.resize(names_[way].size());
-    for (const auto& [label, number] : names_[way]) mesh_.labels[static_cast<std::size_t>(number)] = label;
+    for (const auto& [label, number] : names_[way]) mesh_.labels[number] = label;
     for (std::size_t t = 0; t < named_.size(); ++t) mesh_.label[t] = named_[t][way];
 }
 

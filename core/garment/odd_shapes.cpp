@@ -34,8 +34,7 @@ void tell_size(GarmentPattern& pattern)
 std::vector<double> areas_in_space(const GarmentPattern& pattern)
 {
     std::vector<double> areas(pattern.panels.size());
-    for (std::size_t t = 0; t < pattern.shape.triangles.size(); ++t)
-        areas[static_cast<std::size_t>(pattern.shape.panel[t])] += area_of_triangle(pattern.shape, t);
+    for (std::size_t t = 0; t < pattern.shape.triangles.size(); ++t) areas[pattern.shape.panel[t]] += area_of_triangle(pattern.shape, t);
     return areas;
 }
 
@@ -77,7 +76,7 @@ void doubt(GarmentPattern& pattern, std::string sentence)
 
 double area_of_triangle(const GarmentShape& shape, std::size_t t)
 {
-    const auto place = [&](std::size_t k) { return shape.places[static_cast<std::size_t>(shape.triangles[t][k])]; };
+    const auto place = [&](std::size_t k) { return shape.places[shape.triangles[t][k]]; };
     return 0.5 * length(cross(place(1) - place(0), place(2) - place(0)));
 }
 

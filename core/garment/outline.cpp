@@ -43,8 +43,7 @@ std::vector<FlatPlace> flattened(const std::function<FlatPlace(double)>& curve)
         // At a quarter as well: an S-shaped piece passes through the middle of its chord.
         for (int i = 0; i < pieces; ++i)
             for (const double part : {0.25, 0.5, 0.75})
-                off = std::max(off, off_chord(places[static_cast<std::size_t>(i)], places[static_cast<std::size_t>(i) + 1],
-                                              curve((i + part) / pieces)));
+                off = std::max(off, off_chord(places[i], places[static_cast<std::size_t>(i) + 1], curve((i + part) / pieces)));
         if (pieces > 1 && off <= 0.5 * flattening_m) break;
     }
     return places;

@@ -159,7 +159,7 @@ void PatternReader::read_curvature(const ProjectJson& json, const std::string& p
 {
     const auto control = [&](const ProjectJson& value, const std::string& at) {
         if (!absolute_controls_) return pair_in(value, at, farthest_control);
-        const FlatPlace &a = corners[static_cast<std::size_t>(edge.from)], &b = corners[static_cast<std::size_t>(edge.to)];
+        const FlatPlace &a = corners[edge.from], &b = corners[edge.to];
         FlatPlace place = pair_in(value, at, largest_panel_m / metre_);
         const double ux = b[0] - a[0], uy = b[1] - a[1], square = ux * ux + uy * uy;
         const double px = metre_ * place[0] - a[0], py = metre_ * place[1] - a[1];
@@ -218,7 +218,7 @@ RawEdge PatternReader::read_edge(const ProjectJson& json, const std::string& pat
 
 PanelEdge PatternReader::drawn(const RawEdge& edge, const std::vector<FlatPlace>& corners) const
 {
-    const FlatPlace &a = corners[static_cast<std::size_t>(edge.from)], &b = corners[static_cast<std::size_t>(edge.to)];
+    const FlatPlace &a = corners[edge.from], &b = corners[edge.to];
     if (edge.circle) return {flattened_arc(a, b, (*edge.circle)[0], (*edge.circle)[1] != 0, (*edge.circle)[2] != 0)};
     if (edge.controls.empty()) return {{a, b}};
     std::vector<FlatPlace> controls;
@@ -231,9 +231,7 @@ PanelEdge PatternReader::drawn(const RawEdge& edge, const std::vector<FlatPlace>
 void PatternReader::close(PatternPanel& panel, std::vector<RawEdge>& edges, const std::vector<FlatPlace>& corners,
                           std::vector<int>& numbers)
 {
-    const auto same = [&corners](int a, int b) {
-        return a == b || corners[static_cast<std::size_t>(a)] == corners[static_cast<std::size_t>(b)];
-    };
+    const auto same = [&corners](int a, int b) { return a == b || corners[a] == corners[b]; };
     const auto turned = [](RawEdge edge) {
         std::swap(edge.from, edge.to);
         for (FlatPlace& c : edge.controls) c = {1 - c[0], -c[1]};
@@ -244,7 +242,7 @@ void PatternReader::close(PatternPanel& panel, std::vector<RawEdge>& edges, cons
     numbers.assign(edges.size(), -1);
     std::optional<int> first, last;
     const auto join = [&](int from, int to) {
-        const FlatPlace &a = corners[static_cast<std::size_t>(from)], &b = corners[static_cast<std::size_t>(to)];
+        const FlatPlace &a = corners[from], &b = corners[to];
         note(fmt::format("The outline of the panel \"{}\" is open by {:.3g} mm; a straight edge closes it.", panel.name,
                          mm_from_metre(std::hypot(b[0] - a[0], b[1] - a[1]))));
         panel.edges.push_back({{a, b}});

@@ -73,7 +73,7 @@ private:
     double next(const Number& number);
     /// The numbers of a property of the row that is being read.
     void take_row(const Element& element);
-    const std::vector<double>& of(int property) const { return row_[static_cast<std::size_t>(property)]; }
+    const std::vector<double>& of(int property) const { return row_[property]; }
     void read_vertices(const Element& element);
     void read_faces(const Element& element);
 
@@ -217,8 +217,7 @@ void PlyReader::read_vertices(const Element& element)
 void PlyReader::read_faces(const Element& element)
 {
     const int corners = element.find({"vertex_indices", "vertex_index"}), flats = element.find({"texcoord"});
-    if (corners < 0 || !element.properties[static_cast<std::size_t>(corners)].count)
-        mesh_.refuse("The element \"face\" has no list vertex_indices.");
+    if (corners < 0 || !element.properties[corners].count) mesh_.refuse("The element \"face\" has no list vertex_indices.");
     if (mesh_.places() == 0) mesh_.refuse("The faces stand before the vertices, which is not read here.");
     std::vector<MeshBuilder::Corner> face;
     for (std::size_t i = 0; i < element.count; ++i) {

@@ -57,7 +57,7 @@ std::optional<Side> StitchReader::side_in(const ProjectJson& value, std::size_t 
                              numbers_[p].size()));
             return {};
         }
-        const int own = numbers_[p][static_cast<std::size_t>(index)];
+        const int own = numbers_[p][index];
         if (own >= 0) return Side{static_cast<int>(p), own};
         note(fmt::format("The stitch {} goes to an edge without length; it was left out.", number));
         return {};
@@ -73,19 +73,15 @@ void StitchReader::sew(Side a, Side b, bool turned, std::size_t number)
         note(fmt::format("The stitch {} sews an edge to itself; it was left out.", number));
         return;
     }
-    const auto edge_of = [this](const Side& side) -> const PanelEdge& {
-        return pattern_.panels[static_cast<std::size_t>(side[0])].edges[static_cast<std::size_t>(side[1])];
-    };
+    const auto edge_of = [this](const Side& side) -> const PanelEdge& { return pattern_.panels[side[0]].edges[side[1]]; };
     const double long_a = length_of(edge_of(a)), long_b = length_of(edge_of(b));
-    const std::string &name_a = pattern_.panels[static_cast<std::size_t>(a[0])].name,
-                      &name_b = pattern_.panels[static_cast<std::size_t>(b[0])].name;
+    const std::string &name_a = pattern_.panels[a[0]].name, &name_b = pattern_.panels[b[0]].name;
     if (std::abs(long_a - long_b) > most_ease * std::max(long_a, long_b))
         note(fmt::format("The stitch {} joins edges of different length: {:.0f} mm of \"{}\" and {:.0f} mm of \"{}\".", number,
                          mm_from_metre(long_a), name_a, mm_from_metre(long_b), name_b));
     for (const Side& side : {a, b})
         if (!sewn_.insert(side).second)
-            note(fmt::format("The edge {} of the panel \"{}\" is sewn more than once.", side[1],
-                             pattern_.panels[static_cast<std::size_t>(side[0])].name));
+            note(fmt::format("The edge {} of the panel \"{}\" is sewn more than once.", side[1], pattern_.panels[side[0]].name));
     pattern_.seams.push_back(seam_of(pattern_, a, b, turned));
 }
 
@@ -135,9 +131,8 @@ void StitchReader::read(const ProjectJson& stitch, std::size_t number)
 
 PatternSeam seam_of(const GarmentPattern& pattern, std::array<int, 2> a, std::array<int, 2> b, bool turned)
 {
-    const PatternPanel &one = pattern.panels[static_cast<std::size_t>(a[0])], &other = pattern.panels[static_cast<std::size_t>(b[0])];
-    const std::vector<FlatPlace>&ends_a = one.edges[static_cast<std::size_t>(a[1])].places,
-          &ends_b = other.edges[static_cast<std::size_t>(b[1])].places;
+    const PatternPanel &one = pattern.panels[a[0]], &other = pattern.panels[b[0]];
+    const std::vector<FlatPlace>&ends_a = one.edges[a[1]].places, &ends_b = other.edges[b[1]].places;
     const Vec3d a0 = in_space(one, ends_a.front()), a1 = in_space(one, ends_a.back());
     const Vec3d b0 = in_space(other, ends_b.front()), b1 = in_space(other, ends_b.back());
     const double against = length(a0 - b1) + length(a1 - b0), along = length(a0 - b0) + length(a1 - b1);

@@ -111,14 +111,14 @@ void tell_thick_cloth(GarmentPattern& pattern, const std::vector<double>& in_spa
     const Covered found = covered(samples_of(pattern, spacing), spacing);
     const auto share = [&](int one, int other) {
         const auto at = found.find({one, other});
-        return at == found.end() ? 0.0 : at->second / in_space[static_cast<std::size_t>(one)];
+        return at == found.end() ? 0.0 : at->second / in_space[one];
     };
     std::string first;
     int pairs = 0;
     for (const auto& [pair, area] : found) {
         const auto [one, other] = pair;
         if (one > other || share(one, other) < least_covered || share(other, one) < least_covered) continue;
-        const auto name = [&](int panel) { return pattern.panels[static_cast<std::size_t>(panel)].name; };
+        const auto name = [&](int panel) { return pattern.panels[panel].name; };
         if (++pairs > 1) continue;
         first = one == other ? fmt::format("The panel \"{}\" lies on itself", name(one))
                              : fmt::format("The panels \"{}\" and \"{}\" lie on each other", name(one), name(other));

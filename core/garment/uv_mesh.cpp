@@ -60,12 +60,9 @@ private:
     void sew();
     void make_shape_of_mesh();
     void tell();
-    Vec3d place_of(int corner) const
-    {
-        return found_.places[static_cast<std::size_t>(found_.corners[static_cast<std::size_t>(corner)].place)];
-    }
+    Vec3d place_of(int corner) const { return found_.places[static_cast<std::size_t>(found_.corners[corner].place)]; }
     const std::vector<int>& loop_of(std::size_t panel) const { return found_.islands[kept_[panel]].loop; }
-    const FlatPlace& flat_of(int corner) const { return found_.corners[static_cast<std::size_t>(corner)].uv; }
+    const FlatPlace& flat_of(int corner) const { return found_.corners[corner].uv; }
 
     const FlatMesh& mesh_;
     const std::string& name_;
@@ -169,10 +166,10 @@ void MeshReader::name_panels()
     std::vector<std::string> wishes;
     for (const std::size_t i : kept_) {
         std::map<int, int> votes;
-        for (const int t : found_.islands[i].triangles) ++votes[mesh_.label.empty() ? -1 : mesh_.label[static_cast<std::size_t>(t)]];
+        for (const int t : found_.islands[i].triangles) ++votes[mesh_.label.empty() ? -1 : mesh_.label[t]];
         const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-        const bool named = most->first >= 0 && !mesh_.labels[static_cast<std::size_t>(most->first)].empty();
-        wishes.push_back(named ? mesh_.labels[static_cast<std::size_t>(most->first)] : std::string());
+        const bool named = most->first >= 0 && !mesh_.labels[most->first].empty();
+        wishes.push_back(named ? mesh_.labels[most->first] : std::string());
         ++used[wishes.back()];
     }
     for (std::size_t k = 0; k < kept_.size(); ++k) {
@@ -198,7 +195,7 @@ public:
                     const auto cell = cells_.find({own[0] + x, own[1] + y, own[2] + z});
                     if (cell == cells_.end()) continue;
                     for (const int number : cell->second)
-                        if (length(places_[static_cast<std::size_t>(number)] - p) <= meeting) return number;
+                        if (length(places_[number] - p) <= meeting) return number;
                 }
         cells_[own].push_back(static_cast<int>(places_.size()));
         places_.push_back(p);
@@ -293,7 +290,7 @@ void MeshReader::make_shape_of_mesh()
         for (const int t : found_.islands[kept_[k]].triangles) {
             std::array<int, 3> triangle{};
             for (std::size_t c = 0; c < 3; ++c) {
-                const int corner = found_.triangles[static_cast<std::size_t>(t)][c];
+                const int corner = found_.triangles[t][c];
                 const auto [at, fresh] = numbers.try_emplace(corner, static_cast<int>(pattern_.shape.flat.size()));
                 triangle[c] = at->second;
                 if (!fresh) continue;

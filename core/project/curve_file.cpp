@@ -167,7 +167,7 @@ void for_each_curves(const ExportJob& job, const std::function<void(const YarnCu
             curves.positions.resize(3 * points);
             curves.segments.resize(points);
             tbb::parallel_for(0, fibres.strands(), [&](int strand) {
-                const std::size_t begin = first[static_cast<std::size_t>(strand)];
+                const std::size_t begin = first[strand];
                 fibres.curve(strand, &curves.positions[3 * begin]);
                 for (std::size_t i = 0; i < fibres.points(strand); ++i) curves.segments[begin + i] = fibres.segment(strand, i);
             });

@@ -203,7 +203,7 @@ void write_ply(const ExportJob& job, const std::filesystem::path& path)
             *out++ = static_cast<char>(color.green);
             *out++ = static_cast<char>(color.blue);
             if (job.wet()) {
-                std::memcpy(out, &job.options.saturation[static_cast<std::size_t>(piece.segment_of_vertex[i])], 4);
+                std::memcpy(out, &job.options.saturation[piece.segment_of_vertex[i]], 4);
                 out += 4;
             }
         }

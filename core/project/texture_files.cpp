@@ -49,10 +49,7 @@ struct Colours {
             for (const Light& light : *system)
                 for (std::size_t k = 0; k < 3; ++k) mean[k] += 0.5 * light[k] / static_cast<double>(system->size());
     }
-    const Light& of(const TopPoint& seen) const
-    {
-        return (seen.kind == YarnKind::warp ? warp : weft)[static_cast<std::size_t>(seen.yarn + 1)];
-    }
+    const Light& of(const TopPoint& seen) const { return (seen.kind == YarnKind::warp ? warp : weft)[seen.yarn + 1]; }
 };
 
 /// One pixel, the mean of its points; writes to its own place in each picture. Returns how many points are open.
@@ -120,8 +117,7 @@ TexturePixels texture_pixels(const Textile& textile, const Fabric& fabric, const
     for (int first = 0; first < size.rows; first += rows_at_once) {
         if (progress && !progress(static_cast<double>(first) / size.rows)) throw Cancelled();
         tbb::parallel_for(first, std::min(first + rows_at_once, size.rows), [&](int row) {
-            for (int column = 0; column < size.columns; ++column)
-                open[static_cast<std::size_t>(row)] += fill_pixel(view, colours, wet_share, column, row, made);
+            for (int column = 0; column < size.columns; ++column) open[row] += fill_pixel(view, colours, wet_share, column, row, made);
         });
     }
     for (const std::int64_t points : open) made.open_share += static_cast<double>(points) / (finer * finer * static_cast<double>(pixels));

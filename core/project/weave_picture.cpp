@@ -219,7 +219,7 @@ void fit_extra_yarns(Fabric& fabric)
 {
     for (const auto& [order, yarn] : {std::pair(&fabric.weft_order, &fabric.weft), {&fabric.warp_order, &fabric.warp}})
         for (const YarnRun& run : *order)
-            if (run.yarn > 0) fabric.extra_yarns[static_cast<std::size_t>(run.yarn - 1)].diameter_mm = yarn->diameter_mm;
+            if (run.yarn > 0) fabric.extra_yarns[run.yarn - 1].diameter_mm = yarn->diameter_mm;
 }
 
 } // namespace

@@ -339,7 +339,7 @@ private:
         const std::size_t comma = value.find(',');
         const auto index = leading_whole(value.substr(0, comma));
         if (index && *index >= 0 && static_cast<std::size_t>(*index) < palette_.size()) {
-            color = palette_[static_cast<std::size_t>(*index)];
+            color = palette_[*index];
             if (color) return true;
         }
         const auto own = comma == std::string_view::npos ? std::nullopt : triple(value.substr(comma + 1));

@@ -60,7 +60,7 @@ ThreadKinds thread_kinds(const Draft& draft, const std::string& name)
     ThreadKinds kinds;
     for (std::vector<int> shafts : draft.threading) {
         std::sort(shafts.begin(), shafts.end());
-        for (int shaft : shafts) used[static_cast<std::size_t>(shaft)] = 1;
+        for (int shaft : shafts) used[shaft] = 1;
         const auto [at, fresh] = end_lists.try_emplace(shafts, static_cast<int>(end_lists.size()));
         if (fresh) small.threading.push_back(shafts);
         kinds.ends.push_back(at->second);
@@ -72,13 +72,13 @@ ThreadKinds thread_kinds(const Draft& draft, const std::string& name)
         std::fill(lifted.begin(), lifted.end(), false);
         const auto lift = [&](const std::vector<int>& shafts) {
             for (int shaft : shafts)
-                if (used[static_cast<std::size_t>(shaft)]) lifted[static_cast<std::size_t>(shaft)] = true;
+                if (used[shaft]) lifted[shaft] = true;
         };
         const auto at = static_cast<std::size_t>(pick);
         if (!draft.liftplan.empty()) {
             lift(draft.liftplan[at]);
         } else {
-            for (int treadle : draft.treadling[at]) lift(draft.tie_up[static_cast<std::size_t>(treadle)]);
+            for (int treadle : draft.treadling[at]) lift(draft.tie_up[treadle]);
         }
         const auto [kind, fresh] = lifts.try_emplace(lifted, static_cast<int>(lifts.size()));
         if (fresh) first_pick.push_back(pick);
@@ -92,10 +92,10 @@ ThreadKinds thread_kinds(const Draft& draft, const std::string& name)
     auto& plan = draft.liftplan.empty() ? small.treadling : small.liftplan;
     const auto& all = draft.liftplan.empty() ? draft.treadling : draft.liftplan;
     plan.clear();
-    for (int pick : first_pick) plan.push_back(all[static_cast<std::size_t>(pick)]);
+    for (int pick : first_pick) plan.push_back(all[pick]);
     const Draft alike = smallest_draft(drawdown(small));
-    for (int& end : kinds.ends) end = alike.threading[static_cast<std::size_t>(end)].front();
-    for (int& pick : kinds.picks) pick = alike.treadling[static_cast<std::size_t>(pick)].front();
+    for (int& end : kinds.ends) end = alike.threading[end].front();
+    for (int& pick : kinds.picks) pick = alike.treadling[pick].front();
     return kinds;
 }
 
@@ -109,8 +109,7 @@ template <typename Sequence> bool has_period(const Sequence& sequence, int perio
 template <typename Sequence> int repeat_of(const Sequence& sequence)
 {
     const int size = static_cast<int>(sequence.size());
-    const int period =
-        least_period(size, [&](int a, int b) { return sequence[static_cast<std::size_t>(a)] == sequence[static_cast<std::size_t>(b)]; });
+    const int period = least_period(size, [&](int a, int b) { return sequence[a] == sequence[b]; });
     return 2 * period <= size ? period : size;
 }
 

@@ -28,7 +28,7 @@ std::vector<int> yarns_of(const std::vector<YarnRun>& order, int weave_repeat)
     const long count =
         common <= most_written_threads ? common : std::min<long>(2 * std::max<long>(own, weave_repeat), most_imported_threads);
     std::vector<int> yarns;
-    for (long thread = 0; thread < count; ++thread) yarns.push_back(once[static_cast<std::size_t>(thread % own)]);
+    for (long thread = 0; thread < count; ++thread) yarns.push_back(once[thread % own]);
     return yarns;
 }
 

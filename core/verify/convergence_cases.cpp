@@ -41,7 +41,7 @@ Profile cooling_slab(Backend& backend, int half, int steps)
     Scene scene = warm_yarn(2 * half + 1, cell, diffusivity, true);
     scene.cloth.start.warmth = 50; // frames are in single precision
     scene.rules.network_step = short_time / steps;
-    return {frames_at(backend, scene, {short_time}).back().temperature[static_cast<std::size_t>(half)]};
+    return {frames_at(backend, scene, {short_time}).back().temperature[half]};
 }
 
 /// A fibre in liquid, by Fourier number 0.1: its regain.
@@ -72,13 +72,10 @@ Profile levelling_yarn(Backend& backend, int cells, int steps)
     scene.cloth.start.liquid.assign(static_cast<std::size_t>(scene.cloth.segments()), 0.0);
     const double capacity = scene.climate.density * scene.cloth.yarns[0].pore_area * scene.cloth.length[0];
     for (int i = 0; i < cells; ++i)
-        scene.cloth.start.liquid[static_cast<std::size_t>(i)] =
-            capacity * (0.5 + 0.4 * cells / pi * (std::sin(pi * (i + 1) / cells) - std::sin(pi * i / cells)));
+        scene.cloth.start.liquid[i] = capacity * (0.5 + 0.4 * cells / pi * (std::sin(pi * (i + 1) / cells) - std::sin(pi * i / cells)));
     const Frame frame = frames_at(backend, scene, {short_time}).back();
     Profile means(parts, 0.0);
-    for (int i = 0; i < cells; ++i)
-        means[static_cast<std::size_t>(i * parts / cells)] +=
-            static_cast<double>(frame.saturation[static_cast<std::size_t>(i)]) * parts / cells;
+    for (int i = 0; i < cells; ++i) means[i * parts / cells] += static_cast<double>(frame.saturation[i]) * parts / cells;
     return means;
 }
 

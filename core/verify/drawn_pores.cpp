@@ -49,8 +49,8 @@ std::vector<DrawnSection> drawn_sections(Textile textile, YarnKind kind, int yar
     std::vector<YarnPoint> at;
     for (int k = 0; k < sections; ++k) {
         at.push_back(yarn_point(textile, kind, yarn, k, 0));
-        drawn[static_cast<std::size_t>(k)].half_width = at.back().half_width;
-        drawn[static_cast<std::size_t>(k)].half_height = at.back().half_height;
+        drawn[k].half_width = at.back().half_width;
+        drawn[k].half_height = at.back().half_height;
     }
     std::vector<float> line;
     for (int strand = 0; strand < fibres.regular(); ++strand) {
@@ -87,7 +87,7 @@ PoreImage image_of_sections(const std::vector<DrawnSection>& sections, double vo
     const auto place = [&](int i, int n) { return (i + 0.5 - 0.5 * n) * voxel; };
     const auto first = [&](double p, int n) { return std::clamp(static_cast<int>(std::floor(p / voxel + 0.5 * n)), 0, n - 1); };
     for (int z = 0; z < g.nz; ++z) {
-        const DrawnSection& s = sections[static_cast<std::size_t>(z)];
+        const DrawnSection& s = sections[z];
         for (int y = 0; y < g.ny; ++y)
             for (int x = 0; x < g.nx; ++x)
                 if (outside_racetrack(place(x, g.nx), place(y, g.ny), s.half_width, s.half_height) < -skin)

@@ -84,7 +84,7 @@ struct Sheet {
         const auto mean = [&] {
             if (w.size() == 1) return w[0];
             double sum = 0;
-            for (int k = 0; k < shells; ++k) sum += w[static_cast<std::size_t>(k)] * (2 * k + 1);
+            for (int k = 0; k < shells; ++k) sum += w[k] * (2 * k + 1);
             return sum / (shells * shells);
         };
         for (double time = 0; time < until; time += dt) {

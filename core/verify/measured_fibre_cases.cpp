@@ -132,7 +132,7 @@ double half_change_hours(double density, double step, double from, double to, Ba
     for (int i = 1; i <= 400; ++i) times.push_back(300.0 * i);
     for (const Frame& frame : frames_at(backend, scene, times)) {
         double sum = 0;
-        for (int i = 0; i < cells; ++i) sum += static_cast<double>(frame.regain[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < cells; ++i) sum += static_cast<double>(frame.regain[i]);
         regains.push_back(sum / cells);
         const std::size_t n = regains.size();
         if (regains.back() < 0.5 * (from + to)) continue;

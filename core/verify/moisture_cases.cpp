@@ -51,7 +51,7 @@ double regain_at(const Frame& frame, int shells, double skin, double section)
     const auto middle = [&](int k) { return 0.5 * (start(k) + start(k + 1)); };
     int outer = 1;
     while (outer < shells && middle(outer) < section) ++outer;
-    const auto at = [&](int k) { return static_cast<double>(frame.shells[static_cast<std::size_t>(k)]); };
+    const auto at = [&](int k) { return static_cast<double>(frame.shells[k]); };
     const bool is_skin = outer == shells;
     const double inner = middle(outer - 1), share = (section - inner) / ((is_skin ? 1.0 : middle(outer)) - inner);
     return at(outer - 1) + share * ((is_skin ? skin : at(outer)) - at(outer - 1));

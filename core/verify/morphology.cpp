@@ -122,7 +122,7 @@ std::vector<int> squared_ways_in(const PoreImage& image, const std::vector<int>&
         const int wide = std::min({through, to_solid[i], widest});
         if (wide <= way[i]) return;
         way[i] = wide;
-        waiting[static_cast<std::size_t>(wide)].push_back(i);
+        waiting[wide].push_back(i);
     };
     for (std::size_t i = 0; i < g.size(); ++i)
         if (image.voxels[i] == Voxel::outside && on_border(g, place_of(g, i))) enter(i, widest);

@@ -196,7 +196,7 @@ std::vector<FollowedPores> pores_of(const Scene& scene)
     }
     for (int c = 0; c < scene.cloth.crossings(); ++c) {
         const BetweenParameters& between = s.crossing_at(c / scene.cloth.picks, c % scene.cloth.picks).between;
-        add(between.retention[both_wet], between.volume, scene.cloth.start.between[static_cast<std::size_t>(c)]);
+        add(between.retention[both_wet], between.volume, scene.cloth.start.between[c]);
     }
     return all;
 }
@@ -218,7 +218,7 @@ Scene striped_patch(const std::string& fabric, double time)
     for (int i = 0; i < scene.cloth.segments(); ++i) {
         const int rest = i - scene.cloth.crossings();
         const bool wet = rest < 0 ? is_wet(i / picks, i % picks) : is_wet(rest % ends, rest / ends);
-        const double volume = yarns.yarn_of(i).pore_area * scene.cloth.length[static_cast<std::size_t>(i)];
+        const double volume = yarns.yarn_of(i).pore_area * scene.cloth.length[i];
         scene.cloth.start.liquid.push_back(wet && i % 3 != 0 ? 0.9 * scene.climate.density * volume : 0.0);
     }
     scene.cloth.pores.clear();

@@ -79,7 +79,7 @@ std::vector<double> room_saturations(const Frame& frame, const Scene& scene)
     std::vector<double> all;
     all.reserve(static_cast<std::size_t>(scene.cloth.picks));
     for (int i = 0; i < scene.cloth.picks; ++i) // half of a room's liquid is shown with each of its yarns
-        all.push_back(2.0 * static_cast<double>(frame.between[static_cast<std::size_t>(i)]) / room_capacity(scene));
+        all.push_back(2.0 * static_cast<double>(frame.between[i]) / room_capacity(scene));
     return all;
 }
 

@@ -40,8 +40,8 @@ Fit fit_three(const std::vector<double>& x, const std::vector<double>& y, const 
     Fit fit;
     for (int a = 2; a >= 0; --a) {
         double sum = u[a][3];
-        for (int b = a + 1; b < 3; ++b) sum -= u[a][b] * fit.factors[static_cast<std::size_t>(b)];
-        fit.factors[static_cast<std::size_t>(a)] = sum / u[a][a];
+        for (int b = a + 1; b < 3; ++b) sum -= u[a][b] * fit.factors[b];
+        fit.factors[a] = sum / u[a][a];
     }
     fit.rest = squares;
     for (std::size_t a = 0; a < 3; ++a) fit.rest -= fit.factors[a] * m[a][3];

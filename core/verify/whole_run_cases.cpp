@@ -150,9 +150,8 @@ std::vector<VerifyResult> mixed_yarns(const VerifyValues&, Backend& backend)
     mixed.cloth.yarns = {fine.cloth.yarns[0], coarse.cloth.yarns[0], fine.cloth.yarns[1], coarse.cloth.yarns[1]};
     mixed.cloth.shapes = {fine.cloth.shapes[0], fine.cloth.shapes[0], fine.cloth.shapes[1], fine.cloth.shapes[1]};
     mixed.cloth.crossing.assign(4, {});
-    for (int end = 0; end < mixed.cloth.ends; ++end) mixed.cloth.type[static_cast<std::size_t>(end)] = end / 3 % 2 == 1;
-    for (int pick = 0; pick < mixed.cloth.picks; ++pick)
-        mixed.cloth.type[static_cast<std::size_t>(mixed.cloth.ends + pick)] = pick / 2 % 2 == 1 ? 3 : 2;
+    for (int end = 0; end < mixed.cloth.ends; ++end) mixed.cloth.type[end] = end / 3 % 2 == 1;
+    for (int pick = 0; pick < mixed.cloth.picks; ++pick) mixed.cloth.type[mixed.cloth.ends + pick] = pick / 2 % 2 == 1 ? 3 : 2;
 
     const std::vector<double> times{0.2};
     const Frame of_fine = frames_at(backend, fine, times).back(), of_coarse = frames_at(backend, coarse, times).back();
@@ -164,7 +163,7 @@ std::vector<VerifyResult> mixed_yarns(const VerifyValues&, Backend& backend)
         for (std::size_t i = 0; i < expected.size(); ++i) {
             const int segment = static_cast<int>(i), weft = segment - mixed.cloth.crossings();
             const int line = weft < 0 ? segment / mixed.cloth.picks : mixed.cloth.ends + weft / mixed.cloth.ends;
-            if (mixed.cloth.type[static_cast<std::size_t>(line)] % 2 == 1) expected[i] = (of_coarse.*field)[i];
+            if (mixed.cloth.type[line] % 2 == 1) expected[i] = (of_coarse.*field)[i];
         }
         results.push_back({name, difference(here.*field, expected), 0, 0});
     }

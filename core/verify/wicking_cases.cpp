@@ -116,7 +116,7 @@ std::vector<double> front_distances(Backend& backend, double temperature, const 
     const Scene scene = tube(temperature, draw, static_cast<int>(1.2 * cells_to_front), farthest / cells_to_front);
     const std::vector<double> all = course_of(backend, scene, time, distance_in_tube);
     std::vector<double> distances;
-    for (int part : {8, 4, 2, 1}) distances.push_back(all[static_cast<std::size_t>(steps_of_front / part - 1)]);
+    for (int part : {8, 4, 2, 1}) distances.push_back(all[steps_of_front / part - 1]);
     return distances;
 }
 
@@ -199,7 +199,7 @@ std::vector<VerifyResult> radial_wicking(const VerifyValues& v, Backend& backend
     Scene scene = tube(temperature, draw, cells, cell);
     const double width = scene.cloth.yarns[0].pore_area / radius; // m2 of pores per m of radius
     scene.cloth.pores.assign(static_cast<std::size_t>(scene.cloth.segments()), scene.cloth.yarns[0].pore_area * cell);
-    for (int i = 0; i < cells; ++i) scene.cloth.pores[static_cast<std::size_t>(i)] = width * (source + i * cell) * cell;
+    for (int i = 0; i < cells; ++i) scene.cloth.pores[i] = width * (source + i * cell) * cell;
     scene.cloth.start.liquid[0] = scene.climate.density * scene.cloth.pores[0];
     const auto front = [&](const Scene& at, const Frame& frame) {
         const double inner = source + 0.5 * cell;
