@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 
 namespace hygroloom {
 
@@ -84,6 +85,21 @@ bool Garment::is_pattern() const
     std::string ending = dot == std::string::npos ? std::string() : source.substr(dot);
     std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char letter) { return std::tolower(letter); });
     return ending == ".json";
+}
+
+std::vector<std::string> fabrics_of(const Garment& garment)
+{
+    std::set<std::string> names;
+    for (const auto& [panel, cut] : garment.panels)
+        for (const std::string& name : {cut.fabric, cut.lining})
+            if (!name.empty()) names.insert(name);
+    return {names.begin(), names.end()};
+}
+
+void cut_all_from(Garment& garment, const std::string& fabric)
+{
+    garment.panels["*"].fabric = fabric;
+    for (auto& [panel, cut] : garment.panels) cut.fabric = fabric;
 }
 
 } // namespace hygroloom

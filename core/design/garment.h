@@ -88,4 +88,9 @@ struct Garment {
     bool is_pattern() const;
 };
 
+/// That its panels and linings are cut from, each once.
+std::vector<std::string> fabrics_of(const Garment& garment);
+/// Every panel from one fabric; linings stay.
+void cut_all_from(Garment& garment, const std::string& fabric);
+
 } // namespace hygroloom

@@ -120,22 +120,23 @@ Material& own_material(Design& design, const std::string& name)
 
 using Value = std::function<double(const UnknownInput&)>;
 
-void draw_angles(Design& design, Fabric& fabric, const Value& value)
+/// as_given: the design that nothing has been drawn in, of whose fibres another fabric may have been drawn before.
+void draw_angles(const Design& as_given, Design& design, Fabric& fabric, const Value& value)
 {
     const Fabric given = fabric;
     if (given.contact_angle_deg) fabric.contact_angle_deg = value(finish_angle(given));
     const double moved = given.contact_angle_deg ? *fabric.contact_angle_deg - *given.contact_angle_deg : 0;
     for (std::optional<double>* face : {&fabric.finish_face, &fabric.finish_back})
         if (*face) *face = std::clamp(**face + moved, 0.0, 180.0);
-    for (const Material* fibre : fibres_in(design, given)) {
-        const Material before = *fibre; // own_material() may move it
+    for (const Material* fibre : fibres_in(as_given, given)) {
+        const Material& before = *fibre;
         Material& own = own_material(design, before.name);
         if (!given.contact_angle_deg) own.contact_angle_deg = value(fibre_angle(given, before));
         const UnknownInput off = hysteresis(given, before);
         const double in_use = fabric.contact_angle_deg.value_or(own.contact_angle_deg);
         if (off.high > off.low)
             own.receding_angle_deg = std::max(0.0, in_use - value(off));
-        else if (own.receding_angle_deg)
+        else if (before.receding_angle_deg)
             own.receding_angle_deg = std::max(0.0, in_use - off.given);
     }
 }
@@ -208,23 +209,32 @@ double place_in_range(const Replicate& replicate, const std::string& name)
     return (static_cast<double>(order[own]) + within) / strata;
 }
 
-Drawn drawn(const Design& design, const std::string& fabric, const std::string& experiment, const Replicate& replicate)
+Drawn drawn(const Design& design, const std::vector<std::string>& fabrics, const Replicate& replicate)
 {
     Drawn drawn{design, replicate.seed + static_cast<std::uint64_t>(replicate.number), {}, {}};
     if (replicate.of == 1) return drawn;
-    const auto at = static_cast<std::size_t>(find_fabric(design, fabric) - design.fabrics.data());
-    for (const UnknownInput& input : unknown_inputs(design, design.fabrics[at])) {
-        drawn.names.push_back(input.name);
-        drawn.places.push_back(place_in_range(replicate, input.name));
-    }
-    Design& other = drawn.design;
-    if (replicate.number == 0) return drawn;
     const Value value = [&](const UnknownInput& input) { return value_at(input, place_in_range(replicate, input.name)); };
-    draw_angles(other, other.fabrics[at], value);
-    draw_packing(other, at, value);
-    draw_places(other.experiments[static_cast<std::size_t>(find_experiment(design, experiment) - design.experiments.data())],
-                design.fabrics[at], replicate);
+    for (const std::string& name : fabrics) {
+        const auto at = static_cast<std::size_t>(find_fabric(design, name) - design.fabrics.data());
+        for (const UnknownInput& input : unknown_inputs(design, design.fabrics[at])) {
+            if (std::find(drawn.names.begin(), drawn.names.end(), input.name) != drawn.names.end()) continue;
+            drawn.names.push_back(input.name);
+            drawn.places.push_back(place_in_range(replicate, input.name));
+        }
+        if (replicate.number == 0) continue;
+        draw_angles(design, drawn.design, drawn.design.fabrics[at], value);
+        draw_packing(drawn.design, at, value);
+    }
     return drawn;
+}
+
+Drawn drawn(const Design& design, const std::string& fabric, const std::string& experiment, const Replicate& replicate)
+{
+    Drawn made = drawn(design, std::vector{fabric}, replicate);
+    if (replicate.number == 0 || replicate.of == 1) return made;
+    draw_places(made.design.experiments[static_cast<std::size_t>(find_experiment(design, experiment) - design.experiments.data())],
+                *find_fabric(design, fabric), replicate);
+    return made;
 }
 
 } // namespace hygroloom

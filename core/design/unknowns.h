@@ -43,5 +43,8 @@ struct Drawn {
 /// Every unknown of the fabric at its place, and the drops moved by up to half a repeat of the weave. A packing that does not fit the weave
 /// stays as given. Of several, number 0 has the inputs and the drops as given; one alone is the design itself.
 Drawn drawn(const Design& design, const std::string& fabric, const std::string& experiment, const Replicate& replicate);
+/// The same of all fabrics of a garment, without drops. A fibre that two of them share is the same in both. Precondition: the design has
+/// them.
+Drawn drawn(const Design& design, const std::vector<std::string>& fabrics, const Replicate& replicate);
 
 } // namespace hygroloom

@@ -121,6 +121,24 @@ private Q_SLOTS:
             QCOMPARE(angle("open"), angle(design.fabrics[0].name));
         }
     }
+    /// A garment's fabrics are drawn together; what they share is drawn once.
+    void theFabricsOfAGarmentAreDrawnTogether()
+    {
+        Design design = polyester();
+        design.fabrics.push_back(design.fabrics[0]);
+        design.fabrics[1].name = "coarse";
+        for (Yarn* yarn : {&design.fabrics[1].warp, &design.fabrics[1].weft}) yarn->linear_density_tex = 16;
+        const std::vector<std::string> both{design.fabrics[0].name, "coarse"};
+        QVERIFY(drawn(design, both, {3, 0, 5}).design == design && drawn(design, both, {3, 2, 1}).design == design);
+        const Drawn alone = drawn(design, std::vector{both[0]}, {3, 2, 5}), together = drawn(design, both, {3, 2, 5});
+        QCOMPARE(together.names.size(), alone.names.size() + 1); // the packing of the other yarn
+        QCOMPARE(find_material(together.design, "polyester")->contact_angle_deg,
+                 find_material(alone.design, "polyester")->contact_angle_deg);
+        QCOMPARE(*find_material(together.design, "polyester")->receding_angle_deg,
+                 *find_material(alone.design, "polyester")->receding_angle_deg);
+        QVERIFY(together.design.fabrics[0] == alone.design.fabrics[0]);
+        QVERIFY(together.design.fabrics[1].warp.packing_factor != design.fabrics[1].warp.packing_factor);
+    }
     void aPackingThatDoesNotFitStaysAsGiven()
     {
         Design design = polyester();

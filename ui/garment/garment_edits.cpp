@@ -139,10 +139,8 @@ void editCut(Document& document, const QString& text, int garment, const std::st
 
 void cutAllFrom(Document& document, int garment, const std::string& fabric)
 {
-    editGarment(document, tr("cut all panels from %1").arg(QString::fromStdString(fabric)), garment, {}, [&](Garment& edited) {
-        edited.panels["*"].fabric = fabric;
-        for (auto& [panel, cut] : edited.panels) { cut.fabric = fabric; }
-    });
+    editGarment(document, tr("cut all panels from %1").arg(QString::fromStdString(fabric)), garment, {},
+                [&](Garment& edited) { cut_all_from(edited, fabric); });
 }
 
 void setGap(Garment& garment, const std::string& zone, std::optional<double> gap_mm)
