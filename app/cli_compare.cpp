@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // compare: candidates on the same experiment, ranked.
-#include "app/cli_fidelity.h"
+#include "app/cli_compare.h"
 #include "app/cli_interrupt.h"
 #include "app/cli_replicates.h"
 #include "app/cli_report.h"
+#include "app/cli_wear.h"
 #include "app/cli_why.h"
 
 #include "core/analysis/comparison_report.h"
@@ -21,32 +22,12 @@
 namespace hygroloom {
 namespace {
 
-struct CompareOptions : FidelityOptions {
-    std::vector<std::string> fabrics; ///< as given
-    std::string by;
-    std::string output;
-    std::string baseline;
-    std::string report;
-    std::string measured; ///< file
-    std::string why;      ///< fabric; empty: no question
-    int replicates = 1;
-    int at_once = 0;
-};
-
 /// The maps of a candidate's last frame.
 struct CandidateMaps {
     MapPicture top, bottom;
 };
 
 constexpr int crossings_per_cell = 2;
-
-/// Rewrites the tables after every run.
-void write_numbers(const Comparison& comparison, const std::filesystem::path& folder)
-{
-    if (folder.empty()) return;
-    write_file(folder / "comparison.json", comparison_json(comparison));
-    write_file(folder / "comparison.csv", comparison_csv(comparison));
-}
 
 void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::vector<std::string>& fabrics,
                     const std::filesystem::path& folder)
@@ -121,26 +102,6 @@ void write_report(const Comparison& comparison, const std::vector<std::optional<
     write_report_file(file, comparison_report_html(comparison, pictures_on_one_scale(std::move(pictures))));
 }
 
-/// Without runs: what is compared, and how.
-Comparison comparison_of(const CompareOptions& options, const Experiment& experiment, const std::vector<std::string>& fabrics)
-{
-    Comparison comparison;
-    comparison.experiment = experiment.name;
-    comparison.criteria = compared_by(experiment.type);
-    comparison.ranked_by = as_usage([&] { return criterion_named(comparison.criteria, options.by); });
-    comparison.replicates = options.replicates;
-    comparison.baseline = options.baseline.empty() ? fabrics.front() : options.baseline;
-    if (std::find(fabrics.begin(), fabrics.end(), comparison.baseline) == fabrics.end())
-        throw Stop(exit_usage, fmt::format("--baseline: \"{}\" is not among the compared fabrics.", comparison.baseline));
-    if (!options.measured.empty()) {
-        std::vector<std::pair<std::string, std::string>> metrics;
-        for (const OutcomeInfo& criterion : comparison.criteria) metrics.emplace_back(criterion.key, criterion.unit);
-        comparison.measured =
-            read_laboratory_table(read_file(options.measured, std::size_t{16} << 20U), options.measured, fabrics, metrics);
-    }
-    return comparison;
-}
-
 /// The compared fabrics; with --why the two that it is about, unless others are named, too. Sets the baseline of --why.
 std::vector<std::string> compared_fabrics(const Design& design, CompareOptions& options)
 {
@@ -192,6 +153,9 @@ int compare(CompareOptions options)
     how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
     const FittedFabrics fitted = require_valid(design, options);
+    if (const WearExperiment* wear = chosen_wear(design, options)) return compare_garments(options, design, *wear);
+    if (!options.others.empty() || options.cell_mm > 0)
+        throw Stop(exit_usage, "Several projects and --cell-mm work with experiments on garments (type wear).");
     const Experiment& experiment = chosen_experiment(design, options);
     const std::vector<std::string> fabrics = compared_fabrics(design, options);
     if (fabrics.size() < 2) throw Stop(exit_usage, "A comparison needs two or more fabrics; use simulate for one.");
@@ -207,7 +171,7 @@ int compare(CompareOptions options)
     const FidelityChoice choice = chosen_fidelity(options, design, all_textiles, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
-    Comparison comparison = comparison_of(options, experiment, fabrics);
+    Comparison comparison = comparison_of(options, experiment.name, compared_by(experiment.type), fabrics);
     make_folder(options.output);
     write_numbers(comparison, options.output); // fails before the first run when the folder cannot be written to
     const auto backends = open_backends(options, options.at_once, scenes, bytes_of_largest(design, experiment, all_textiles, how));
@@ -223,35 +187,67 @@ int compare(CompareOptions options)
         print_note("Cancelled after all runs; maps or reasons are missing.\n");
         return exit_cancelled;
     }
-    if (!comparison.complete) {
-        std::size_t ended = 0;
-        for (const Candidate& candidate : comparison.candidates)
-            ended += candidate.replicates.size() -
-                     static_cast<std::size_t>(std::count(candidate.replicates.begin(), candidate.replicates.end(), std::nullopt));
-        print_note("Cancelled after {} of {} runs.\n", ended, runs);
-        return exit_cancelled;
-    }
-    if (why && !comparison.why) return exit_cancelled;
-    const bool failed = std::any_of(comparison.candidates.begin(), comparison.candidates.end(),
-                                    [](const Candidate& candidate) { return !candidate.failure.empty(); });
-    return failed ? exit_failed : exit_ok;
+    if (comparison.complete && why && !comparison.why) return exit_cancelled;
+    return exit_code_of(comparison, static_cast<std::size_t>(runs));
 }
 
 } // namespace
 
+void write_numbers(const Comparison& comparison, const std::filesystem::path& folder)
+{
+    if (folder.empty()) return;
+    write_file(folder / "comparison.json", comparison_json(comparison));
+    write_file(folder / "comparison.csv", comparison_csv(comparison));
+}
+
+Comparison comparison_of(const CompareOptions& options, const std::string& experiment, std::vector<OutcomeInfo> criteria,
+                         const std::vector<std::string>& names)
+{
+    Comparison comparison;
+    comparison.experiment = experiment;
+    comparison.criteria = std::move(criteria);
+    comparison.ranked_by = as_usage([&] { return criterion_named(comparison.criteria, options.by); });
+    comparison.replicates = options.replicates;
+    comparison.baseline = options.baseline.empty() ? names.front() : options.baseline;
+    if (std::find(names.begin(), names.end(), comparison.baseline) == names.end())
+        throw Stop(exit_usage, fmt::format("--baseline: \"{}\" is not among what is compared.", comparison.baseline));
+    if (!options.measured.empty()) {
+        std::vector<std::pair<std::string, std::string>> metrics;
+        for (const OutcomeInfo& criterion : comparison.criteria) metrics.emplace_back(criterion.key, criterion.unit);
+        comparison.measured = read_laboratory_table(read_file(options.measured, std::size_t{16} << 20U), options.measured, names, metrics);
+    }
+    return comparison;
+}
+
+int exit_code_of(const Comparison& comparison, std::size_t runs)
+{
+    const auto failed = [](const Candidate& candidate) { return !candidate.failure.empty(); };
+    if (comparison.complete) return std::any_of(comparison.candidates.begin(), comparison.candidates.end(), failed) ? exit_failed : exit_ok;
+    int ended = 0;
+    for (const Candidate& candidate : comparison.candidates) ended += runs_of(candidate);
+    print_note("Cancelled after {} of {} runs.\n", ended, runs);
+    return exit_cancelled;
+}
+
 void add_compare(CLI::App& app, Verb& chosen)
 {
     auto options = std::make_shared<CompareOptions>();
-    CLI::App& verb = *app.add_subcommand("compare", "Run several fabrics on the same experiment and rank them");
+    CLI::App& verb = *app.add_subcommand("compare", "Run several fabrics, or garments, on the same experiment and rank them");
     verb.footer(
         "Example: hygroloom-cli compare cloth.hygro --experiment \"one drop\" --fabrics \"Denim,Textile F\" -o compared\n"
         "The folder receives comparison.json, comparison.csv and a water map of each face of each fabric, all on one colour scale.\n"
         "With --replicates the maps are of the first of each cloth, and the report's curves have bands.\n"
         "Ctrl-C keeps the finished runs.\n"
+        "Garments: with an experiment of the type wear the garment is cut from each fabric in turn; several projects are compared as "
+        "they are.\n"
+        "  hygroloom-cli compare tee.hygro --experiment wear --fabrics \"Denim,Textile F\" --replicates 4\n"
+        "  hygroloom-cli compare tee.hygro singlet.hygro --experiment wear\n"
         "Why is one better? hygroloom-cli compare cloth.hygro --why \"Textile E\" --baseline \"Textile F\" --by absorbency_time_s\n\n" +
         knob_help());
     add_project_options(verb, *options, true);
     verb.remove_option(verb.get_option("--fabric"));
+    verb.add_option("others", options->others, "Further projects, of which each has a garment with an experiment of that name")
+        ->type_name("PROJECTS");
     options->takes_knobs = true;
     verb.add_option("--fabrics", options->fabrics, "Two or more fabrics, separated by commas; all of the project when left out")
         ->allow_extra_args(false);
@@ -259,6 +255,8 @@ void add_compare(CLI::App& app, Verb& chosen)
                     "Metric to rank by, such as absorbency_time_s or \"absorbency time\"; the first of the table when left out");
     verb.add_option("--baseline", options->baseline, "Fabric that the verdicts are against; the first when left out");
     add_replicates_option(verb, options->replicates, " of each fabric");
+    verb.add_option("--cell-mm", options->cell_mm, "Of worn garments: sides of cells, mm; by fidelity when left out")
+        ->check(CLI::Range(0.05, 100.0));
     verb.add_option(
             "--why", options->why,
             "Fabric to explain: how much of its difference to the baseline in the metric of --by each input that differs makes. Runs "

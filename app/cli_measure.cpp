@@ -203,6 +203,12 @@ void print_outcome(const Outcome& outcome, const std::map<std::string, Interval>
 
 } // namespace
 
+void print_outcomes(const std::vector<Outcome>& outcomes, const std::map<std::string, Interval>& intervals)
+{
+    for (const Outcome& outcome : outcomes)
+        if (is_shown(outcome)) print_outcome(outcome, intervals);
+}
+
 void print_metrics(const RunRecord& run, const Metrics& m, bool json, const std::map<std::string, Interval>& of_replicates)
 {
     if (json) {
@@ -216,8 +222,7 @@ void print_metrics(const RunRecord& run, const Metrics& m, bool json, const std:
                  is_unfinished ? "unfinished" : rounded_text(run.wall, 3) + " s");
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     row("simulated", l.time, is_unfinished && experiment ? fmt::format("s of {:.4g}", experiment->duration_s) : "s");
-    for (const Outcome& outcome : outcomes_of(run, m))
-        if (is_shown(outcome)) print_outcome(outcome, intervals);
+    print_outcomes(outcomes_of(run, m), intervals);
     for (const BalanceRow& of : water_balance(l)) row(of.title, of.value, of.unit);
     const BalanceRow imbalance = balance_check(l).front();
     row(imbalance.title, imbalance.value, imbalance.unit);

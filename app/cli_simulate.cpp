@@ -315,21 +315,20 @@ int simulate_several(const SimulateOptions& options, const Design& design, const
     return failed > 0 ? exit_failed : exit_ok;
 }
 
-/// A garment's run has no fabrics to choose, and no replicates.
+/// A garment's run has no fabrics to choose.
 int wear_verb(const Design& design, const WearExperiment& wear, const SimulateOptions& options)
 {
     const std::pair<bool, const char*> refused[] = {
         {!options.fabric.empty(), "--fabric"},
         {!options.fabrics.empty(), "--fabrics"},
-        {options.replicates > 1, "--replicates"},
         {!options.physics.empty(), "--physics"},
-        {options.seed != RunVerbOptions{}.seed, "--seed"},
+        {options.replicates == 1 && options.seed != RunVerbOptions{}.seed, "--seed without --replicates"},
     };
     for (const auto& [given, name] : refused)
         if (given)
-            throw Stop(exit_usage, fmt::format("A worn garment does not take {}: its panels name their fabrics, and nothing of it is left "
-                                               "to chance. It takes --fidelity, --cell-mm, --shown-mm, --detail, --set, --backend, "
-                                               "--threads, --profile and -o.",
+            throw Stop(exit_usage, fmt::format("A worn garment does not take {}: its panels name their fabrics, and nothing of one run is "
+                                               "left to chance. It takes --fidelity, --cell-mm, --shown-mm, --detail, --set, --backend, "
+                                               "--threads, --replicates, --at-once, --profile and -o.",
                                                name));
     WearVerbOptions how;
     static_cast<RunVerbOptions&>(how) = options;
@@ -338,6 +337,8 @@ int wear_verb(const Design& design, const WearExperiment& wear, const SimulateOp
     how.shown_mm = options.shown_mm;
     how.detail = options.detail;
     how.profile = options.profile;
+    how.replicates = options.replicates;
+    how.at_once = options.at_once;
     how.output = options.output;
     return simulate_wear(design, wear, how);
 }

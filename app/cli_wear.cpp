@@ -3,6 +3,7 @@
 #include "app/cli_wear.h"
 
 #include "app/cli_interrupt.h"
+#include "app/cli_metrics.h"
 #include "app/cli_report.h"
 
 #include "core/analysis/map_image.h"
@@ -10,7 +11,7 @@
 #include "core/garment/check_garment.h"
 #include "core/wear/garment_run.h"
 #include "core/wear/wear_map.h"
-#include "core/wear/wear_metrics.h"
+#include "core/wear/wear_outcomes.h"
 #include "core/wear/wear_report.h"
 #include "gpu/backends.h"
 
@@ -40,7 +41,7 @@ template <typename Act> auto as_invalid(Act act)
 
 GarmentParts parts_of(const Design& design, const WearExperiment& wear, const std::string& project)
 {
-    return as_invalid([&] { return garment_parts(design, wear, fs::absolute(project).parent_path()); });
+    return as_invalid([&] { return garment_parts(design, wear, folder_of(project)); });
 }
 
 WearOptions how_of(const WearVerbOptions& options)
@@ -65,12 +66,17 @@ std::string of_initial_water(const WearMetrics& metrics, const WearRecord& recor
     return fmt::format("Of the {:.4g} g/m2 of water asked for at the start the yarns hold {:.4g}.\n", asked, there);
 }
 
-std::string text_of(const WearMetrics& metrics, const WearRecord& record, bool json)
+/// intervals: of replicates; else none.
+void print_worn(const WearMetrics& metrics, const WearRecord& record, bool json, const std::map<std::string, Interval>& intervals = {})
 {
+    if (json) {
+        print_result("{}\n", wear_json(metrics, intervals));
+        return;
+    }
     const WearLayout& layout = record.layout;
-    return json ? metrics.json() + "\n"
-                : fmt::format("{} in \"{}\", {}\n{}{}", layout.garment, layout.experiment, layout.cells_in_words, metrics.text(),
-                              of_initial_water(metrics, record));
+    print_result("{} in \"{}\", {}\n", layout.garment, layout.experiment, layout.cells_in_words);
+    print_outcomes(outcomes_of(metrics, metrics.all()), intervals);
+    print_result("\n{}{}", table_of_parts(metrics), of_initial_water(metrics, record));
 }
 
 /// The last words, and what the garment came to so far, if there is a frame.
@@ -82,10 +88,11 @@ int print_cancelled(const std::optional<WearMetrics>& metrics, const WearRecord*
         write_result(words->result);
     } else if (json) {
         Json object = Json::parse(words->result);
-        object["so_far"] = Json::parse(metrics->json());
+        object["so_far"] = Json::parse(wear_json(*metrics));
         print_json(object);
     } else {
-        print_result("Up to {:.4g} s:\n{}", metrics->all().course.back().time, text_of(*metrics, *record, false));
+        print_result("Up to {:.4g} s:\n", metrics->all().course.back().time);
+        print_worn(*metrics, *record, false);
     }
     return exit_cancelled;
 }
@@ -188,6 +195,39 @@ const WearExperiment& required_wear(const Design& design, const ProjectOptions& 
                                        did_you_mean(options.experiment, names), listed));
 }
 
+GarmentRunOptions run_options_of(const WearVerbOptions& options)
+{
+    GarmentRunOptions how;
+    how.how = how_of(options);
+    how.threads = options.threads;
+    how.may_go_on_on_cpu = true;
+    how.recording = options.output;
+    return how;
+}
+
+/// The garment with its replicates; the first is recorded.
+int simulate_replicates(const Design& design, const WearExperiment& wear, const WearVerbOptions& options)
+{
+    Comparison all;
+    all.experiment = wear.name;
+    all.criteria = compared_by_wear();
+    all.ranked_by = all.criteria.front();
+    all.replicates = options.replicates;
+    all.of_garments = true;
+    RunControl control;
+    const InterruptCancels cancels(control.cancel);
+    const std::vector<FinishedGarment> firsts =
+        run_garments(all, {{wear.garment, design, wear.name, folder_of(options.project)}}, options, options.at_once, control, [] {});
+    if (!all.complete) throw Stop(exit_cancelled, "Cancelled.");
+    const Candidate& found = all.candidates.front();
+    if (!firsts.front().metrics) throw Stop(exit_failed, fmt::format("The first replicate failed: {}", found.failure));
+    print_worn(*firsts.front().metrics, *firsts.front().record, options.json, found.intervals);
+    if (!options.json) print_result("  {}\n", basis_text(all));
+    for (const std::string& note : found.notes) print_note("{}\n", note);
+    if (!options.output.empty() && !options.quiet) print_note("Recording of the first replicate: {}\n", options.output);
+    return exit_ok;
+}
+
 } // namespace
 
 const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& options)
@@ -196,8 +236,40 @@ const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& op
     return options.experiment.empty() ? nullptr : find_wear(design, options.experiment);
 }
 
+fs::path folder_of(const std::string& project) { return fs::absolute(project).parent_path(); }
+
+std::vector<FinishedGarment> run_garments(Comparison& comparison, const std::vector<GarmentCandidate>& candidates,
+                                          const WearVerbOptions& options, int at_once, RunControl& control,
+                                          const std::function<void()>& ended)
+{
+    const GarmentRunOptions how = run_options_of(options);
+    for (const GarmentCandidate& candidate : candidates) {
+        if (options.quiet) break;
+        const WearExperiment& wear = *find_wear(candidate.design, candidate.experiment);
+        const GarmentParts parts = as_invalid([&] { return garment_parts(candidate.design, wear, candidate.base); });
+        print_misnamed(candidate.design, parts, candidate.name);
+    }
+    const std::size_t runs = candidates.size() * static_cast<std::size_t>(comparison.replicates);
+    announce_scenes(at_once, static_cast<int>(runs));
+    const std::size_t bytes = as_invalid([&] { return bytes_of_largest(candidates, how.how); });
+    const auto backends = open_backends(options, at_once, static_cast<int>(runs), bytes);
+    RunBar bar(options.quiet, runs);
+    const auto callbacks = [&](std::size_t i) {
+        GarmentRunCallbacks of_run;
+        of_run.memory_is_short = [&](const std::string& sentence) { bar.note(sentence); };
+        of_run.device_failed = [&, i](const std::string& sentence) { bar.say(candidates[i % candidates.size()].name + ": " + sentence); };
+        of_run.progress = [&, i](const RunProgress& progress) { bar.show(i, progress); };
+        return of_run;
+    };
+    return run_comparison(comparison, candidates, how, options.seed, backends, control, callbacks, [&](std::size_t i) {
+        bar.end(i);
+        ended();
+    });
+}
+
 int simulate_wear(const Design& design, const WearExperiment& wear, const WearVerbOptions& options)
 {
+    if (options.replicates > 1) return simulate_replicates(design, wear, options);
     const GarmentParts parts = parts_of(design, wear, options.project);
     if (!options.quiet)
         for (const std::string& issue : parts.pattern.issues) print_note("{}: {}\n", parts.garment->name, issue);
@@ -205,8 +277,8 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
     const std::unique_ptr<Backend> backend = open_backend(options);
     if (options.profile) backend->time_stages();
     std::shared_ptr<const WearRecord> record;
-    std::optional<WearMetrics> metrics;
-    double wall = 0;
+    std::optional<WearMetrics> so_far;
+    FinishedGarment finished;
     RunControl control;
     const LastWords words = failure_words(options.json, exit_cancelled,
                                           options.output.empty() ? "Cancelled." : "Cancelled. The recording so far: " + options.output);
@@ -218,18 +290,18 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
             if (!options.quiet) print_note("{}\n", sentence);
         };
         callbacks.started = [&](const std::shared_ptr<const WearRecord>& begun) { record = begun; };
-        callbacks.frame = [&](const std::shared_ptr<const WearFrame>&, const WearMetrics& so_far) { metrics.emplace(so_far); };
+        callbacks.frame = [&](const std::shared_ptr<const WearFrame>&, const WearMetrics& metrics) { so_far.emplace(metrics); };
         callbacks.progress = [&](const RunProgress& progress) { bar.show(0, progress); };
         try {
-            wall = run_garment(parts, {how_of(options), options.threads, true, options.output}, *backend, control, callbacks);
+            finished = run_garment(parts, run_options_of(options), *backend, control, callbacks);
         } catch (const Cancelled&) {
-            return print_cancelled(metrics, record.get(), options.json);
+            return print_cancelled(so_far, record.get(), options.json);
         }
     }
-    print_result("{}", text_of(*metrics, *record, options.json));
-    if (options.profile) print_profile(backend->stage_times(), wall, options.json);
+    print_worn(*finished.metrics, *finished.record, options.json);
+    if (options.profile) print_profile(backend->stage_times(), finished.wall, options.json);
     if (!options.quiet) {
-        print_note("{} on {}: {:.1f} s.\n", backend->name(), backend->device(), wall);
+        print_note("{} on {}: {:.1f} s.\n", backend->name(), backend->device(), finished.wall);
         if (!options.output.empty()) print_note("Recording: {}\n", options.output);
     }
     return exit_ok;
@@ -285,7 +357,7 @@ int measure_garment(const std::string& file, const CommonOptions& options, const
         how.crossings = as_computed;
         write_wear_report(recording, metrics, time >= 0 ? std::vector{time} : std::vector<double>{}, how, report, options.quiet);
     }
-    print_result("{}", text_of(metrics, recording.record(), options.json));
+    print_worn(metrics, recording.record(), options.json);
     if (!options.quiet && !recording.finished()) print_note("{}: The run did not end.\n", file);
     return exit_ok;
 }

@@ -4,6 +4,8 @@
 
 #include "app/cli_run.h"
 
+#include "core/wear/garment_jobs.h"
+
 namespace hygroloom {
 
 struct WearVerbOptions : RunVerbOptions {
@@ -12,11 +14,19 @@ struct WearVerbOptions : RunVerbOptions {
     double shown_mm = 0; ///< see ShownSize
     std::vector<std::string> detail;
     bool profile = false;
+    int replicates = 1, at_once = 0;
     std::string output;
 };
 
 /// The experiment of that name on a garment; without a name the project's only experiment, if it is on a garment; else nullptr.
 const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& options);
+/// The folder that files of the project's garments are relative to.
+std::filesystem::path folder_of(const std::string& project);
+/// Runs every candidate as often as the comparison has replicates, and judges it; ended: after each run. What the first of each gave, empty
+/// where it failed or was cancelled. Throws Stop.
+std::vector<FinishedGarment> run_garments(Comparison& comparison, const std::vector<GarmentCandidate>& candidates,
+                                          const WearVerbOptions& options, int at_once, RunControl& control,
+                                          const std::function<void()>& ended);
 int simulate_wear(const Design& design, const WearExperiment& wear, const WearVerbOptions& options);
 int plan_garment(const WearVerbOptions& options);
 /// Prints what a recorded garment came to, and writes a report of it where its name is not empty; time: s, of its maps, less than 0: some.

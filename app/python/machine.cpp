@@ -53,6 +53,21 @@ RunOptions run_options(const RunArguments& arguments)
     return run;
 }
 
+GarmentRunOptions garment_options(const RunArguments& arguments)
+{
+    GarmentRunOptions run;
+    run.how.fidelity = fidelity_from_name(arguments.fidelity);
+    run.how.cell_mm = arguments.cell_mm;
+    run.how.shown_mm = arguments.shown_mm;
+    run.how.detail = arguments.detail;
+    run.how.knobs = run_options(arguments).knobs;
+    run.how.memory = memory_rule(arguments, "larger cells");
+    run.threads = arguments.threads;
+    run.may_go_on_on_cpu = true;
+    run.recording = arguments.recording;
+    return run;
+}
+
 std::vector<std::unique_ptr<Backend>> open_backends(const RunArguments& arguments, int at_once, int scenes, std::size_t bytes_each)
 try {
     return make_backends(backend_for(arguments.backend, run_options(arguments).knobs), at_once, scenes, bytes_each);

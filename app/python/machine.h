@@ -5,6 +5,7 @@
 #include "app/python/watched.h"
 
 #include "core/solver/backend.h"
+#include "core/wear/garment_run.h"
 
 #include <map>
 #include <memory>
@@ -33,6 +34,9 @@ MemoryRule memory_rule(const RunArguments& arguments, const char* smaller = "a s
 
 /// Without textile and fidelity's reason. Throws Error.
 RunOptions run_options(const RunArguments& arguments);
+
+/// Of a worn garment. Throws Error.
+GarmentRunOptions garment_options(const RunArguments& arguments);
 
 /// For scenes side by side, each of which takes some bytes. Throws DeviceError, Error.
 std::vector<std::unique_ptr<Backend>> open_backends(const RunArguments& arguments, int at_once, int scenes, std::size_t bytes_each);

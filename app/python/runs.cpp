@@ -10,6 +10,7 @@
 #include "core/run/recording.h"
 #include "core/verify/verify_json.h"
 #include "core/wear/garment_run.h"
+#include "core/wear/wear_outcomes.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,7 +26,7 @@ using Json = nlohmann::ordered_json;
 /// What the package makes a run's results from.
 struct Results {
     std::string metrics;                 ///< JSON, as `simulate --json` prints it
-    std::string outcomes = "[]";         ///< JSON: each number's key, title, face, unit, and why it is missing
+    std::string outcomes;                ///< JSON: each number's key, title with its part, unit, and why it is missing
     std::vector<std::string> notes = {}; ///< what limits the numbers, in sentences
     std::vector<std::string> warnings = {};
     double end = 0; ///< s, of the last frame
@@ -42,10 +43,10 @@ struct Results {
 
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-Json outcome_list(const RunRecord& run, const Metrics& metrics)
+Json outcome_list(const std::vector<Outcome>& outcomes)
 {
     Json list = Json::array();
-    for (const Outcome& outcome : outcomes_of(run, metrics)) {
+    for (const Outcome& outcome : outcomes) {
         Json row{{"metric", outcome.key}, {"title", full_title(outcome)}, {"unit", outcome.unit}};
         row["value"] = outcome.text.empty() ? (outcome.value ? Json(*outcome.value) : Json(nullptr)) : Json(outcome.text);
         row["missing"] = outcome.missing;
@@ -57,7 +58,7 @@ Json outcome_list(const RunRecord& run, const Metrics& metrics)
 
 Results results_of(const RunRecord& run, const Metrics& metrics)
 {
-    Results results{dumped(metrics_value(run, metrics)), dumped(outcome_list(run, metrics)), notes_of(run.plan)};
+    Results results{dumped(metrics_value(run, metrics)), dumped(outcome_list(outcomes_of(run, metrics))), notes_of(run.plan)};
     results.notes.insert(results.notes.end(), metrics.notes.begin(), metrics.notes.end());
     results.end = metrics.ledger.time;
     return results;
@@ -91,28 +92,18 @@ Results run_worn(const Design& design, const WearExperiment& wear, const std::st
     if (!arguments.physics.empty() || arguments.seed != RunArguments{}.seed)
         throw Error("A worn garment takes neither physics nor seed: its panels name their fabrics, and nothing of it is left to chance.");
     require_valid(design);
-    WearOptions how;
-    how.fidelity = fidelity_from_name(arguments.fidelity);
-    how.cell_mm = arguments.cell_mm;
-    how.shown_mm = arguments.shown_mm;
-    how.detail = arguments.detail;
-    how.knobs = run_options(arguments).knobs;
-    how.memory = memory_rule(arguments, "larger cells");
     const GarmentParts parts =
         garment_parts(design, wear, std::filesystem::absolute(folder), [&watch] { return watch.control.cancel.load(); });
     const std::unique_ptr<Backend> backend = open_backend(arguments);
     Results results{};
     results.notes = parts.pattern.issues;
-    std::shared_ptr<const WearRecord> record;
-    std::optional<WearMetrics> metrics;
     GarmentRunCallbacks callbacks;
     callbacks.memory_is_short = callbacks.device_failed = [&](const std::string& sentence) { results.warnings.push_back(sentence); };
-    callbacks.started = [&](const std::shared_ptr<const WearRecord>& begun) { record = begun; };
-    callbacks.frame = [&](const std::shared_ptr<const WearFrame>&, const WearMetrics& so_far) { metrics.emplace(so_far); };
     callbacks.progress = [&](const RunProgress& progress) { watch.tell(share_of(progress), in_words(progress)); };
-    run_garment(parts, {how, run_options(arguments).threads, true, arguments.recording}, *backend, watch.control, callbacks);
-    results.metrics = metrics->json();
-    results.end = metrics->ledger().time;
+    const FinishedGarment finished = run_garment(parts, garment_options(arguments), *backend, watch.control, callbacks);
+    results.metrics = wear_json(*finished.metrics);
+    results.outcomes = dumped(outcome_list(outcomes_of(*finished.metrics)));
+    results.end = finished.metrics->ledger().time;
     return results;
 }
 
@@ -141,7 +132,7 @@ Results measured_garment(const std::string& path, const Watch& watch)
         if (watch.control.cancel) throw Cancelled();
         metrics.add(recording.frame(k));
     }
-    Results results{metrics.json()};
+    Results results{wear_json(metrics), dumped(outcome_list(outcomes_of(metrics)))};
     results.end = metrics.ledger().time;
     results.finished = recording.finished();
     return results;

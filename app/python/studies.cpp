@@ -9,12 +9,16 @@
 #include "core/project/atomic_file.h"
 #include "core/run/recording_target.h"
 #include "core/run/side_by_side.h"
+#include "core/wear/garment_jobs.h"
+#include "core/wear/wear_outcomes.h"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
+#include <utility>
 
 namespace hygroloom::python {
 namespace {
@@ -73,13 +77,14 @@ struct CompareArguments {
     std::vector<std::string> fabrics;
     std::string experiment, by, baseline;
     int replicates = 1;
+    std::string folder; ///< of the project, from where it names a garment's files
 };
 
-Comparison comparison_of(const CompareArguments& asked, const Experiment& experiment)
+Comparison comparison_of(const CompareArguments& asked, const std::string& experiment, std::vector<OutcomeInfo> criteria)
 {
     Comparison comparison;
-    comparison.experiment = experiment.name;
-    comparison.criteria = compared_by(experiment.type);
+    comparison.experiment = experiment;
+    comparison.criteria = std::move(criteria);
     comparison.ranked_by = criterion_named(comparison.criteria, asked.by);
     comparison.replicates = asked.replicates;
     comparison.baseline = asked.baseline.empty() ? asked.fabrics.front() : asked.baseline;
@@ -88,18 +93,44 @@ Comparison comparison_of(const CompareArguments& asked, const Experiment& experi
     return comparison;
 }
 
-std::string compared_fabrics(const Design& design, CompareArguments asked, const RunArguments& arguments, Watch& watch)
+/// A garment cut from each of the fabrics.
+std::string compared_garments(const Design& design, const CompareArguments& asked, const WearExperiment& wear,
+                              const RunArguments& arguments, Watch& watch)
 {
-    RunOptions how = run_options(arguments);
+    if (!arguments.physics.empty()) throw Error("A worn garment does not take physics.");
+    const GarmentRunOptions how = garment_options(arguments);
+    std::vector<GarmentCandidate> candidates;
+    for (const std::string& fabric : asked.fabrics)
+        candidates.push_back(cut_from(design, wear.name, std::filesystem::absolute(asked.folder), fabric));
+    Comparison comparison = comparison_of(asked, wear.name, compared_by_wear());
+    comparison.of_garments = true;
+    const std::size_t runs = candidates.size() * static_cast<std::size_t>(asked.replicates);
+    const auto backends = open_backends(arguments, arguments.at_once, static_cast<int>(runs), bytes_of_largest(candidates, how.how));
+    ManyRuns all(watch, runs);
+    const auto callbacks = [&](std::size_t i) {
+        GarmentRunCallbacks beside;
+        beside.progress = [&, i](const RunProgress& progress) { all.tell(i, share_of(progress)); };
+        return beside;
+    };
+    run_comparison(comparison, candidates, how, arguments.seed, backends, watch.control, callbacks, [&](std::size_t i) { all.end(i); });
+    return comparison_json(comparison);
+}
+
+std::string compared(const Design& design, CompareArguments asked, const RunArguments& arguments, Watch& watch)
+{
     const auto fitted = require_valid(design);
-    const Experiment& experiment = chosen_experiment(design, asked.experiment);
     if (asked.fabrics.empty())
         for (const Fabric& fabric : design.fabrics) asked.fabrics.push_back(fabric.name);
     std::set<std::string> seen;
     for (const std::string& name : asked.fabrics)
         if (!seen.insert(chosen_fabric(design, name).name).second) throw Error(fmt::format("fabrics: \"{}\" is named twice.", name));
     if (asked.fabrics.size() < 2) throw Error("A comparison needs two or more fabrics; use simulate for one.");
-    Comparison comparison = comparison_of(asked, experiment);
+    const bool only_wear = asked.experiment.empty() && design.experiments.empty() && design.wears.size() == 1;
+    const WearExperiment* wear = only_wear ? &design.wears.front() : find_wear(design, asked.experiment);
+    if (wear) return compared_garments(design, asked, *wear, arguments, watch);
+    const RunOptions how = run_options(arguments);
+    const Experiment& experiment = chosen_experiment(design, asked.experiment);
+    Comparison comparison = comparison_of(asked, experiment.name, compared_by(experiment.type));
     const std::vector<Textile> textiles = textiles_of_runs(design, fitted, asked.fabrics, experiment);
     const std::vector<Job> jobs = jobs_of(design, asked.fabrics, experiment.name, textiles, how, asked.replicates);
     const auto backends =
@@ -119,11 +150,11 @@ std::string compared_fabrics(const Design& design, CompareArguments asked, const
 }
 
 py::str compare(const Design& design, const std::vector<std::string>& fabrics, const std::string& experiment, const std::string& by,
-                const std::string& baseline, int replicates, const py::dict& how, const py::object& progress)
+                const std::string& baseline, int replicates, const std::string& folder, const py::dict& how, const py::object& progress)
 {
     const RunArguments arguments = run_arguments(how);
-    const CompareArguments asked{fabrics, experiment, by, baseline, replicates};
-    return text(watched(progress, [=](Watch& watch) { return compared_fabrics(design, asked, arguments, watch); }));
+    const CompareArguments asked{fabrics, experiment, by, baseline, replicates, folder};
+    return text(watched(progress, [=](Watch& watch) { return compared(design, asked, arguments, watch); }));
 }
 
 /// A recording, as a whole.

@@ -49,6 +49,14 @@ std::optional<double> numerical_of(const Candidate& candidate, const std::string
     return found == candidate.numerical.end() ? std::nullopt : std::optional(found->second);
 }
 
+/// What the number cannot be below.
+double least_of(const Candidate& candidate, const std::string& key)
+{
+    for (const Outcome& outcome : candidate.outcomes)
+        if (outcome.key == key) return outcome.may_be_negative ? -std::numeric_limits<double>::infinity() : 0;
+    return hygroloom::least_of(key);
+}
+
 void find_intervals(Candidate& candidate)
 {
     candidate.intervals.clear();
@@ -64,7 +72,7 @@ void find_intervals(Candidate& candidate)
                 values.push_back(*value);
                 places.push_back(candidate.replicates[i]->places);
             }
-        candidate.intervals[key] = interval_of(values, places, numerical_of(candidate, key), least_of(key));
+        candidate.intervals[key] = interval_of(values, places, numerical_of(candidate, key), least_of(candidate, key));
     }
 }
 
@@ -109,17 +117,15 @@ std::optional<int> count_of(const Candidate& candidate, const std::string& key, 
 /// Why a candidate's run lacks the number, in a clause; may be empty.
 std::string reason_of(const Candidate& candidate, const std::string& key)
 {
-    if (candidate.run && candidate.metrics)
-        for (const Outcome& outcome : outcomes_of(*candidate.run, *candidate.metrics))
-            if (outcome.key == key) return outcome.missing;
+    for (const Outcome& outcome : candidate.outcomes)
+        if (outcome.key == key) return outcome.missing;
     return {};
 }
 
 /// " within 10 s"; empty: it is not known how long its experiment takes.
 std::string within_text(const Candidate& candidate)
 {
-    const Experiment* experiment = candidate.run ? find_experiment(candidate.run->design, candidate.run->experiment) : nullptr;
-    return experiment ? fmt::format(" within {:g} s", experiment->duration_s) : std::string();
+    return candidate.duration > 0 ? fmt::format(" within {:g} s", candidate.duration) : std::string();
 }
 
 void rank(Comparison& comparison)
@@ -174,17 +180,17 @@ Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<con
     candidate.wall = run->wall;
     candidate.timed = run->wall > 0 ? 1 : 0;
     ReplicateRun first;
-    for (const Outcome& outcome : outcomes_of(*run, *metrics)) {
+    candidate.outcomes = outcomes_of(*run, *metrics);
+    for (const Outcome& outcome : candidate.outcomes) {
         if (!outcome.value) continue;
         first.numbers[outcome.key] = *outcome.value;
         if (const auto error = numerical_error(*run, outcome.key, *outcome.value)) candidate.numerical[outcome.key] = *error;
     }
     first.edge_time = metrics->edge_time;
     const Experiment* experiment = find_experiment(run->design, run->experiment);
+    candidate.duration = experiment ? experiment->duration_s : 0;
     const auto& times = metrics->series.time;
-    first.trace = std::make_shared<const RunTrace>(trace_of(*metrics, experiment      ? experiment->duration_s
-                                                                      : times.empty() ? 0
-                                                                                      : times.back()));
+    first.trace = std::make_shared<const RunTrace>(trace_of(*metrics, experiment || times.empty() ? candidate.duration : times.back()));
     candidate.replicates.emplace_back(std::move(first));
     for (std::string& note : notes_of(run->plan)) candidate.notes.push_back(std::move(note));
     candidate.run = std::move(run);

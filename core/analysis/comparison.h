@@ -21,11 +21,22 @@ struct ReplicateRun {
     std::shared_ptr<const RunTrace> trace{}; ///< its curves and maps; nullptr: they were not kept
 };
 
-/// A fabric and what its runs gave.
+/// What a report says of the first run of a garment, which has no RunRecord.
+struct WornCandidate {
+    std::string json;   ///< its numbers, as `simulate --json` prints them
+    Design used;        ///< the garment, its experiment, the fabrics that it is cut from, the project's materials
+    std::string how;    ///< fidelity and backend
+    std::string device; ///< in words
+};
+
+/// A fabric or a garment and what its runs gave.
 struct Candidate {
-    std::string fabric;
-    std::shared_ptr<const RunRecord> run; ///< the first replicate's; none: it failed
+    std::string fabric;                   ///< its name; of a garment that of the fabric it is cut from, or of its project
+    std::shared_ptr<const RunRecord> run; ///< the first replicate's; none: it failed, or it is of a garment
     std::shared_ptr<const Metrics> metrics;
+    std::shared_ptr<const WornCandidate> worn;           ///< of a garment, of its first replicate
+    std::vector<Outcome> outcomes;                       ///< of the first replicate
+    double duration = 0;                                 ///< s, of its experiment; 0: not known
     std::string failure;                                 ///< why, in a sentence
     std::map<std::string, double> numerical;             ///< half width of the numerical error, by key; absent: not known
     std::vector<std::optional<ReplicateRun>> replicates; ///< by number; none: it failed or is missing
@@ -59,6 +70,7 @@ struct Comparison {
     std::vector<LoneNumber> lone;   ///< where there is no verdict, as only one of both has the number
     LaboratoryTable measured;       ///< of a laboratory, beside the simulated
     bool complete = false;          ///< whether all runs of all fabrics are among them
+    bool of_garments = false;       ///< the candidates are garments, whose numerical error is not known
     std::shared_ptr<const Why> why; ///< of one fabric against another; nullptr: nobody asked
 };
 

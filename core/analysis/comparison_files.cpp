@@ -25,37 +25,11 @@ std::string one_line(std::string text)
 bool most_first(const OutcomeInfo& criterion) { return criterion.better != Better::less; }
 const char* order_words(const OutcomeInfo& criterion) { return most_first(criterion) ? "largest first" : "smallest first"; }
 
-std::size_t width_of(const std::string& text) // as seen: UTF-8 of more than one byte counts once
-{
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
 using Row = std::vector<std::string>;
-
-/// Columns as wide as their widest cell; the first is aligned left, the others right.
-std::string aligned(const std::vector<Row>& rows)
-{
-    std::vector<std::size_t> widths;
-    for (const Row& row : rows)
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            if (i == widths.size()) widths.push_back(0);
-            if (row.size() > 2 || i != 1) widths[i] = std::max(widths[i], width_of(row[i]));
-        }
-    std::string text;
-    for (const Row& row : rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string blanks(widths[i] - std::min(widths[i], width_of(row[i])), ' ');
-            line += (i == 0 ? "" : "  ") + (i == 0 || row.size() == 2 ? row[i] + blanks : blanks + row[i]);
-        }
-        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-    }
-    return text;
-}
 
 std::string numbers_table(const Comparison& comparison)
 {
-    Row titles{"    fabric"}, units{""};
+    Row titles{comparison.of_garments ? "    garment" : "    fabric"}, units{""};
     for (const OutcomeInfo& criterion : comparison.criteria) {
         titles.push_back(full_title(criterion));
         units.push_back(shown(criterion, 0).unit);
@@ -87,7 +61,7 @@ std::string numbers_table(const Comparison& comparison)
         }
         if (any) rows.push_back(measured);
     }
-    return aligned(rows);
+    return aligned_columns(rows);
 }
 
 std::string verdicts_table(const Comparison& comparison)
@@ -106,7 +80,7 @@ std::string verdicts_table(const Comparison& comparison)
         }
         rows.push_back(row);
     }
-    return "\n" + aligned(rows);
+    return "\n" + aligned_columns(rows);
 }
 
 Json verdicts_value(const Comparison& comparison)
@@ -166,6 +140,14 @@ std::string with_interval(const OutcomeInfo& criterion, const Interval& interval
 std::string basis_text(const Comparison& comparison)
 {
     const std::string few = few_replicates_text(comparison.replicates);
+    if (comparison.of_garments)
+        return comparison.replicates > 1
+                   ? (few.empty() ? few : few + " ") +
+                         fmt::format(
+                             "Intervals hold {:.0f} % of such garments: {} replicates draw the inputs of their fabrics that are not "
+                             "known, alike for all. The numerical error and the model's own error are not in them.",
+                             100 * of_intervals.held, comparison.replicates)
+                   : "There are no verdicts: the numerical error of garments is not known, and one run of each shows no scatter.";
     return comparison.replicates > 1
                ? (few.empty() ? few : few + " ") +
                      fmt::format("Intervals hold {:.0f} % of such cloths: {} replicates draw the inputs that are not known, the yarns' "
@@ -197,8 +179,11 @@ std::string comparison_json(const Comparison& comparison)
         Json candidate{{"rank", c.rank > 0 ? Json(c.rank) : Json(nullptr)}, {"tied", c.tied}, {"fabric", c.fabric}};
         if (c.run && c.metrics)
             candidate["run"] = metrics_value(*c.run, *c.metrics, c.intervals);
+        else if (c.worn)
+            candidate["run"] = Json::parse(c.worn->json);
         else
             candidate["failure"] = c.failure;
+        if (c.worn && !c.intervals.empty()) candidate["run"]["intervals"] = intervals_value(c.intervals);
         if (comparison.replicates > 1) candidate["drawn"] = c.unknowns;
         if (comparison.replicates > 1) candidate["notes"] = all_notes(comparison, c);
         for (const LaboratoryValue& value : comparison.measured)

@@ -2,6 +2,7 @@
 #include "core/analysis/comparison_report.h"
 
 #include "core/analysis/comparative.h"
+#include "core/analysis/experiment_rows.h"
 #include "core/analysis/line_chart.h"
 #include "core/analysis/replicate_range.h"
 #include "core/analysis/report_inputs.h"
@@ -28,103 +29,18 @@ const Experiment* experiment_of(const Candidate& candidate)
 
 std::string question(const Comparison& comparison)
 {
-    return fmt::format(
-        "<p>Which of {} fabrics is best on the experiment “{}”? They are ranked by {}; {} is better. The verdicts are against "
-        "{}. Fabrics that share a rank cannot be told apart.</p>\n",
-        comparison.candidates.size(), escaped_markup(comparison.experiment), escaped_markup(full_title(comparison.ranked_by)),
-        comparative(comparison.ranked_by, comparison.ranked_by.better == Better::more), escaped_markup(comparison.baseline));
+    return fmt::format("<p>Which of {} {} is best on the experiment “{}”? They are ranked by {}; {} is better. The verdicts are against "
+                       "{}. Those that share a rank cannot be told apart.</p>\n",
+                       comparison.candidates.size(), comparison.of_garments ? "garments" : "fabrics", escaped_markup(comparison.experiment),
+                       escaped_markup(full_title(comparison.ranked_by)),
+                       comparative(comparison.ranked_by, comparison.ranked_by.better == Better::more), escaped_markup(comparison.baseline));
 }
-
-using ExperimentRows = std::vector<std::pair<std::string, std::string>>; ///< name and text
 
 /// Runs that are alike.
 struct RunKind {
     ExperimentRows rows;
     std::string fabrics; ///< their names
 };
-
-class ExperimentWriter {
-public:
-    explicit ExperimentWriter(const ReaderUnits& units) : units_(units) {}
-
-    std::string number(double value, const std::string& unit) const
-    {
-        const ReaderUnit own = reader_unit(units_, unit);
-        return fmt::format("{:.10g} {}", own.of(value), own.unit); // as it was given, which a reader's unit may make longer
-    }
-    std::string climate(const Climate& air) const
-    {
-        return fmt::format("{}, {:.10g} % relative humidity, air at {}", number(air.temperature_c, "°C"), 100 * air.relative_humidity,
-                           number(air.air_speed_m_s, "m/s"));
-    }
-    /// "2 × 15 µl, at 0, 5 s"; other volumes follow.
-    std::string drops(const std::vector<Droplet>& droplets) const
-    {
-        const ReaderUnit seconds = reader_unit(units_, "s");
-        std::string text;
-        for (std::size_t i = 0; i < droplets.size();) {
-            std::size_t end = i;
-            std::string times;
-            for (; end < droplets.size() && droplets[end].volume_ul == droplets[i].volume_ul; ++end)
-                times += fmt::format("{}{:.10g}", end > i ? ", " : "", seconds.of(droplets[end].time_s));
-            text += fmt::format("{}{}{}, at {} {}", i > 0 ? "; " : "", end > i + 1 ? fmt::format("{} × ", end - i) : "",
-                                number(droplets[i].volume_ul, "µl"), times, seconds.unit);
-            i = end;
-        }
-        return text.empty() ? "none" : text;
-    }
-    std::string feed(const Experiment& e) const
-    {
-        std::string text = number(e.volume_ul, "µl");
-        if (uses_field(e.type, "feed_s")) text += " in " + number(e.feed_s, "s");
-        if (drops_of_feed(e) > 0) text += fmt::format(", in {} drops", drops_of_feed(e));
-        return text;
-    }
-
-private:
-    const ReaderUnits& units_;
-};
-
-/// How water comes to the cloth.
-std::pair<std::string, std::string> supply_row(const Experiment& e, const ExperimentWriter& write)
-{
-    switch (info_of(e.type).source) {
-    case WaterSource::drops: return {e.droplets.size() == 1 ? "drop" : "drops", write.drops(e.droplets)};
-    case WaterSource::pool: return {"feed", write.feed(e)};
-    case WaterSource::bath: return {"end in the liquid", write.number(e.immersion_mm, "mm")};
-    case WaterSource::cloth: return {"water at the start", write.number(e.initial_water_g_m2, "g/m²")};
-    case WaterSource::air: return {"climate before", write.climate(e.initial)};
-    case WaterSource::face:
-        return {e.from_top ? "feed of the top face" : "feed of the bottom face", write.number(e.rate_g_m2_h, "g/(m² h)")};
-    }
-    return {};
-}
-
-ExperimentRows experiment_rows(const RunRecord& run, const Experiment& e, const Comparison& comparison, const ExperimentWriter& write)
-{
-    const ExperimentTypeInfo& info = info_of(e.type);
-    const std::string standard = info.standard, title = info.title;
-    ExperimentRows rows{{"type", standard.empty() ? title : title + " (" + standard + ")"}};
-    if (info.source != WaterSource::air) {
-        std::string liquid = e.liquid;
-        if (const Liquid* found = find_liquid(run.design, e.liquid))
-            liquid += fmt::format(": {:.4g} mN/m, {:.4g} mPa s at 20 °C", found->surface_tension_mn_m, found->viscosity_mpa_s);
-        rows.emplace_back("liquid", liquid);
-    }
-    rows.push_back(supply_row(e, write));
-    rows.emplace_back("climate", write.climate(e.climate));
-    for (const ClimateMoment& later : e.climates)
-        rows.emplace_back("climate after " + write.number(later.time_s, "s"), write.climate(later.climate));
-    const auto [across, along] = e.sample_mm;
-    rows.emplace_back(is_strip(e.type) ? "strip" : "sample",
-                      write.number(across, "mm") + " × " + write.number(along, "mm") +
-                          (is_strip(e.type) ? e.along_weft ? ", along the weft" : ", along the warp" : ""));
-    rows.emplace_back("duration", write.number(e.duration_s, "s"));
-    rows.emplace_back("wicking model", std::string(name_of(e.closure)) + (e.swelling ? ", fibres swell" : ""));
-    rows.emplace_back("fidelity", name_of(run.plan.fidelity));
-    if (comparison.replicates > 1) rows.emplace_back("replicates of each fabric", std::to_string(comparison.replicates));
-    return rows;
-}
 
 /// Kinds may differ in which rows they have: a row that one lacks is a dash.
 std::string table_of_kinds(const std::vector<RunKind>& kinds)
@@ -154,12 +70,13 @@ std::string table_of_kinds(const std::vector<RunKind>& kinds)
 /// one for each kind of run, headed by its fabrics.
 std::string experiment_table(const Comparison& comparison, const ReaderUnits& units)
 {
-    const ExperimentWriter write(units);
     std::vector<RunKind> kinds;
     for (const Candidate& candidate : comparison.candidates) {
         const Experiment* e = experiment_of(candidate);
-        if (!e) continue;
-        ExperimentRows rows = experiment_rows(*candidate.run, *e, comparison, write);
+        if (!e && !candidate.worn) continue;
+        ExperimentRows rows = e ? experiment_rows(*candidate.run, *e, units) : experiment_rows(*candidate.worn, units);
+        if (comparison.replicates > 1)
+            rows.emplace_back(e ? "replicates of each fabric" : "replicates of each garment", std::to_string(comparison.replicates));
         const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const RunKind& kind) { return kind.rows == rows; });
         if (same == kinds.end())
             kinds.push_back({std::move(rows), candidate.fabric});
@@ -187,7 +104,7 @@ std::string cell(const Comparison& comparison, const Candidate& candidate, const
 
 std::string results(const Comparison& comparison, const ReaderUnits& units)
 {
-    std::string rows = "<tr><th></th><th>fabric</th>";
+    std::string rows = comparison.of_garments ? "<tr><th></th><th>garment</th>" : "<tr><th></th><th>fabric</th>";
     for (const OutcomeInfo& criterion : comparison.criteria) {
         const std::string unit = reader_unit(units, shown(criterion, 0).unit).unit;
         rows += "<th>" + escaped_markup(full_title(criterion) + (unit.empty() ? "" : ", " + unit)) + "</th>";
@@ -339,15 +256,33 @@ std::string calculated(const Comparison& comparison, const ReaderUnits& units)
     return any ? table(rows) : std::string();
 }
 
+/// The fabrics that its runs were of, in the design that has them.
+std::pair<const Design*, std::vector<const Fabric*>> fabrics_of(const Candidate& candidate)
+{
+    std::pair<const Design*, std::vector<const Fabric*>> found;
+    if (candidate.worn) {
+        found.first = &candidate.worn->used;
+        for (const Fabric& fabric : candidate.worn->used.fabrics) found.second.push_back(&fabric);
+    } else if (candidate.run) {
+        found.first = &candidate.run->design;
+        if (const Fabric* fabric = find_fabric(candidate.run->design, candidate.run->fabric)) found.second.push_back(fabric);
+    }
+    return found;
+}
+
+/// Of a garment its own keys, then those of its fabrics.
 std::vector<std::pair<std::string, std::string>> description(const Candidate& candidate, const ReaderUnits& units)
 {
-    const Fabric* fabric = candidate.run ? find_fabric(candidate.run->design, candidate.run->fabric) : nullptr;
-    if (!fabric) return {};
-    Design alone;
-    alone.fabrics.push_back(*fabric);
-    Json value = json_from_design(alone).at("fabrics").at(0);
-    value.erase("name");
-    return inputs_in_words(value, units);
+    std::vector<std::pair<std::string, std::string>> words;
+    if (candidate.worn) words = inputs_in_words(json_from_design(candidate.worn->used).at("garments").at(0), units);
+    for (const Fabric* fabric : fabrics_of(candidate).second) {
+        Design alone;
+        alone.fabrics.push_back(*fabric);
+        Json value = json_from_design(alone).at("fabrics").at(0);
+        if (!candidate.worn) value.erase("name");
+        for (auto& [name, text] : inputs_in_words(value, units)) words.emplace_back(std::move(name), std::move(text));
+    }
+    return words;
 }
 
 /// What the candidates' descriptions do not share.
@@ -393,6 +328,7 @@ std::string computation(const Comparison& comparison)
     std::string rows = "<tr><th>fabric</th><th>fidelity and backend</th><th>device</th><th>computing time</th></tr>\n";
     std::vector<std::string> notes;
     for (const Candidate& candidate : comparison.candidates) {
+        if (candidate.worn) rows += row(candidate.fabric, candidate.worn->how, candidate.worn->device, time_words(candidate));
         if (candidate.run)
             rows += row(candidate.fabric, fmt::format("{}, {}", name_of(candidate.run->plan.fidelity), candidate.run->backend),
                         candidate.run->device, time_words(candidate));
@@ -406,11 +342,11 @@ std::string unknown(const Comparison& comparison)
 {
     std::vector<std::string> sentences;
     for (const Candidate& candidate : comparison.candidates) {
-        const Fabric* fabric = candidate.run ? find_fabric(candidate.run->design, candidate.run->fabric) : nullptr;
-        if (!fabric) continue;
-        for (const UnknownInput& input : unknown_inputs(candidate.run->design, *fabric))
-            sentences.push_back(fmt::format("{}: {} from {:.3g} to {:.3g}{} ({}).", candidate.fabric, input.name, input.low, input.high,
-                                            input.unit, input.source));
+        const auto& [design, fabrics] = fabrics_of(candidate);
+        for (const Fabric* fabric : fabrics)
+            for (const UnknownInput& input : unknown_inputs(*design, *fabric))
+                sentences.push_back(fmt::format("{}: {} from {:.3g} to {:.3g}{} ({}).", candidate.fabric, input.name, input.low, input.high,
+                                                input.unit, input.source));
     }
     sentences.emplace_back("The intervals do not hold the error of the model itself; the guide's page on limits names it.");
     return list(sentences);

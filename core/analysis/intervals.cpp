@@ -162,7 +162,12 @@ ShownInterval shown(const OutcomeInfo& info, const Interval& interval)
     seen.low = shown(info, interval.low).value;
     seen.high = shown(info, interval.high).value;
     seen.half = seen.high - value.value;
-    seen.cut = interval.centre - interval.low < 0.999 * (interval.high - interval.centre);
+    constexpr double rounding = 1e-6; // of the value: nobody tells such numbers apart
+    if (seen.half <= rounding * std::abs(value.value)) {
+        seen.half = 0;
+        seen.low = seen.high = seen.value;
+    }
+    seen.cut = seen.half > 0 && interval.centre - interval.low < 0.999 * (interval.high - interval.centre);
     const double finest = seen.half > 0 ? seen.half / 10 : std::abs(value.value) / 1000;
     seen.decimals = finest > 0 ? std::clamp(-static_cast<int>(std::floor(std::log10(finest) + 1e-9)), 0, 9) : 0;
     // "0.40 ± 0.40" would hide whether the interval holds 0.

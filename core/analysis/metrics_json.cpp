@@ -46,6 +46,8 @@ Json outcomes_value(const RunRecord& run, const Metrics& m)
 
 Json part(const std::optional<double>& half_width) { return half_width ? Json(*half_width) : Json(nullptr); }
 
+} // namespace
+
 Json intervals_value(const std::map<std::string, Interval>& intervals)
 {
     Json json = Json::object();
@@ -61,8 +63,6 @@ Json intervals_value(const std::map<std::string, Interval>& intervals)
     }
     return json;
 }
-
-} // namespace
 
 Json metrics_value(const RunRecord& run, const Metrics& m, const std::map<std::string, Interval>& intervals)
 {

@@ -13,6 +13,8 @@ namespace hygroloom {
 /// says why.
 /// intervals: of metrics by key, beside them; see intervals_value(). Those that are not given have their numerical part alone.
 nlohmann::ordered_json metrics_value(const RunRecord& run, const Metrics& metrics, const std::map<std::string, Interval>& intervals = {});
+/// Of each its centre, its ends and its parts.
+nlohmann::ordered_json intervals_value(const std::map<std::string, Interval>& intervals);
 std::string metrics_json(const RunRecord& run, const Metrics& metrics, const std::map<std::string, Interval>& intervals = {});
 
 } // namespace hygroloom

@@ -320,7 +320,7 @@ void compute_results(Metrics& metrics, const Experiment& experiment, double area
 
 const Plot& subject_plot(ExperimentType type) { return plot_named(metrics_of(type).subject); }
 
-std::string full_title(const OutcomeInfo& info) { return info.face.empty() ? info.title : info.title + ", " + info.face; }
+std::string full_title(const OutcomeInfo& info) { return info.part.empty() ? info.title : info.title + ", " + info.part; }
 
 std::vector<Outcome> outcomes_of(const RunRecord& run, const Metrics& metrics, bool part)
 {

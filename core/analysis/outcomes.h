@@ -18,7 +18,7 @@ enum class Better { more, less, neither };
 struct OutcomeInfo {
     std::string key;   ///< in the metrics file, ending in its unit
     std::string title; ///< "wetted radius"
-    std::string face;  ///< "top" or "bottom"; empty: of the whole sample
+    std::string part;  ///< "top", "bottom"; of a garment "panel front", "zone chest"; empty: the whole
     std::string unit;  ///< of the value; empty for a plain number
     Better better = Better::neither;
     bool in_rings = false;        ///< another number, rounded to the rings of a tester

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/report.h"
 
-#include "core/analysis/comparison.h"
 #include "core/analysis/line_chart.h"
 #include "core/analysis/outcomes.h"
 #include "core/analysis/plots.h"
 #include "core/analysis/report_inputs.h"
+#include "core/analysis/report_outcomes.h"
 #include "core/analysis/svg.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
@@ -36,28 +36,17 @@ constexpr const char* sizes_of_stain = "The wetted radius is that of the smalles
 
 std::string results(const RunRecord& run, const Metrics& metrics, const ReaderUnits& units)
 {
-    std::string rows;
-    std::vector<std::string> notes = metrics.notes;
-    bool ellipse = false;
+    const std::vector<Outcome> outcomes = outcomes_of(run, metrics);
     const std::map<std::string, Interval> intervals = numerical_intervals(run, metrics);
-    for (const Outcome& outcome : outcomes_of(run, metrics)) {
-        if (!is_shown(outcome)) continue;
-        ellipse = ellipse || outcome.key.starts_with("wetted_area_ellipse");
-        const ShownValue value = shown(outcome, outcome.value.value_or(0));
-        const auto found = intervals.find(outcome.key);
-        const ReaderUnit own = reader_unit(units, value.unit);
-        const std::string number =
-            found == intervals.end() ? fmt::format("{:.4g}", own.of(value.value)) : with_interval(outcome, found->second, units);
-        const std::string text = !outcome.text.empty() ? outcome.text : outcome.value ? number : "–";
-        const std::string grade = outcome.grade ? fmt::format("grade {} of 5", *outcome.grade) : "";
-        rows += row(full_title(outcome), text, outcome.value ? own.unit : "", grade);
-        for (const std::string& note : {outcome.missing, outcome.remark})
-            if (!note.empty()) notes.push_back(full_title(outcome) + ": " + note + ".");
-    }
+    const OutcomeRows found = outcome_rows(outcomes, intervals, units);
+    std::vector<std::string> notes = metrics.notes;
+    notes.insert(notes.end(), found.notes.begin(), found.notes.end());
+    const bool ellipse = std::any_of(outcomes.begin(), outcomes.end(),
+                                     [](const Outcome& outcome) { return outcome.key.starts_with("wetted_area_ellipse"); });
     if (ellipse) notes.insert(notes.begin(), sizes_of_stain);
     const std::string assumed = metrics.assumed.empty() ? "" : "<p>Assumed:</p>\n" + list(metrics.assumed);
     const std::string about = "<p>After ±: the numerical error, as measured on runs of this kind.</p>\n";
-    return table(rows) + (intervals.empty() ? "" : about) + list(notes) + assumed;
+    return table(found.rows) + (intervals.empty() ? "" : about) + list(notes) + assumed;
 }
 
 std::string balance(const Ledger& ledger)

@@ -10,6 +10,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/comparison_files.cpp
   analysis/comparison_report.cpp
   analysis/enclosing_circle.cpp
+  analysis/experiment_rows.cpp
   analysis/intervals.cpp
   analysis/jobs.cpp
   analysis/laboratory.cpp
@@ -31,6 +32,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/replicate_range.cpp
   analysis/report.cpp
   analysis/report_inputs.cpp
+  analysis/report_outcomes.cpp
   analysis/report_parts.cpp
   analysis/run_trace.cpp
   analysis/series_keys.cpp

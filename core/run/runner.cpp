@@ -7,37 +7,12 @@
 #include "core/plan/frame_times.h"
 #include "core/run/course.h"
 #include "core/run/plan_run.h"
+#include "core/run/presence.h"
 #include "core/run/publisher.h"
 
 #include <fmt/format.h>
 
-#include <atomic>
-
 namespace hygroloom {
-namespace {
-
-/// Of a run, as long as it lives: whether there was another of this process.
-class Presence {
-public:
-    Presence() : others_(running_++ > 0)
-    {
-        if (others_) ++meetings_;
-        meetings_before_ = meetings_;
-    }
-    ~Presence() { --running_; }
-    Presence(const Presence&) = delete;
-    Presence& operator=(const Presence&) = delete;
-    bool alone() const { return !others_ && meetings_ == meetings_before_; }
-
-private:
-    inline static std::atomic<int> running_ = 0;
-    inline static std::atomic<long> meetings_ = 0; ///< runs that began beside another
-    bool others_;
-    long meetings_before_;
-};
-
-} // namespace
-
 RunRecord run_experiment(const Design& design, const std::string& fabric_name, const std::string& experiment_name,
                          const RunOptions& options, Backend& backend, RunControl& control, const RunCallbacks& callbacks)
 {

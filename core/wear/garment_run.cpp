@@ -10,8 +10,8 @@
 
 namespace hygroloom {
 
-double run_garment(const GarmentParts& parts, const GarmentRunOptions& options, Backend& backend, RunControl& control,
-                   const GarmentRunCallbacks& callbacks)
+FinishedGarment run_garment(const GarmentParts& parts, const GarmentRunOptions& options, Backend& backend, RunControl& control,
+                            const GarmentRunCallbacks& callbacks)
 {
     const auto start = std::chrono::steady_clock::now();
     const GarmentScene garment = garment_scene(parts, resolution_of(options.how));
@@ -23,25 +23,31 @@ double run_garment(const GarmentParts& parts, const GarmentRunOptions& options, 
     std::optional<WearWriter> recording;
     if (!options.recording.empty()) recording.emplace(options.recording, *record);
     if (callbacks.started) callbacks.started(record);
-    WearMetrics metrics(record->layout);
+    const auto metrics = std::make_shared<WearMetrics>(record->layout);
+    FinishedGarment finished{record, metrics, {}, parts.pattern.issues, 0, {}};
     WearCallbacks each;
     each.frame = [&](const std::shared_ptr<const WearFrame>& frame) {
-        metrics.add(*frame);
+        metrics->add(*frame);
         if (recording) recording->append(*frame);
-        if (callbacks.frame) callbacks.frame(frame, metrics);
+        if (callbacks.frame) callbacks.frame(frame, *metrics);
+        finished.last = frame;
     };
     each.progress = callbacks.progress;
-    each.device_failed = callbacks.device_failed;
+    each.device_failed = [&](const std::string& sentence) {
+        finished.device_failure = sentence;
+        if (callbacks.device_failed) callbacks.device_failed(sentence);
+    };
     each.device_changed = [&](const std::string& added) {
         if (recording) recording->note_device(record->device + added);
     };
     RunOptions course;
     course.threads = options.threads;
     course.may_go_on_on_cpu = options.may_go_on_on_cpu;
+    course.one_on_cpu = options.one_on_cpu;
     run_wear(garment, *parts.wear, backend, control, each, course);
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (recording) recording->finish(wall);
-    return wall;
+    finished.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (recording) recording->finish(finished.wall);
+    return finished;
 }
 
 } // namespace hygroloom

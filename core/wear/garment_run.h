@@ -5,13 +5,16 @@
 #include "core/wear/wear_metrics.h"
 #include "core/wear/wear_recording.h"
 
+#include <mutex>
+
 namespace hygroloom {
 
 struct GarmentRunOptions {
     WearOptions how;
-    int threads = 0;                 ///< 0: all the machine has
-    bool may_go_on_on_cpu = false;   ///< when the device fails
-    std::filesystem::path recording; ///< empty: none is written
+    int threads = 0;                  ///< 0: all the machine has
+    bool may_go_on_on_cpu = false;    ///< when the device fails
+    std::mutex* one_on_cpu = nullptr; ///< see RunOptions
+    std::filesystem::path recording;  ///< empty: none is written
 };
 
 /// All from the thread of the run.
@@ -23,9 +26,19 @@ struct GarmentRunCallbacks {
     std::function<void(const std::string&)> device_failed; ///< the run is about to go on on the CPU; a sentence
 };
 
-/// To the end, in the calling thread; returns the wall time, s. Throws NotEnoughMemory before anything runs, Cancelled within 0.2 s when
+/// A run that came to its end, with its numbers.
+struct FinishedGarment {
+    std::shared_ptr<const WearRecord> record;
+    std::shared_ptr<const WearMetrics> metrics; ///< of the record's layout, which must outlive it
+    std::shared_ptr<const WearFrame> last;
+    std::vector<std::string> issues; ///< of its pattern, in sentences
+    double wall = 0;                 ///< s
+    std::string device_failure;      ///< a sentence, after which the run went on on the CPU; empty: none
+};
+
+/// To the end, in the calling thread. Throws NotEnoughMemory before anything runs, Cancelled within 0.2 s when
 /// asked to stop (the recording so far is complete and readable), DeviceError, FileError or Error. Precondition: validate() found no error.
-double run_garment(const GarmentParts& parts, const GarmentRunOptions& options, Backend& backend, RunControl& control,
-                   const GarmentRunCallbacks& callbacks);
+FinishedGarment run_garment(const GarmentParts& parts, const GarmentRunOptions& options, Backend& backend, RunControl& control,
+                            const GarmentRunCallbacks& callbacks);
 
 } // namespace hygroloom

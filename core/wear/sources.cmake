@@ -4,6 +4,7 @@ target_sources(hygroloom_core PRIVATE
   wear/fabric_cells.cpp
   wear/garment_files.cpp
   wear/garment_grid.cpp
+  wear/garment_jobs.cpp
   wear/garment_run.cpp
   wear/garment_scene.cpp
   wear/layer_joints.cpp
@@ -15,6 +16,7 @@ target_sources(hygroloom_core PRIVATE
   wear/wear_layout_json.cpp
   wear/wear_map.cpp
   wear/wear_metrics.cpp
+  wear/wear_outcomes.cpp
   wear/wear_recording.cpp
   wear/wear_report.cpp
   wear/wear_run.cpp

@@ -3,16 +3,11 @@
 
 #include "core/physics/water.h"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <map>
 
 namespace hygroloom {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 void add_cell(WearNow& now, const WearFrame& frame, std::size_t i, const GarmentCell& cell)
 {
@@ -25,26 +20,6 @@ void add_cell(WearNow& now, const WearFrame& frame, std::size_t i, const Garment
     now.temperature += static_cast<double>(frame.temperature[i]) * cell.area;
 }
 
-Json numbers_of(const WearPart& part, const std::optional<double>& stops)
-{
-    const WearNow& end = part.course.back();
-    const auto or_null = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
-    return {{"area_m2", part.area},
-            {"capacity_g_m2", 1e3 * part.capacity / part.area},
-            {"water_g", 1e3 * end.water},
-            {"water_g_m2", 1e3 * end.water / part.area},
-            {"most_water_g", 1e3 * part.most_water()},
-            {"share_of_capacity", end.water / part.capacity},
-            {"share_inside", end.water > 0 ? Json(end.inside / end.water) : Json(nullptr)},
-            {"wet_area_m2", end.wet_area},
-            {"largest_wet_area_m2", part.largest_wet_area()},
-            {"evaporated_g", 1e3 * end.evaporated},
-            {"on_skin_g", 1e3 * end.on_skin},
-            {"temperature_c", end.temperature - zero_celsius},
-            {"time_to_full_s", or_null(part.time_to_full())},
-            {"time_to_dry_s", or_null(stops ? part.time_to_dry(*stops) : std::nullopt)}};
-}
-
 /// s, at which the water came to so much, between a frame that has passed it and the one before.
 double time_of(const std::vector<WearNow>& course, std::vector<WearNow>::const_iterator after, double water)
 {
@@ -52,20 +27,6 @@ double time_of(const std::vector<WearNow>& course, std::vector<WearNow>::const_i
     const WearNow& before = *(after - 1);
     const double share = (water - before.water) / (after->water - before.water);
     return before.time + share * (after->time - before.time);
-}
-
-Json series_of(const WearPart& part)
-{
-    Json series;
-    for (const WearNow& now : part.course) {
-        series["time_s"].push_back(now.time);
-        series["water_g"].push_back(1e3 * now.water);
-        series["wet_area_m2"].push_back(now.wet_area);
-        series["evaporated_g"].push_back(1e3 * now.evaporated);
-        series["on_skin_g"].push_back(1e3 * now.on_skin);
-        series["temperature_c"].push_back(now.temperature - zero_celsius);
-    }
-    return series;
 }
 
 } // namespace
@@ -153,49 +114,6 @@ double WearMetrics::imbalance() const
 double WearMetrics::heat_of_evaporation() const
 {
     return hygroloom::heat_of_evaporation(layout_.skin_temperature) * ledger_.water_evaporated;
-}
-
-std::string WearMetrics::json() const
-{
-    Json json;
-    json["garment"] = all_.name;
-    json["time_s"] = all_.course.back().time;
-    json["metrics"] = numbers_of(all_, layout_.stops);
-    json["metrics"]["sweat_g"] = 1e3 * sweat();
-    json["metrics"]["initial_water_g"] = 1e3 * at_start_;
-    json["metrics"]["dripped_g"] = 1e3 * ledger_.water_dripped;
-    json["metrics"]["heat_from_skin_kj"] = 1e-3 * from_skin_;
-    json["metrics"]["heat_of_evaporation_kj"] = 1e-3 * heat_of_evaporation();
-    json["water_imbalance"] = imbalance();
-    for (const WearPart& panel : panels_) json["panels"][panel.name] = numbers_of(panel, layout_.stops);
-    for (const WearPart& zone : zones_) json["zones"][zone.name] = numbers_of(zone, layout_.stops);
-    json["series"] = series_of(all_);
-    for (const WearPart& panel : panels_) json["series"]["panels"][panel.name] = series_of(panel);
-    for (const WearPart& zone : zones_) json["series"]["zones"][zone.name] = series_of(zone);
-    return json.dump(2);
-}
-
-std::string WearMetrics::text() const
-{
-    std::string text = fmt::format("{:<16} {:>9} {:>12} {:>12} {:>10} {:>10} {:>12} {:>11}\n", "", "area, m2", "water, g/m2", "of capacity",
-                                   "wet, m2", "on skin, g", "evaporated, g", "cloth, C");
-    const auto add = [&](const WearPart& part) {
-        const WearNow& end = part.course.back();
-        text += fmt::format("{:<16} {:>9.3f} {:>12.1f} {:>10.0f} % {:>10.3f} {:>10.2f} {:>12.2f} {:>11.1f}\n", part.name, part.area,
-                            1e3 * end.water / part.area, 100 * end.water / part.capacity, end.wet_area, 1e3 * end.on_skin,
-                            1e3 * end.evaporated, end.temperature - zero_celsius);
-    };
-    add(all_);
-    for (const WearPart& panel : panels_) add(panel);
-    text += "By zone of the body\n";
-    for (const WearPart& zone : zones_) add(zone);
-    const std::string and_start = at_start_ > 0 ? fmt::format(" and {:.1f} g in the cloth at the start", 1e3 * at_start_) : "";
-    text += fmt::format("Sweat {:.1f} g{}: {:.1f} g in the cloth, {:.1f} g evaporated, {:.1f} g on the skin, {:.1f} g dripped.\n",
-                        1e3 * sweat(), and_start, 1e3 * all_.course.back().water, 1e3 * ledger_.water_evaporated, 1e3 * ledger_.water_free,
-                        1e3 * ledger_.water_dripped);
-    text +=
-        fmt::format("The skin gave {:.1f} kJ to the cloth; evaporating took {:.1f} kJ.\n", 1e-3 * from_skin_, 1e-3 * heat_of_evaporation());
-    return text;
 }
 
 } // namespace hygroloom

@@ -62,11 +62,6 @@ public:
     /// s: see WearLayout::stops.
     std::optional<double> stops() const { return layout_.stops; }
 
-    /// As `simulate --json` prints it.
-    std::string json() const;
-    /// A table in words.
-    std::string text() const;
-
 private:
     const WearLayout& layout_;
     WearPart all_;

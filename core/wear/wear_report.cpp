@@ -3,10 +3,12 @@
 
 #include "core/analysis/line_chart.h"
 #include "core/analysis/report_inputs.h"
+#include "core/analysis/report_outcomes.h"
 #include "core/analysis/svg.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "core/project/project_json.h"
+#include "core/wear/wear_outcomes.h"
 
 #include <fmt/format.h>
 
@@ -22,43 +24,34 @@ std::string grams(double kg) { return fmt::format("{:.4g}", 1e3 * kg); }
 /// Of water that was given: less than a billionth of it is rounding.
 std::string grams(double kg, double given) { return std::abs(kg) < 1e-9 * given ? "0" : grams(kg); }
 
-std::string results(const WearMetrics& metrics)
+std::string results(const WearMetrics& metrics, const ReaderUnits& units)
 {
-    const WearPart& all = metrics.all();
-    const WearNow& end = all.course.back();
-    const auto time = [](const std::optional<double>& seconds) { return seconds ? fmt::format("{:.4g}", *seconds) : std::string("–"); };
-    std::string rows =
-        row("cloth", fmt::format("{:.3f}", all.area), "m²") + row("it can hold", grams(all.capacity), "g") +
-        row("water in it at the end", grams(end.water), "g", fmt::format("{:.1f} g/m²", 1e3 * end.water / all.area)) +
-        row("most water in it", grams(all.most_water()), "g") + row("wet area at the end", fmt::format("{:.3f}", end.wet_area), "m²") +
-        row("largest wet area", fmt::format("{:.3f}", all.largest_wet_area()), "m²") +
-        row("time until full", time(all.time_to_full()), "s", fmt::format("{:.0f} % of what it can hold", 100 * share_of_full));
+    const OutcomeRows found = outcome_rows(outcomes_of(metrics, metrics.all()), {}, units);
+    std::string about = fmt::format("Cloth is wet with more than {:.0f} % of what it can hold, full with {:.0f} %, and dry with less than "
+                                    "{:.0f} % of the most that it held.",
+                                    100 * share_of_wet, 100 * share_of_full, 100 * share_of_dry);
     if (metrics.stops())
-        rows += row("time to dry", time(all.time_to_dry(*metrics.stops())), "s",
-                    fmt::format("to {:.0f} % of the most, {}", 100 * share_of_dry,
-                                *metrics.stops() > 0 ? fmt::format("after the activity last falls at {:.4g} s", *metrics.stops())
-                                                     : "from the start"));
-    rows += row("the skin gave to the cloth", fmt::format("{:.4g}", 1e-3 * metrics.heat_from_skin()), "kJ") +
-            row("evaporating took", fmt::format("{:.4g}", 1e-3 * metrics.heat_of_evaporation()), "kJ");
-    return table(rows) + fmt::format("<p>Cloth is wet with more than {:.0f} % of what it can hold.</p>\n", 100 * share_of_wet);
+        about += *metrics.stops() > 0 ? fmt::format(" Drying counts from when the activity last falls, at {:.4g} s.", *metrics.stops())
+                                      : " Drying counts from the start.";
+    return table(found.rows) + list(found.notes) + "<p>" + about + "</p>\n";
 }
 
 /// A row for each part, at the end.
-std::string parts_table(const char* title, const std::vector<WearPart>& parts, double given)
+std::string parts_table(const char* title, const WearMetrics& metrics, const std::vector<WearPart>& parts, const ReaderUnits& units)
 {
-    std::string rows =
-        fmt::format("<tr><th>{}</th><th>area, m²</th><th>water, g</th><th>water, g/m²</th><th>share of capacity</th><th>wet, m²"
-                    "</th><th>largest wet, m²</th><th>on the skin, g</th><th>evaporated, g</th><th>cloth, °C</th></tr>\n",
-                    title);
+    std::string rows = fmt::format("<tr><th>{}</th>", title);
+    for (const WearNumber& number : wear_numbers())
+        if (number.decimals) rows += fmt::format("<th>{}, {}</th>", number.info.title, reader_unit(units, shown(number.info, 0).unit).unit);
+    rows += "</tr>\n";
     for (const WearPart& part : parts) {
-        const WearNow& end = part.course.back();
         rows += "<tr><th>" + escaped_markup(part.name) + "</th>";
-        for (const std::string& cell :
-             {fmt::format("{:.3f}", part.area), grams(end.water), fmt::format("{:.1f}", 1e3 * end.water / part.area),
-              fmt::format("{:.0f} %", 100 * end.water / part.capacity), fmt::format("{:.3f}", end.wet_area),
-              fmt::format("{:.3f}", part.largest_wet_area()), grams(end.on_skin, given), grams(end.evaporated, given),
-              fmt::format("{:.1f}", celsius_from_kelvin(end.temperature))})
-            rows += "<td class=\"number\">" + cell + "</td>";
+        for (const WearNumber& number : wear_numbers()) {
+            if (!number.decimals) continue;
+            const std::optional<double> value = number.value({metrics, part, part.course.back()});
+            const ShownValue seen = shown(number.info, value.value_or(0));
+            rows += fmt::format("<td class=\"number\">{}</td>",
+                                value ? fmt::format("{:.{}f}", reader_unit(units, seen.unit).of(seen.value), *number.decimals) : "–");
+        }
         rows += "</tr>\n";
     }
     return table(rows);
@@ -76,33 +69,35 @@ std::vector<const WearPart*> for_curves(const std::vector<WearPart>& parts)
     return kept;
 }
 
+/// Of each name a part's number over time.
+struct NamedCourse {
+    std::string name;
+    const WearPart& part;
+    const char* key;
+};
+
+std::string chart_of(const WearMetrics& metrics, const char* title, const std::vector<NamedCourse>& lines)
+{
+    LineChart chart{title, "time, s", shown(wear_number(lines.front().key).info, 0).unit, {}, {}};
+    for (const WearNow& now : metrics.all().course) chart.x.push_back(now.time);
+    for (const NamedCourse& line : lines) chart.curves.push_back({line.name, course_of(metrics, line.part, line.key)});
+    return "<figure>" + svg_of(chart) + "</figure>\n";
+}
+
 std::string curves(const WearMetrics& metrics)
 {
     const WearPart& all = metrics.all();
     if (all.course.size() < 2) return {};
-    std::vector<double> time;
-    for (const WearNow& now : all.course) time.push_back(now.time);
-    std::string figures;
-    const auto add = [&](const char* title, const char* unit, const std::vector<std::pair<std::string, std::vector<double>>>& lines) {
-        LineChart chart{title, "time, s", unit, time, {}};
-        for (const auto& [name, values] : lines) chart.curves.push_back({name, values});
-        figures += "<figure>" + svg_of(chart) + "</figure>\n";
-    };
-    const auto values = [](const WearPart& part, double factor, double WearNow::*of) {
-        std::vector<double> list;
-        for (const WearNow& now : part.course) list.push_back(factor * (now.*of));
-        return list;
-    };
-    add("Wet area", "m²", {{"all", values(all, 1, &WearNow::wet_area)}});
-    add("Water", "g",
-        {{"in the cloth", values(all, 1e3, &WearNow::water)},
-         {"of it at the skin's face", values(all, 1e3, &WearNow::inside)},
-         {"evaporated", values(all, 1e3, &WearNow::evaporated)},
-         {"on the skin", values(all, 1e3, &WearNow::on_skin)}});
+    std::string figures =
+        chart_of(metrics, "Wet area", {{"all", all, "wet_area_m2"}}) + chart_of(metrics, "Water",
+                                                                                {{"in the cloth", all, "water_g"},
+                                                                                 {"of it at the skin's face", all, "water_inside_g"},
+                                                                                 {"evaporated", all, "evaporated_g"},
+                                                                                 {"on the skin", all, "on_skin_g"}});
     for (const auto& [title, parts] : {std::pair{"Water by panel", &metrics.panels()}, {"Water by zone of the body", &metrics.zones()}}) {
-        std::vector<std::pair<std::string, std::vector<double>>> lines;
-        for (const WearPart* part : for_curves(*parts)) lines.emplace_back(part->name, values(*part, 1e3 / part->area, &WearNow::water));
-        add(title, "g/m²", lines);
+        std::vector<NamedCourse> lines;
+        for (const WearPart* part : for_curves(*parts)) lines.push_back({part->name, *part, "water_g_m2"});
+        figures += chart_of(metrics, title, lines);
     }
     const bool some = metrics.panels().size() > most_curves || metrics.zones().size() > most_curves;
     return figures + (some ? fmt::format("<p>Of panels and zones the {} largest.</p>\n", most_curves) : "");
@@ -219,9 +214,9 @@ std::string wear_report_html(const WearRecord& record, const WearMetrics& metric
         "Simulated, not measured." +
         (finished ? std::string() : fmt::format(" The run was stopped at {:.4g} s.", metrics.all().course.back().time));
     return page(record.layout.garment + ", " + record.layout.experiment,
-                "<p>" + origin_of_all + "</p>\n" + section("Results", results(metrics)) +
-                    section("Panels", parts_table("panel", metrics.panels(), metrics.ledger().water_delivered)) +
-                    section("Zones of the body", parts_table("zone", metrics.zones(), metrics.ledger().water_delivered)) +
+                "<p>" + origin_of_all + "</p>\n" + section("Results", results(metrics, units)) +
+                    section("Panels", parts_table("panel", metrics, metrics.panels(), units)) +
+                    section("Zones of the body", parts_table("zone", metrics, metrics.zones(), units)) +
                     section("Maps", figures_of(pictures)) + section("Over time", curves(metrics)) + section("Balance", balance(metrics)) +
                     section("Assumed", assumed(record)) + section("Inputs", input(record, units)) +
                     section("Computation", origin(record, metrics)));

@@ -2224,46 +2224,6 @@
         <translation>Trageversuch entfernen</translation>
     </message>
     <message>
-        <source>Area, m²</source>
-        <translation>Fläche, m²</translation>
-    </message>
-    <message>
-        <source>Water, g</source>
-        <translation>Wasser, g</translation>
-    </message>
-    <message>
-        <source>Water, g/m²</source>
-        <translation>Wasser, g/m²</translation>
-    </message>
-    <message>
-        <source>Of capacity, %</source>
-        <translation>Füllgrad, %</translation>
-    </message>
-    <message>
-        <source>Wet area, %</source>
-        <translation>Nasse Fläche, %</translation>
-    </message>
-    <message>
-        <source>On skin, g</source>
-        <translation>Auf der Haut, g</translation>
-    </message>
-    <message>
-        <source>Evaporated, g</source>
-        <translation>Verdunstet, g</translation>
-    </message>
-    <message>
-        <source>Cloth, °C</source>
-        <translation>Stoff, °C</translation>
-    </message>
-    <message>
-        <source>Full after, s</source>
-        <translation>Voll nach, s</translation>
-    </message>
-    <message>
-        <source>Dry after, s</source>
-        <translation>Trocken nach, s</translation>
-    </message>
-    <message>
         <source>Garment</source>
         <translation>Kleidungsstück</translation>
     </message>

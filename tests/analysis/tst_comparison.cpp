@@ -420,11 +420,7 @@ private Q_SLOTS:
         c.candidates[0].replicates[0]->numbers[time] = 0.5;
         c.candidates[1].replicates[0]->numbers[slope] = 2;
         c.candidates[2].replicates.clear(); // has not run
-        auto run = std::make_shared<RunRecord>();
-        run->design = drop_design();
-        run->design.experiments[0].duration_s = 10;
-        run->experiment = run->design.experiments[0].name;
-        c.candidates[1].run = run;
+        c.candidates[1].duration = 10;
         c.baseline = "cotton";
         judge(c);
         QCOMPARE(c.lone.size(), std::size_t(2));

@@ -3,7 +3,7 @@
 
 #include "core/project/library.h"
 #include "core/wear/wear_map.h"
-#include "core/wear/wear_metrics.h"
+#include "core/wear/wear_outcomes.h"
 
 namespace hygroloom {
 namespace {
@@ -111,8 +111,8 @@ void use_wear_recording(const std::string& path, const std::string& folder)
         frame = recording.frame(k);
         metrics.add(frame);
     }
-    metrics.json();
-    metrics.text();
+    wear_json(metrics);
+    table_of_parts(metrics);
     for (const WearScale scale : {WearScale::capacity, WearScale::same}) {
         WearMapOptions how;
         how.scale = scale;

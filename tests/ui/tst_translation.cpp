@@ -8,6 +8,7 @@
 #include "core/design/weave.h"
 #include "core/plan/fidelity.h"
 #include "core/project/library.h"
+#include "core/wear/wear_outcomes.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/elided_combo.h"
 #include "ui/basics/issue_text.h"
@@ -161,13 +162,16 @@ private Q_SLOTS:
         std::set<std::string> named;
         for (int type = 0; type < experiment_types; ++type) {
             const auto of = static_cast<ExperimentType>(type);
-            for (const OutcomeInfo& info : reported_by(of)) { named.insert({info.title, info.face}); }
+            for (const OutcomeInfo& info : reported_by(of)) { named.insert({info.title, info.part}); }
             named.insert(info_of(of).title);
             if (of != ExperimentType::droplet) { named.insert(QString(info_of(of).title).toLower().toStdString()); }
         }
         for (const Plot& plot : all_plots()) {
             named.insert(plot.title);
             for (const Curve& curve : plot.curves) { named.insert(curve.name); }
+        }
+        for (const WearNumber& number : wear_numbers()) {
+            if (number.decimals) { named.insert(number.info.title); } // in the window's table
         }
         for (const auto& rows : {water_balance({}), balance_check({})}) {
             for (const BalanceRow& row : rows) { named.insert(row.title); }

@@ -2,6 +2,7 @@
 // A garment's run goes on on the CPU when its device fails, with the same result, and says so; without leave it ends.
 #include "core/base/error.h"
 #include "core/wear/garment_run.h"
+#include "core/wear/wear_outcomes.h"
 #include "tests/support/device.h"
 #include "tests/wear/flat_garment.h"
 
@@ -55,7 +56,7 @@ Ended run(Backend& backend, bool may_go_on, const std::filesystem::path& recordi
     GarmentRunCallbacks callbacks;
     callbacks.frame = [&](const std::shared_ptr<const WearFrame>& frame, const WearMetrics& metrics) {
         ended.frames.push_back(*frame);
-        ended.json = metrics.json();
+        ended.json = wear_json(metrics);
     };
     callbacks.device_failed = [&](const std::string& sentence) { ended.said += sentence; };
     GarmentRunOptions options;

@@ -4,7 +4,7 @@
 #include "core/garment/check_garment.h"
 #include "core/project/project_file.h"
 #include "core/wear/wear_map.h"
-#include "core/wear/wear_metrics.h"
+#include "core/wear/wear_outcomes.h"
 #include "core/wear/wear_recording.h"
 #include "tests/wear/flat_garment.h"
 
@@ -140,7 +140,7 @@ private Q_SLOTS:
         QVERIFY(metrics.zones().back().course.back().water > 0);
         QVERIFY(std::abs(area - metrics.all().area) < 1e-9 * area);
         QVERIFY(std::abs(water - metrics.all().course.back().water) < 1e-9 * water);
-        QVERIFY(metrics.text().find("belt, left") != std::string::npos);
+        QVERIFY(table_of_parts(metrics).find("belt, left") != std::string::npos);
         QVERIFY(wear_csv(ran.layout, ran.frames.back()).find(",\"belt, left\",") != std::string::npos);
     }
 

@@ -4,7 +4,7 @@
 #include "core/base/units.h"
 #include "core/project/project_file.h"
 #include "core/wear/wear_map.h"
-#include "core/wear/wear_metrics.h"
+#include "core/wear/wear_outcomes.h"
 #include "tests/support/vtp.h"
 #include "tests/wear/flat_garment.h"
 
@@ -106,7 +106,7 @@ private Q_SLOTS:
         QVERIFY(all.course.back().water > 0);
         const double pattern_area = std::accumulate(tee.parts.pattern.panels.begin(), tee.parts.pattern.panels.end(), 0.0,
                                                     [](double sum, const PatternPanel& panel) { return sum + area_of(panel); });
-        qInfo("area %.4f m2 of cells, %.4f m2 of panels\n%s", all.area, pattern_area, run.metrics->text().c_str());
+        qInfo("area %.4f m2 of cells, %.4f m2 of panels\n%s", all.area, pattern_area, table_of_parts(*run.metrics).c_str());
         QVERIFY(std::abs(all.area - pattern_area) < 0.02 * pattern_area);
     }
 

@@ -5,7 +5,7 @@
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"
 #include "core/project/project_schema.h"
-#include "core/wear/wear_metrics.h"
+#include "core/wear/wear_outcomes.h"
 #include "tests/wear/flat_garment.h"
 
 #include <QTest>
@@ -119,7 +119,7 @@ std::string outcome(const ProjectJson& json)
     const std::unique_ptr<Backend> cpu = make_cpu_backend();
     RunControl control;
     run_wear(garment, *parts.wear, *cpu, control, {[&](const std::shared_ptr<const WearFrame>& frame) { metrics.add(*frame); }, {}});
-    return metrics.json();
+    return wear_json(metrics);
 }
 
 } // namespace

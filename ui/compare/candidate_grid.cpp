@@ -48,7 +48,7 @@ GridColumn columnOf(const OutcomeInfo& info)
     GridColumn column;
     column.info = info;
     const QString unit = userUnit(QString::fromStdString(shown(info, 0.0).unit)).unit;
-    column.head = capital(info.face.empty() ? outcomeTitle(info) : outcomeTitle(info) + ", " + coreWord(info.face));
+    column.head = capital(info.part.empty() ? outcomeTitle(info) : outcomeTitle(info) + ", " + coreWord(info.part));
     if (!unit.isEmpty()) { column.head += " (" + unit + ")"; }
     column.tip = betterText(info);
     return column;

@@ -172,7 +172,7 @@ Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::s
         made.most = 5;
         for (const Outcome& outcome : outcomes_of(*all.front()->run, *all.front()->metrics)) {
             if (!outcome.grade) { continue; }
-            made.spokes << capital(coreTitle(outcome.title, outcome.face));
+            made.spokes << capital(coreTitle(outcome.title, outcome.part));
             for (std::size_t i = 0; i < all.size(); ++i) {
                 double grade = -1;
                 QString number;
@@ -188,7 +188,7 @@ Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::s
         return made;
     }
     for (const OutcomeInfo& criterion : comparison.criteria) {
-        made.spokes << capital(coreTitle(criterion.title, criterion.face));
+        made.spokes << capital(coreTitle(criterion.title, criterion.part));
         for (std::size_t i = 0; i < all.size(); ++i) {
             made.runs[i].push_back(shareOf(comparison, *all[i], criterion));
             made.numbers[i] << numberText(*all[i], criterion);

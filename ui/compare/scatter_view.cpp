@@ -29,7 +29,7 @@ namespace {
 
 QString titleOf(const OutcomeInfo& info)
 {
-    QString title = coreTitle(info.title, info.face);
+    QString title = coreTitle(info.title, info.part);
     title = title.left(1).toUpper() + title.mid(1);
     const QString unit = userUnit(QString::fromStdString(shown(info, 0.0).unit)).unit;
     return unit.isEmpty() ? title : QString("%1 (%2)").arg(title, unit);
@@ -49,7 +49,7 @@ QString directionOf(const OutcomeInfo& info)
 /// "Wetted radius, top: 3.25 ± 0.04 mm"
 QString numberOf(const OutcomeInfo& info, const Interval& interval)
 {
-    const QString title = coreTitle(info.title, info.face);
+    const QString title = coreTitle(info.title, info.part);
     const ReaderUnits units = unitsOfReader();
     const std::string number = with_interval(info, interval, units) + " " + units(shown(info, interval).unit).unit;
     return QString("%1: %2").arg(title.left(1).toUpper() + title.mid(1), QString::fromStdString(number).trimmed());

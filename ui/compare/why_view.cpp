@@ -125,7 +125,7 @@ void WhyView::fillBoxes()
     for (const Candidate& each : comparison.candidates) {
         if (study_.own && find_fabric(*study_.design, each.fabric)) { names << QString::fromStdString(each.fabric); }
     }
-    for (const OutcomeInfo& each : comparison.criteria) { titles << coreTitle(each.title, each.face); }
+    for (const OutcomeInfo& each : comparison.criteria) { titles << coreTitle(each.title, each.part); }
     const QString base = QString::fromStdString(comparison.baseline);
     QStringList others = names;
     others.removeAll(base);
@@ -138,7 +138,7 @@ void WhyView::fillBoxes()
     };
     fill(fabric_, names, proposing_ || !names.contains(fabric) ? others.value(0) : fabric);
     fill(against_, names, proposing_ || !names.contains(against) ? base : against);
-    fill(metric_, titles, ranking_ ? coreTitle(comparison.ranked_by.title, comparison.ranked_by.face) : metric);
+    fill(metric_, titles, ranking_ ? coreTitle(comparison.ranked_by.title, comparison.ranked_by.part) : metric);
 }
 
 void WhyView::choose(const QString& fabric, const QString& against, int metric)

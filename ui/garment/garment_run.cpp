@@ -99,7 +99,12 @@ void GarmentRun::compute(const Request& request)
         });
     };
     callbacks.progress = [this](const RunProgress& progress) { post([this, progress] { Q_EMIT progressed(progress); }); };
-    const double wall = run_garment(parts, {request.options, request.threads, true, request.recording}, *backend, control_, callbacks);
+    GarmentRunOptions how;
+    how.how = request.options;
+    how.threads = request.threads;
+    how.may_go_on_on_cpu = true;
+    how.recording = request.recording;
+    const double wall = run_garment(parts, how, *backend, control_, callbacks).wall;
     post([run, wall] { run->wall = wall; });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/parts_table.h"
 
-#include "core/base/units.h"
+#include "core/wear/wear_outcomes.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/words.h"
 
@@ -19,36 +19,6 @@
 namespace hygroloom {
 
 namespace {
-
-/// A number of a part at one moment; none: never.
-struct Column {
-    const char* title;
-    int decimals;
-    std::optional<double> (*of)(const WearPart& part, const WearNow& now, const std::optional<double>& stops);
-};
-
-constexpr Column columns[] = {
-    {QT_TRANSLATE_NOOP("hygroloom", "Area, m²"), 3,
-     [](const WearPart& p, const WearNow&, const std::optional<double>&) { return std::optional(p.area); }},
-    {QT_TRANSLATE_NOOP("hygroloom", "Water, g"), 2,
-     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.water); }},
-    {QT_TRANSLATE_NOOP("hygroloom", "Water, g/m²"), 1,
-     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.water / p.area); }},
-    {QT_TRANSLATE_NOOP("hygroloom", "Of capacity, %"), 1,
-     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(100 * n.water / p.capacity); }},
-    {QT_TRANSLATE_NOOP("hygroloom", "Wet area, %"), 0,
-     [](const WearPart& p, const WearNow& n, const std::optional<double>&) { return std::optional(100 * n.wet_area / p.area); }},
-    {QT_TRANSLATE_NOOP("hygroloom", "On skin, g"), 2,
-     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.on_skin); }},
-    {QT_TRANSLATE_NOOP("hygroloom", "Evaporated, g"), 2,
-     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(1e3 * n.evaporated); }},
-    {QT_TRANSLATE_NOOP("hygroloom", "Cloth, °C"), 1,
-     [](const WearPart&, const WearNow& n, const std::optional<double>&) { return std::optional(n.temperature - zero_celsius); }},
-    {QT_TRANSLATE_NOOP("hygroloom", "Full after, s"), 0,
-     [](const WearPart& p, const WearNow&, const std::optional<double>&) { return p.time_to_full(); }},
-    {QT_TRANSLATE_NOOP("hygroloom", "Dry after, s"), 0,
-     [](const WearPart& p, const WearNow&, const std::optional<double>& stops) { return stops ? p.time_to_dry(*stops) : std::nullopt; }},
-};
 
 struct Line {
     QString name;
@@ -83,13 +53,14 @@ QString inColumn(double value, int decimals)
     return locale.toString(std::abs(value) < least ? 0.0 : value, 'f', decimals); // no "-0.0"
 }
 
-/// NaN: there is none.
-double valueOf(const Column& column, const WearPart* part, double time, const std::optional<double>& stops)
+/// As people read it; NaN: there is none.
+double valueOf(const WearNumber& number, const WearMetrics& metrics, const WearPart* part, double time)
 {
     if (!part || part->course.empty() || time > part->course.back().time + 1e-3) { return nan(""); }
     const auto after =
         std::upper_bound(part->course.begin(), part->course.end(), time + 1e-9, [](double t, const WearNow& now) { return t < now.time; });
-    return column.of(*part, after == part->course.begin() ? *after : *(after - 1), stops).value_or(nan(""));
+    const std::optional<double> value = number.value({metrics, *part, after == part->course.begin() ? *after : *(after - 1)});
+    return value ? shown(number.info, *value).value : nan("");
 }
 
 } // namespace
@@ -114,8 +85,9 @@ void PartsTable::refresh()
     const bool known = run && run->metrics;
     const bool compares = known && playback_.kept() && playback_.kept() != run && playback_.kept()->metrics;
     QStringList titles{tr("Part")};
-    for (const Column& column : columns) {
-        const QString title = hygroloom::tr(column.title); // the class has a tr of its own
+    for (const WearNumber& number : wear_numbers()) {
+        if (!number.decimals) { continue; }
+        const QString title = capital(coreWord(number.info.title)) + ", " + QString::fromStdString(shown(number.info, 0).unit);
         if (compares) {
             titles << "A " + title << "B " + title << QStringLiteral("B − A");
         } else {
@@ -141,11 +113,12 @@ void PartsTable::refresh()
         const int row = static_cast<int>(k);
         put(row, 0, lines[k].name);
         int at = 1;
-        for (const Column& column : columns) {
-            const auto text = [&](double value) { return std::isnan(value) ? QStringLiteral("–") : inColumn(value, column.decimals); };
-            const double newest = valueOf(column, lines[k].newest, playback_.time(), run->metrics->stops());
+        for (const WearNumber& number : wear_numbers()) {
+            if (!number.decimals) { continue; }
+            const auto text = [&](double value) { return std::isnan(value) ? QStringLiteral("–") : inColumn(value, *number.decimals); };
+            const double newest = valueOf(number, *run->metrics, lines[k].newest, playback_.time());
             if (compares) {
-                const double kept = valueOf(column, lines[k].kept, playback_.time(), playback_.kept()->metrics->stops());
+                const double kept = valueOf(number, *playback_.kept()->metrics, lines[k].kept, playback_.time());
                 const double less = newest - kept; // NaN where one of them is
                 put(row, at++, text(kept), kept);
                 put(row, at++, text(newest), newest);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/wear_chart.h"
 
+#include "core/wear/wear_outcomes.h"
 #include "ui/basics/appearance.h"
 #include "ui/results/curve_legend.h"
 #include "ui/results/time_chart_view.h"
@@ -75,8 +76,9 @@ QList<QPointF> WearChart::curveOf(const WornRun& run) const
         }
     } else if (run.metrics) {
         const WearPart& all = run.metrics->all();
+        const WearNumber& number = wear_number(share ? "share_of_capacity" : "water_g_m2");
         for (const WearNow& now : all.course) {
-            points << QPointF(now.time, share ? 100 * now.water / all.capacity : 1e3 * now.water / all.area);
+            points << QPointF(now.time, shown(number.info, number.value({*run.metrics, all, now}).value_or(0)).value);
         }
     }
     return points;

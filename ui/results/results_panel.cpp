@@ -82,7 +82,7 @@ void addOutcomes(std::vector<Result>& results, const std::vector<Outcome>& outco
         if (!is_shown(outcome)) { continue; }
         const QString name = sentence(outcomeTitle(outcome));
         const int rank = outcome.rank > 0 ? outcome.rank : last;
-        if (outcome.face == "bottom" && !lines.empty() && lines.back().result.name == name) {
+        if (outcome.part == "bottom" && !lines.empty() && lines.back().result.name == name) {
             lines.back().result.bottom = textOf(outcome);
             lines.back().result.full_bottom = fullOf(outcome);
             lines.back().rank = std::min(lines.back().rank, rank);

@@ -203,7 +203,7 @@ MetricName metricName(const std::string& key)
     for (int type = 0; type <= static_cast<int>(ExperimentType::sweat); ++type) {
         for (const OutcomeInfo& info : reported_by(static_cast<ExperimentType>(type))) {
             if (info.key != key) { continue; }
-            return {coreTitle(info.title, info.face), QString::fromStdString(info.unit)};
+            return {coreTitle(info.title, info.part), QString::fromStdString(info.unit)};
         }
     }
     return {wordOf(key), unitOf(key)};

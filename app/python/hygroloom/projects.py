@@ -142,3 +142,8 @@ def project_of(project: Any) -> Project:
     if isinstance(project, (str, os.PathLike)):
         return Project.open(project)
     raise TypeError(f"project: This must be a Project or the path of one; given is {project!r}.")
+
+
+def folder_of(project: Project) -> bytes:
+    """That the files of its garments are relative to."""
+    return os.fsencode(project.path.parent if project.path else ".") or b"."

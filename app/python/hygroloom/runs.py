@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Un
 
 from . import _checks, _hygroloom, _temporary
 from .errors import Error, FileError
-from .projects import Project, project_of
+from .projects import Project, folder_of, project_of
 from .recordings import read_recording
 
 if TYPE_CHECKING:
@@ -60,11 +60,14 @@ class Run:
 
     @property
     def table(self) -> "pandas.DataFrame":
-        """The metrics, a row each: index metric; title, unit, value, low and high (its interval), missing (why there is no value), grade."""
+        """The metrics, a row each: index metric; title, unit, value, low and high (its interval), missing (why there is no value), grade.
+
+        Those of a garment are followed by the same of its panels ("panels/front/water_g") and of the body's zones ("zones/chest/water_g").
+        """
         import pandas
 
         rows = []
-        for outcome in self._outcomes or [{"metric": key, "value": value} for key, value in self.metrics.items()]:
+        for outcome in self._outcomes:
             interval = self.intervals.get(outcome["metric"], {})
             rows.append({**outcome, "low": interval.get("low"), "high": interval.get("high")})
         columns = ["metric", "title", "unit", "value", "low", "high", "missing", "grade"]
@@ -203,7 +206,7 @@ def simulate(
             how[name] = _checks.number(side, name, 0.05, 100)
     how["detail"] = _checks.texts(detail, "detail")
     names = _checks.optional_text(fabric, "fabric"), _checks.optional_text(experiment, "experiment")
-    folder = os.fsencode(opened.path.parent if opened.path else ".") or b"."
+    folder = folder_of(opened)
     _checks.call(progress)
 
     temporary = _temporary.make() if recording is True else None

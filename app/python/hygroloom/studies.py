@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Union
 
 from . import _checks, _hygroloom, _temporary
 from .errors import Error, FileError
-from .projects import Project, project_of
+from .projects import Project, folder_of, project_of
 from .runs import Progress
 
 if TYPE_CHECKING:
@@ -152,6 +152,8 @@ def compare(
 ) -> "pandas.DataFrame":
     """Runs several fabrics on the same experiment and says which differences are real.
 
+    With an experiment of the type wear its garment is cut from each of the fabrics; linings stay.
+
     Args:
         fabrics: two or more names; all of the project when left out.
         by: the metric to rank by, such as "absorbency_time_s".
@@ -183,6 +185,7 @@ def compare(
             _checks.optional_text(by, "by"),
             _checks.optional_text(baseline, "baseline"),
             _checks.whole(replicates, "replicates", 1, 1000),
+            folder_of(opened),
             how,
             _checks.call(progress),
         )

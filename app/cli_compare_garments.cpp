@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// compare, of garments: one garment cut from several fabrics, or the garments of several projects.
+#include "app/cli_compare.h"
+#include "app/cli_interrupt.h"
+#include "app/cli_report.h"
+#include "app/cli_wear.h"
+
+#include "core/analysis/comparison_report.h"
+#include "core/wear/wear_outcomes.h"
+#include "core/wear/wear_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace hygroloom {
+namespace {
+
+WearVerbOptions wear_options(const CompareOptions& options)
+{
+    WearVerbOptions how;
+    static_cast<RunVerbOptions&>(how) = options;
+    how.fidelity = options.fidelity;
+    how.cell_mm = options.cell_mm;
+    return how;
+}
+
+void refuse_what_samples_take(const CompareOptions& options)
+{
+    const std::pair<bool, const char*> refused[] = {{!options.physics.empty(), "--physics"}, {!options.why.empty(), "--why"}};
+    for (const auto& [given, name] : refused)
+        if (given) throw Stop(exit_usage, fmt::format("Comparisons of garments do not take {}.", name));
+    if (!options.others.empty() && !options.fabrics.empty()) throw Stop(exit_usage, "Give either several projects or --fabrics with one.");
+}
+
+/// Each project with its own experiment on a garment, named like its file.
+std::vector<GarmentCandidate> of_projects(const CompareOptions& options, const Design& design, const WearExperiment& wear)
+{
+    const auto named = [](const std::string& file) { return std::filesystem::path(file).stem().string(); };
+    std::vector<GarmentCandidate> all{{named(options.project), design, wear.name, folder_of(options.project)}};
+    for (const std::string& file : options.others) {
+        ProjectOptions other = options;
+        other.project = file;
+        const Design own = load_project(other);
+        require_valid(own, other);
+        const WearExperiment* const worn = chosen_wear(own, other);
+        if (worn == nullptr) throw Stop(exit_usage, fmt::format("{}: The experiment \"{}\" is none on a garment.", file, other.experiment));
+        all.push_back({named(file), own, worn->name, folder_of(file)});
+        const auto same = [&](const GarmentCandidate& before) { return before.name == all.back().name; };
+        if (std::any_of(all.begin(), all.end() - 1, same)) all.back().name = file;
+    }
+    return all;
+}
+
+std::vector<GarmentCandidate> candidates_of(const CompareOptions& options, const Design& design, const WearExperiment& wear)
+{
+    if (!options.others.empty()) return of_projects(options, design, wear);
+    std::vector<GarmentCandidate> all;
+    for (const std::string& fabric : chosen_fabrics(design, options.fabrics))
+        all.push_back(cut_from(design, wear.name, folder_of(options.project), fabric));
+    return all;
+}
+
+/// All panels of all candidates at their ends, on one scale; also to a folder each.
+std::vector<ReportPicture> maps_of(const std::vector<GarmentCandidate>& candidates, const std::vector<FinishedGarment>& firsts,
+                                   const std::string& folder)
+{
+    WearMapOptions how;
+    how.crossings = 1; // as computed
+    double most = 0;
+    for (const FinishedGarment& first : firsts)
+        if (first.last) most = std::max(most, wear_map(first.record->layout, *first.last, how).most());
+    how.most = most;
+    std::vector<std::string> names;
+    for (const GarmentCandidate& candidate : candidates) names.push_back(candidate.name);
+    const std::vector<std::string> stems = file_stems(names);
+    std::vector<ReportPicture> pictures;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (!firsts[i].last) continue;
+        const WearLayout& layout = firsts[i].record->layout;
+        if (!folder.empty()) {
+            const std::string own = (std::filesystem::path(folder) / stems[i]).string();
+            make_folder(own);
+            write_wear_map(layout, *firsts[i].last, wear_map(layout, *firsts[i].last, how), own);
+        }
+        for (ReportPicture& picture : pictures_of_panels(layout, {firsts[i].last}, how)) {
+            picture.caption = names[i] + ": " + picture.caption;
+            pictures.push_back(std::move(picture));
+        }
+    }
+    return pictures;
+}
+
+} // namespace
+
+int compare_garments(const CompareOptions& options, const Design& design, const WearExperiment& wear)
+{
+    refuse_what_samples_take(options);
+    const std::vector<GarmentCandidate> candidates = candidates_of(options, design, wear);
+    if (candidates.size() < 2)
+        throw Stop(exit_usage, "A comparison needs two or more fabrics that the garment is cut from, or two or more projects; use simulate "
+                               "for one.");
+    std::vector<std::string> names;
+    for (const GarmentCandidate& candidate : candidates) names.push_back(candidate.name);
+    Comparison comparison = comparison_of(options, wear.name, compared_by_wear(), names);
+    comparison.of_garments = true;
+    make_folder(options.output);
+    write_numbers(comparison, options.output); // fails before the first run when the folder cannot be written to
+    RunControl control;
+    const InterruptCancels cancels(control.cancel);
+    const std::vector<FinishedGarment> firsts = run_garments(comparison, candidates, wear_options(options), options.at_once, control,
+                                                             [&] { write_numbers(comparison, options.output); });
+    const bool some = !comparison.candidates.empty();
+    if (options.json)
+        print_result("{}", comparison_json(comparison));
+    else if (some)
+        print_result("{}", comparison_table(comparison));
+    if (some && !(options.output.empty() && options.report.empty())) {
+        const std::vector<ReportPicture> maps = maps_of(candidates, firsts, options.output);
+        if (!options.report.empty()) write_report_file(options.report, comparison_report_html(comparison, maps));
+        if (!options.quiet && !options.output.empty()) print_note("Table and maps: {}\n", options.output);
+        if (!options.quiet && !options.report.empty()) print_note("Report: {}\n", options.report);
+    }
+    return exit_code_of(comparison, candidates.size() * static_cast<std::size_t>(options.replicates));
+}
+
+} // namespace hygroloom

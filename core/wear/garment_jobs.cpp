@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/wear/garment_jobs.h"
+
+#include "core/wear/wear_outcomes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace hygroloom {
+namespace {
+
+Design used_by(const Design& design, const WearExperiment& wear)
+{
+    Design used;
+    used.garments.push_back(*find_garment(design, wear.garment));
+    used.wears.push_back(wear);
+    used.materials = design.materials;
+    for (const std::string& name : fabrics_of(used.garments.front()))
+        if (const Fabric* fabric = find_fabric(design, name)) used.fabrics.push_back(*fabric);
+    return used;
+}
+
+/// One run of a candidate's replicate.
+struct GarmentJob {
+    Drawn drawn;
+    GarmentRunOptions how;
+};
+
+std::vector<GarmentJob> jobs_of(const std::vector<GarmentCandidate>& candidates, const GarmentRunOptions& how, std::uint64_t seed,
+                                int replicates)
+{
+    std::vector<GarmentJob> jobs;
+    for (int number = 0; number < replicates; ++number)
+        for (const GarmentCandidate& candidate : candidates) {
+            const WearExperiment& wear = *find_wear(candidate.design, candidate.experiment);
+            const std::vector<std::string> fabrics = fabrics_of(*find_garment(candidate.design, wear.garment));
+            jobs.push_back({drawn(candidate.design, fabrics, {seed, number, replicates}), how});
+            if (number > 0) jobs.back().how.recording.clear();
+        }
+    return jobs;
+}
+
+/// first: what reports need is kept.
+CandidateRun candidate_of(const GarmentCandidate& candidate, const Drawn& drawn, const FinishedGarment& finished, bool first)
+{
+    const WearRecord& record = *finished.record;
+    const WearExperiment& wear = *find_wear(record.design, candidate.experiment);
+    CandidateRun run;
+    Candidate& made = run.candidate;
+    made.fabric = candidate.name;
+    made.outcomes = outcomes_of(*finished.metrics);
+    made.duration = wear.duration_s;
+    made.wall = finished.wall;
+    made.timed = 1;
+    made.unknowns = drawn.names;
+    ReplicateRun numbers;
+    for (const Outcome& outcome : made.outcomes)
+        if (outcome.value) numbers.numbers[outcome.key] = *outcome.value;
+    numbers.places = drawn.places;
+    made.replicates.emplace_back(std::move(numbers));
+    if (first) {
+        made.worn =
+            std::make_shared<const WornCandidate>(WornCandidate{wear_json(*finished.metrics), used_by(record.design, wear),
+                                                                fmt::format("{}, {}", record.fidelity, record.backend), record.device});
+        made.notes = finished.issues;
+    }
+    run.device_failed = !finished.device_failure.empty();
+    if (run.device_failed) made.notes.push_back(finished.device_failure);
+    return run;
+}
+
+} // namespace
+
+GarmentCandidate cut_from(const Design& design, const std::string& experiment, const std::filesystem::path& base, const std::string& fabric)
+{
+    GarmentCandidate made{fabric, design, experiment, base};
+    const std::string& garment = find_wear(design, experiment)->garment;
+    for (Garment& each : made.design.garments)
+        if (each.name == garment) cut_all_from(each, fabric);
+    return made;
+}
+
+std::size_t bytes_of_largest(const std::vector<GarmentCandidate>& candidates, const WearOptions& how)
+{
+    double most = 0;
+    for (const GarmentCandidate& candidate : candidates) {
+        const WearExperiment& wear = *find_wear(candidate.design, candidate.experiment);
+        most =
+            std::max(most, plan_wear(garment_scene(garment_parts(candidate.design, wear, candidate.base), resolution_of(how)), wear).bytes);
+    }
+    return static_cast<std::size_t>(most);
+}
+
+std::vector<FinishedGarment> run_comparison(Comparison& comparison, const std::vector<GarmentCandidate>& candidates,
+                                            const GarmentRunOptions& how, std::uint64_t seed,
+                                            const std::vector<std::unique_ptr<Backend>>& backends, RunControl& control,
+                                            const std::function<GarmentRunCallbacks(std::size_t)>& callbacks,
+                                            const std::function<void(std::size_t)>& ended)
+{
+    std::mutex one_on_cpu;
+    std::vector<GarmentJob> jobs = jobs_of(candidates, how, seed, comparison.replicates);
+    std::vector<FinishedGarment> firsts(candidates.size());
+    const auto run = [&](std::size_t i, Backend& backend) {
+        const GarmentCandidate& candidate = candidates[i % candidates.size()];
+        GarmentJob& job = jobs[i];
+        job.how.one_on_cpu = &one_on_cpu;
+        const Design& design = job.drawn.design;
+        const GarmentParts parts =
+            garment_parts(design, *find_wear(design, candidate.experiment), candidate.base, [&control] { return control.cancel.load(); });
+        const FinishedGarment finished = run_garment(parts, job.how, backend, control, callbacks(i));
+        if (i < candidates.size()) firsts[i] = finished;
+        return candidate_of(candidate, job.drawn, finished, i < candidates.size());
+    };
+    std::vector<std::string> names;
+    for (const GarmentCandidate& candidate : candidates) names.push_back(candidate.name);
+    run_comparison(comparison, names, backends, control, run, ended);
+    return firsts;
+}
+
+} // namespace hygroloom

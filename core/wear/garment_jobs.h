@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Garments that are compared: candidates, and the runs of their replicates.
+#pragma once
+
+#include "core/analysis/sweep.h"
+#include "core/wear/garment_run.h"
+
+namespace hygroloom {
+
+/// A garment that is compared: one experiment of a project.
+struct GarmentCandidate {
+    std::string name; ///< of the fabric, or of the project
+    Design design;
+    std::string experiment;
+    std::filesystem::path base; ///< folder of the project
+};
+
+/// The garment of the experiment with each panel cut from the fabric; linings stay. Precondition: the design has all three.
+GarmentCandidate cut_from(const Design& design, const std::string& experiment, const std::filesystem::path& base,
+                          const std::string& fabric);
+
+/// The memory (bytes) that the largest of the runs takes. Throws FileError of what a garment names, NotEnoughMemory, Error.
+std::size_t bytes_of_largest(const std::vector<GarmentCandidate>& candidates, const WearOptions& how);
+
+/// Runs every candidate as often as the comparison has replicates, side by side, each run on one of the backends, and judges it: see
+/// run_comparison() of samples. Replicate 0 of each comes first; it alone is recorded. callbacks(i): those of run i, of candidate i modulo
+/// their number; ended(i) as there. Returns what the first run of each gave, empty where it failed or was cancelled.
+std::vector<FinishedGarment> run_comparison(Comparison& comparison, const std::vector<GarmentCandidate>& candidates,
+                                            const GarmentRunOptions& how, std::uint64_t seed,
+                                            const std::vector<std::unique_ptr<Backend>>& backends, RunControl& control,
+                                            const std::function<GarmentRunCallbacks(std::size_t)>& callbacks,
+                                            const std::function<void(std::size_t)>& ended);
+
+} // namespace hygroloom

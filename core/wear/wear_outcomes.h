@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a worn garment came to, as a list of numbers with their names and units, made from one table. The command line, files, reports,
+// comparisons, studies, Python and the window read it.
+#pragma once
+
+#include "core/analysis/intervals.h"
+#include "core/wear/wear_metrics.h"
+
+namespace hygroloom {
+
+/// A part of a garment at one moment.
+struct WearAt {
+    const WearMetrics& metrics;
+    const WearPart& part;
+    const WearNow& now;
+};
+
+/// What a number of a part is.
+struct WearNumber {
+    OutcomeInfo info; ///< without its part
+    std::optional<double> (*value)(const WearAt& at);
+    const char* missing = "";         ///< why there is no value, in a clause
+    std::optional<int> decimals = {}; ///< in a table of parts; none: such a table leaves it out
+    bool over_time = false;           ///< files have it of every frame
+    bool of_whole_only = false;
+};
+
+/// In the order of files.
+const std::vector<WearNumber>& wear_numbers();
+/// Of that key. Precondition: there is one.
+const WearNumber& wear_number(const std::string& key);
+/// Of every frame so far, in the number's unit; NaN where there is none.
+std::vector<double> course_of(const WearMetrics& metrics, const WearPart& part, const std::string& key);
+
+/// At the last frame, of all parts: of the whole garment, of its panels, whose keys begin with "panels/front/", and of the zones of the
+/// body with "zones/chest/". Precondition: there is a frame.
+std::vector<Outcome> outcomes_of(const WearMetrics& metrics);
+/// Of one part, with keys as they are.
+std::vector<Outcome> outcomes_of(const WearMetrics& metrics, const WearPart& part);
+
+/// The numbers by which garments are compared. The first ranks by default.
+std::vector<OutcomeInfo> compared_by_wear();
+
+/// As `simulate --json` prints it. intervals: of replicates, by key; none: of one run, whose error is not known.
+std::string wear_json(const WearMetrics& metrics, const std::map<std::string, Interval>& intervals = {});
+/// A table for people: a row for each panel and zone.
+std::string table_of_parts(const WearMetrics& metrics);
+
+} // namespace hygroloom

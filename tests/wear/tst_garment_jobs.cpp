@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// Garments side by side: the comparison of samples, with replicates whose first is the single run.
+#include "core/wear/garment_jobs.h"
+#include "core/wear/wear_outcomes.h"
+#include "tests/wear/flat_garment.h"
+
+#include <QTest>
+
+#include <nlohmann/json.hpp>
+
+using namespace hygroloom;
+
+namespace {
+
+/// A tee cut from textile F, and the poplin beside it; a minute of wear.
+Design two_cloths()
+{
+    Design design = library_design("Textile F");
+    for (const Preset& preset : shipped_presets())
+        if (preset.fabric().name == "Poplin shirting") add_preset(design, preset);
+    Garment tee;
+    tee.name = "tee";
+    tee.panels["*"] = {"Textile F"};
+    tee.panels["back"] = {"Textile F", 0, false, 2, "Poplin shirting"};
+    design.garments.push_back(tee);
+    WearExperiment wear;
+    wear.name = "wear";
+    wear.garment = "tee";
+    wear.duration_s = 60;
+    design.wears.push_back(wear);
+    return design;
+}
+
+GarmentRunOptions coarse()
+{
+    GarmentRunOptions how;
+    how.how.fidelity = Fidelity::live;
+    how.how.cell_mm = 60;
+    return how;
+}
+
+Comparison compare(const std::vector<GarmentCandidate>& candidates, int replicates, std::vector<FinishedGarment>* firsts = nullptr)
+{
+    Comparison comparison;
+    comparison.experiment = "wear";
+    comparison.criteria = compared_by_wear();
+    comparison.ranked_by = comparison.criteria.front();
+    comparison.baseline = candidates.front().name;
+    comparison.replicates = replicates;
+    comparison.of_garments = true;
+    std::vector<std::unique_ptr<Backend>> backends;
+    backends.push_back(make_cpu_backend());
+    RunControl control;
+    auto found = run_comparison(
+        comparison, candidates, coarse(), 1, backends, control, [](std::size_t) { return GarmentRunCallbacks{}; }, [](std::size_t) {});
+    if (firsts) *firsts = std::move(found);
+    return comparison;
+}
+
+} // namespace
+
+class TestGarmentJobs : public QObject {
+    Q_OBJECT
+
+private Q_SLOTS:
+    void linings_stay_where_a_garment_is_cut_from_another_fabric()
+    {
+        const GarmentCandidate poplin = cut_from(two_cloths(), "wear", ".", "Poplin shirting");
+        QCOMPARE(poplin.name, std::string("Poplin shirting"));
+        const Garment& tee = poplin.design.garments.front();
+        QCOMPARE(tee.panels.at("*").fabric, std::string("Poplin shirting"));
+        QCOMPARE(tee.panels.at("back").fabric, std::string("Poplin shirting"));
+        const GarmentCandidate textile = cut_from(two_cloths(), "wear", ".", "Textile F");
+        QCOMPARE(textile.design.garments.front().panels.at("back").lining, std::string("Poplin shirting"));
+        QCOMPARE(fabrics_of(textile.design.garments.front()), (std::vector<std::string>{"Poplin shirting", "Textile F"}));
+    }
+
+    void the_first_replicate_is_the_single_run()
+    {
+        const Design design = two_cloths();
+        const GarmentCandidate as_given{"tee", design, "wear", "."};
+        const GarmentParts parts = garment_parts(design, design.wears.front(), ".");
+        RunControl control;
+        const auto backend = make_cpu_backend();
+        const FinishedGarment single = run_garment(parts, coarse(), *backend, control, {});
+        std::vector<FinishedGarment> firsts;
+        const Comparison three = compare({as_given}, 3, &firsts);
+        QVERIFY(three.complete && three.candidates.size() == 1);
+        QCOMPARE(wear_json(*firsts[0].metrics), wear_json(*single.metrics));
+        QVERIFY(firsts[0].last->inside == single.last->inside && firsts[0].last->temperature == single.last->temperature);
+        const Candidate& tee = three.candidates.front();
+        QVERIFY(!tee.unknowns.empty());
+        const auto water = [&](std::size_t replicate) { return tee.replicates[replicate]->numbers.at("panels/front/most_water_g"); };
+        QVERIFY(water(0) != water(1) && water(1) != water(2));
+        const Interval& range = tee.intervals.at("panels/front/most_water_g");
+        QVERIFY(range.low < water(1) && water(1) < range.high && range.runs == 3);
+        QCOMPARE(tee.intervals.at("area_m2").low, tee.intervals.at("area_m2").centre);
+        QVERIFY(!tee.intervals.at("most_water_g").numerical_known);
+        const auto told = nlohmann::json::parse(comparison_json(three))["candidates"][0]["run"];
+        QVERIFY(told["intervals"].contains("zones/chest/water_g") && told["panels"].contains("back, layer 2"));
+    }
+
+    /// One run of each shows no scatter, and the numerical error is not known.
+    void verdicts_need_replicates()
+    {
+        const Design design = two_cloths();
+        const std::vector<GarmentCandidate> both{cut_from(design, "wear", ".", "Textile F"),
+                                                 cut_from(design, "wear", ".", "Poplin shirting")};
+        const Comparison one = compare(both, 1), some = compare(both, 2);
+        QVERIFY(one.verdicts.empty());
+        QCOMPARE(rank_text(one.candidates[0]), std::string("1="));
+        QVERIFY(comparison_table(one).find("There are no verdicts") != std::string::npos);
+        const Compared* const verdict = verdict_of(some, "Poplin shirting", "most_water_g");
+        QVERIFY(verdict && verdict->pairs == 2);
+        QVERIFY(comparison_csv(some).find("largest_wet_area_m2_verdict") != std::string::npos);
+    }
+
+    void what_cannot_be_read_concerns_its_garment_alone()
+    {
+        const Design design = two_cloths();
+        GarmentCandidate broken{"broken", design, "wear", "."};
+        broken.design.garments.front().source = "nowhere.json";
+        const Comparison comparison = compare({{"tee", design, "wear", "."}, broken}, 1);
+        QVERIFY(comparison.complete);
+        for (const Candidate& candidate : comparison.candidates)
+            QCOMPARE(candidate.failure.find("nowhere.json") != std::string::npos, candidate.fabric == "broken");
+    }
+};
+
+QTEST_GUILESS_MAIN(TestGarmentJobs)
+#include "tst_garment_jobs.moc"
