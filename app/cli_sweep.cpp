@@ -3,6 +3,7 @@
 #include "app/cli_sweep.h"
 
 #include "app/cli_interrupt.h"
+#include "app/cli_wear.h"
 
 #include "core/base/text.h"
 #include "core/base/words.h"
@@ -72,7 +73,7 @@ void print_issues(const std::string& file, const std::vector<Issue>& issues)
 
 StudyFolder read_given(const SweepOptions& options)
 {
-    const Design design = load_project(options);
+    Design design = load_project(options);
     require_valid(design, options);
     Study study;
     try {
@@ -82,6 +83,7 @@ StudyFolder read_given(const SweepOptions& options)
     }
     for (const auto& [knob, value] : knob_settings(options)) study.knobs[knob] = value;
     print_issues(options.study, validate(study, design));
+    if (is_of_garments(study, design)) design = with_absolute_files(design, folder_of(options.project));
     return {design, study, "", ""};
 }
 

@@ -7,6 +7,7 @@
 #include "app/cli_report.h"
 
 #include "core/analysis/map_image.h"
+#include "core/base/text.h"
 #include "core/base/words.h"
 #include "core/garment/check_garment.h"
 #include "core/wear/garment_run.h"
@@ -289,6 +290,7 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
         callbacks.memory_is_short = callbacks.device_failed = [&](const std::string& sentence) {
             if (!options.quiet) print_note("{}\n", sentence);
         };
+        callbacks.planned = [&](const WearPlan& plan) { bar.expect(plan.time.seconds); };
         callbacks.started = [&](const std::shared_ptr<const WearRecord>& begun) { record = begun; };
         callbacks.frame = [&](const std::shared_ptr<const WearFrame>&, const WearMetrics& metrics) { so_far.emplace(metrics); };
         callbacks.progress = [&](const RunProgress& progress) { bar.show(0, progress); };
@@ -298,6 +300,7 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
             return print_cancelled(so_far, record.get(), options.json);
         }
     }
+    learn_time(finished);
     print_worn(*finished.metrics, *finished.record, options.json);
     if (options.profile) print_profile(backend->stage_times(), finished.wall, options.json);
     if (!options.quiet) {
@@ -318,13 +321,14 @@ int plan_garment(const WearVerbOptions& options)
     how.memory = {false, "Take larger cells or a lower fidelity."};
     const GarmentScene garment = garment_scene(parts, resolution_of(how));
     const WearLayout layout = wear_layout(parts, garment);
-    const WearPlan plan = plan_wear(garment, wear);
+    const WearPlan plan =
+        as_usage([&] { return plan_wear(garment, wear, how.fidelity, expected_backend(backend_for(options.backend, how.knobs))); });
     if (options.json) {
         Json json{{"garment", layout.garment},
                   {"experiment", wear.name},
                   {"cells", plan.cells},
                   {"bytes", plan.bytes},
-                  {"seconds", plan.seconds}};
+                  {"seconds", plan.time.seconds}};
         json["resolution"] = layout.cells_in_words;
         for (std::size_t k = 0; k < layout.panels.size(); ++k)
             json["panels"].push_back({{"name", layout.panels[k].name},
@@ -340,10 +344,9 @@ int plan_garment(const WearVerbOptions& options)
     for (std::size_t k = 0; k < layout.panels.size(); ++k)
         print_result("  {:<24} {:<24} {:>9.5f} m2 {:>9} cells\n", layout.panels[k].name, layout.panels[k].fabric,
                      area_of(parts.pattern.panels[k]), plan.panel_cells[k]);
-    print_result(
-        "Memory about {:.0f} MB; on two cores some {:.{}f} s, by the number of cells and how wet they get; most runs at live and draft "
-        "take from a third to three times that.\n",
-        1e-6 * plan.bytes, plan.seconds, plan.seconds < 10 ? 1 : 0);
+    print_result("Memory about {:.0f} MB; {} {} s, by the number of cells and how wet they get. {}\n", 1e-6 * plan.bytes,
+                 plan.time.learned.empty() ? "on two cores some" : "here about", rounded_text(plan.time.seconds, 2),
+                 plan.time.learned.empty() ? "Most runs at live and draft take from a third to three times that." : plan.time.learned);
     return exit_ok;
 }
 

@@ -5,6 +5,7 @@
 #include "app/python/machine.h"
 
 #include "core/study/study_run.h"
+#include "core/wear/garment_jobs.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@ namespace {
 
 struct SweepArguments {
     std::string study, study_name, folder;
+    std::string base; ///< folder of the project
     bool resume = false, retry_failed = false;
 };
 
@@ -34,12 +36,13 @@ StudyShares shares_of(const RunArguments& arguments, const StudyNeeds& needs)
                : StudyShares{arguments.at_once, std::max(1, arguments.threads)};
 }
 
-Swept swept(const Design& design, const SweepArguments& asked, const RunArguments& arguments, Watch& watch)
+Swept swept(Design design, const SweepArguments& asked, const RunArguments& arguments, Watch& watch)
 {
     const Study study = parse_study(asked.study, asked.study_name);
     require_valid(design);
     std::vector<Issue> issues = validate(study, design);
     if (has_error(issues)) throw InvalidProject("study", std::move(issues));
+    if (is_of_garments(study, design)) design = with_absolute_files(design, asked.base);
     StudyOptions options;
     options.resume = asked.resume;
     options.retry_failed = asked.retry_failed;
@@ -85,11 +88,11 @@ py::list columns_of(StudyTable table)
     return columns;
 }
 
-py::tuple sweep(const Design& design, const std::string& study, const std::string& study_name, const std::string& folder, bool resume,
-                bool retry_failed, const py::dict& how, const py::object& progress)
+py::tuple sweep(const Design& design, const std::string& study, const std::string& study_name, const std::string& folder,
+                const std::string& base, bool resume, bool retry_failed, const py::dict& how, const py::object& progress)
 {
     const RunArguments arguments = run_arguments(how);
-    const SweepArguments asked{study, study_name, folder, resume, retry_failed};
+    const SweepArguments asked{study, study_name, folder, base, resume, retry_failed};
     Swept result = watched(progress, [=](Watch& watch) { return swept(design, asked, arguments, watch); });
     py::list failures;
     for (const auto& [row, reason] : result.failures) failures.append(py::make_tuple(row, text(reason)));

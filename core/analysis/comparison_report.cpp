@@ -232,8 +232,10 @@ std::string curves(const Comparison& comparison, const ReaderUnits& units)
 std::string maps_of(const Comparison& comparison, const std::vector<ReportPicture>& maps)
 {
     if (maps.empty()) return {};
-    const char* about = "<p>The first run of each cloth, at the end of the experiment. The other replicates have no "
-                        "pictures here; their ranges stand round the curves.</p>\n";
+    const char* about = comparison.of_garments
+                            ? "<p>The first run of each garment, at the end of the experiment. The other replicates have no pictures.</p>\n"
+                            : "<p>The first run of each cloth, at the end of the experiment. The other replicates have no "
+                              "pictures here; their ranges stand round the curves.</p>\n";
     return (comparison.replicates > 1 ? about : "") + figures_of(maps);
 }
 
@@ -270,17 +272,19 @@ std::pair<const Design*, std::vector<const Fabric*>> fabrics_of(const Candidate&
     return found;
 }
 
-/// Of a garment its own keys, then those of its fabrics.
+/// Of a garment its own keys, then those of its fabrics, after their names where there are several.
 std::vector<std::pair<std::string, std::string>> description(const Candidate& candidate, const ReaderUnits& units)
 {
     std::vector<std::pair<std::string, std::string>> words;
     if (candidate.worn) words = inputs_in_words(json_from_design(candidate.worn->used).at("garments").at(0), units);
-    for (const Fabric* fabric : fabrics_of(candidate).second) {
+    const std::vector<const Fabric*> fabrics = fabrics_of(candidate).second;
+    for (const Fabric* fabric : fabrics) {
         Design alone;
         alone.fabrics.push_back(*fabric);
         Json value = json_from_design(alone).at("fabrics").at(0);
-        if (!candidate.worn) value.erase("name");
-        for (auto& [name, text] : inputs_in_words(value, units)) words.emplace_back(std::move(name), std::move(text));
+        if (!candidate.worn || fabrics.size() > 1) value.erase("name");
+        const std::string whose = fabrics.size() > 1 ? fabric->name + ": " : std::string();
+        for (auto& [name, text] : inputs_in_words(value, units)) words.emplace_back(whose + name, std::move(text));
     }
     return words;
 }

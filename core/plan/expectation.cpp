@@ -182,27 +182,41 @@ std::string learned_runs_text(int same, int other)
 
 } // namespace
 
-void correct_time(ModelPlan& plan, const std::vector<LearnedRun>& learned)
+std::optional<double> learned_ratio(const std::vector<UnlikeRun>& runs)
 {
     constexpr double as_good_as_alike = 0.03;
     double weights = 0, sum = 0;
+    for (const UnlikeRun& run : runs) {
+        const double far = run.unlike + as_good_as_alike;
+        weights += 1 / (far * far);
+        sum += std::log(run.ratio) / (far * far);
+    }
+    const double ratio = std::exp(sum / weights);
+    return !runs.empty() && std::isfinite(ratio) ? std::optional(ratio) : std::nullopt;
+}
+
+std::string learned_text(int same, int other, double ratio)
+{
+    return fmt::format(" {} on this machine took {} times {} estimate, so this time is corrected.", learned_runs_text(same, other),
+                       rounded_text(ratio, 2), same + other == 1 ? "its" : "their");
+}
+
+void correct_time(ModelPlan& plan, const std::vector<LearnedRun>& learned)
+{
+    std::vector<UnlikeRun> runs;
     int same = 0, other = 0; // fidelity
     for (const LearnedRun& run : learned) {
         const double unlike = distance(plan, run.plan);
         if (unlike >= 1) continue;
         const double work = std::abs(std::log(rough_work(plan, "cpu") / rough_work(run.plan, "cpu")));
         const bool alike = run.plan.fidelity == plan.fidelity;
-        const double far = unlike + work + (alike ? 0.0 : 0.5) + as_good_as_alike;
-        weights += 1 / (far * far);
-        sum += std::log(run.ratio) / (far * far);
+        runs.push_back({unlike + work + (alike ? 0.0 : unlike_at_other_fidelity), run.ratio});
         ++(alike ? same : other);
     }
-    if (same + other == 0) return;
-    const double ratio = std::exp(sum / weights);
-    if (!std::isfinite(ratio)) return;
-    plan.expected_seconds *= ratio;
-    plan.expectation_source += fmt::format(" {} on this machine took {} times {} estimate, so this time is corrected.",
-                                           learned_runs_text(same, other), rounded_text(ratio, 2), same + other == 1 ? "its" : "their");
+    const std::optional<double> ratio = learned_ratio(runs);
+    if (!ratio) return;
+    plan.expected_seconds *= *ratio;
+    plan.expectation_source += learned_text(same, other, *ratio);
 }
 
 } // namespace hygroloom

@@ -69,6 +69,18 @@ struct LearnedRun {
     double ratio = 1; ///< its time over the expected one
 };
 
+/// What one run took against its estimate, and how unlike it is, 0: the same.
+struct UnlikeRun {
+    double unlike = 0;
+    double ratio = 1;
+};
+/// The geometric mean of the ratios, the more alike the more they count; none: there is no run, or no finite mean.
+std::optional<double> learned_ratio(const std::vector<UnlikeRun>& runs);
+/// What adds to unlike where the fidelities differ.
+constexpr double unlike_at_other_fidelity = 0.5;
+/// " 8 runs of this kind and 2 at other fidelities on this machine took 1.3 times their estimate, so this time is corrected."
+std::string learned_text(int same, int other, double ratio);
+
 /// Multiplies the plan's expected time by the ratios of the runs of its kind, the more alike the more they count (geometric mean), and adds
 /// that to the source. Precondition: expect().
 void correct_time(ModelPlan& plan, const std::vector<LearnedRun>& learned);

@@ -24,11 +24,18 @@ constexpr int version = 3; // in older files plans do not tell the sample's area
 
 constexpr std::size_t most_runs = 60, most_bytes = std::size_t{4} << 20U;
 
+/// A garment's run of this machine.
+struct GarmentRatio {
+    GarmentTime estimated;
+    double ratio = 1;
+};
+
 struct Kept {
     std::mutex mutex;
     std::filesystem::path file;
-    std::filesystem::file_time_type read_at{}; ///< when the file was changed that was read last
-    std::map<std::string, std::vector<LearnedRun>> runs;
+    std::filesystem::file_time_type read_at{};           ///< when the file was changed that was read last
+    std::map<std::string, std::vector<LearnedRun>> runs; ///< by backend
+    std::map<std::string, std::vector<GarmentRatio>> garments;
 };
 
 Kept& kept()
@@ -83,18 +90,47 @@ void read_again(Kept& all)
     if (missing || changed == all.read_at) return;
     all.read_at = changed;
     all.runs.clear();
+    all.garments.clear();
+    const auto plausible = [](double ratio) { return ratio > 0.01 && ratio < 100; };
     for (const Json& entry : entries(all.file)) {
         try {
             if (entry.at("machine") != machine()) continue;
             const std::string backend = entry.at("backend");
+            if (const auto garment = entry.find("garment"); garment != entry.end()) {
+                const GarmentTime estimated{fidelity_from_name(garment->at("fidelity")), garment->at("seconds"), {}};
+                const double ratio = entry.at("seconds").get<double>() / estimated.seconds;
+                if (estimated.seconds > 0 && plausible(ratio)) all.garments[backend].push_back({estimated, ratio});
+                continue;
+            }
             ModelPlan plan = plan_from_value(entry.at("plan"));
             expect(plan, shipped_measurements(backend));
             const double ratio = entry.at("seconds").get<double>() / plan.expected_seconds;
-            if (ratio > 0.01 && ratio < 100 && is_usable(plan)) all.runs[backend].push_back({std::move(plan), ratio});
+            if (plausible(ratio) && is_usable(plan)) all.runs[backend].push_back({std::move(plan), ratio});
         } catch (const std::exception&) {
             continue; // an entry of another version, or damaged
         }
     }
+}
+
+/// Adds an entry; the newest of a backend stay. what: "plan" or "garment".
+void keep(const char* what, const Json& estimated, double seconds, const std::string& backend, const std::string& device)
+try {
+    Kept& all = kept();
+    const std::lock_guard lock(all.mutex);
+    if (all.file.empty() || !(seconds > 0)) return;
+    std::filesystem::create_directories(all.file.parent_path());
+    const ChangeLock only_one(all.file);
+    std::vector<Json> list;
+    std::size_t of_backend = 1;
+    const std::vector<Json> before = entries(all.file);
+    for (auto entry = before.rbegin(); entry != before.rend(); ++entry)
+        if (entry->value("backend", Json()) != backend || entry->contains(what) == false || of_backend++ < most_runs)
+            list.insert(list.begin(), *entry);
+    list.push_back(Json{{"machine", machine()}, {"backend", backend}, {"device", device}, {"seconds", seconds}, {what, estimated}});
+    write_file(all.file, Json{{"format", "hygroloom-times"}, {"version", version}, {"runs", list}}.dump());
+    all.read_at = {};
+} catch (const std::exception&) {
+    // Without it estimates are as they were.
 }
 
 } // namespace
@@ -112,32 +148,20 @@ void keep_learned_times(const std::filesystem::path& file)
     all.file = file;
     all.read_at = {};
     all.runs.clear();
+    all.garments.clear();
 }
 
 void learn_time(const RunRecord& run)
-try {
-    Kept& all = kept();
-    const std::lock_guard lock(all.mutex);
-    if (all.file.empty() || !(run.wall > 0) || run.threads != 0 || !run.alone) return;
+{
+    if (!(run.wall > 0) || run.threads != 0 || !run.alone) return;
     constexpr double most_set_up = 0.5; // of a run: rooms that were drawn before are found at once, which says nothing of the next program
     if (set_up_seconds(run.plan, run.backend) > most_set_up * run.wall) return;
-    std::filesystem::create_directories(all.file.parent_path());
-    const ChangeLock only_one(all.file);
-    std::vector<Json> list;
-    std::size_t of_backend = 1;
-    const std::vector<Json> before = entries(all.file);
-    for (auto entry = before.rbegin(); entry != before.rend(); ++entry)
-        if (entry->value("backend", Json()) != run.backend || of_backend++ < most_runs) list.insert(list.begin(), *entry);
-    list.push_back(Json{{"machine", machine()},
-                        {"backend", run.backend},
-                        {"device", run.device},
-                        {"date", run.date},
-                        {"seconds", run.wall - run.recorded_in},
-                        {"plan", plan_without_words(run.plan)}});
-    write_file(all.file, Json{{"format", "hygroloom-times"}, {"version", version}, {"runs", list}}.dump());
-    all.read_at = {};
-} catch (const std::exception&) {
-    // Without it estimates are as they were.
+    keep("plan", plan_without_words(run.plan), run.wall - run.recorded_in, run.backend, run.device);
+}
+
+void learn_time(const GarmentTime& estimated, double seconds_taken, const std::string& backend, const std::string& device)
+{
+    keep("garment", {{"fidelity", name_of(estimated.fidelity)}, {"seconds", estimated.seconds}}, seconds_taken, backend, device);
 }
 
 void expect_as_learned(ModelPlan& plan, const std::string& backend)
@@ -147,6 +171,26 @@ void expect_as_learned(ModelPlan& plan, const std::string& backend)
     if (all.file.empty()) return;
     read_again(all);
     if (const auto found = all.runs.find(backend); found != all.runs.end()) correct_time(plan, found->second);
+}
+
+void expect_as_learned(GarmentTime& estimated, const std::string& backend)
+{
+    Kept& all = kept();
+    const std::lock_guard lock(all.mutex);
+    if (all.file.empty() || !(estimated.seconds > 0)) return;
+    read_again(all);
+    std::vector<UnlikeRun> runs;
+    int same = 0, other = 0;
+    for (const GarmentRatio& run : all.garments[backend]) {
+        const bool alike = run.estimated.fidelity == estimated.fidelity;
+        const double work = std::abs(std::log(estimated.seconds / run.estimated.seconds));
+        runs.push_back({work + (alike ? 0.0 : unlike_at_other_fidelity), run.ratio});
+        ++(alike ? same : other);
+    }
+    const std::optional<double> ratio = learned_ratio(runs);
+    if (!ratio) return;
+    estimated.seconds *= *ratio;
+    estimated.learned = learned_text(same, other, *ratio).substr(1);
 }
 
 } // namespace hygroloom

@@ -19,6 +19,16 @@ void keep_learned_times(const std::filesystem::path& file);
 /// backend stay.
 void learn_time(const RunRecord& run);
 
+/// What is estimated of a run of a garment, which has no plan of a sample.
+struct GarmentTime {
+    Fidelity fidelity = Fidelity::standard;
+    double seconds = 0;  ///< before anything is learned
+    std::string learned; ///< what it was corrected by, in a sentence; empty: it was not
+};
+/// As learn_time() of a sample.
+void learn_time(const GarmentTime& estimated, double seconds_taken, const std::string& backend, const std::string& device);
+void expect_as_learned(GarmentTime& estimated, const std::string& backend);
+
 /// Multiplies the plan's expected time by what runs of its kind took here against their own estimates, and says so. Precondition: expect().
 void expect_as_learned(ModelPlan& plan, const std::string& backend);
 

@@ -59,7 +59,8 @@ constexpr std::string_view knob_prefix = "fidelity."; ///< of a factor's path th
 constexpr std::size_t most_study_rows = 1'000'000, most_study_factors = 100;
 
 struct Study {
-    std::vector<std::string> fabrics, experiments; ///< by name; empty: the only one of the project
+    /// By name; empty: the only one of the project. Of garments each fabric takes the place of all panels' own; empty: as they are.
+    std::vector<std::string> fabrics, experiments;
     std::vector<Factor> factors;
     Sampling sampling = Sampling::latin_hypercube;
     std::size_t points = 0;                                ///< asked for; of a grid the most; 0 where the design says it by itself
@@ -89,7 +90,11 @@ std::vector<Issue> validate(const Study& study, const Design& design);
 /// experiment.
 std::optional<Message> out_of_reach(const Study& study, const Design& design, const std::string& path);
 
-/// Those the study runs, and the metrics it lists, with what was left out filled in. Precondition: validate() found no error.
+/// Whether its experiments are of the type wear. Precondition: those that it names are there.
+bool is_of_garments(const Study& study, const Design& design);
+
+/// Those the study runs (an empty name: a garment's own fabrics), and the metrics it lists, with what was left out filled in. Precondition:
+/// validate() found no error.
 std::vector<std::string> fabrics_of(const Study& study, const Design& design);
 std::vector<std::string> experiments_of(const Study& study, const Design& design);
 std::vector<std::string> metrics_of(const Study& study, const Design& design);

@@ -8,6 +8,7 @@
 #include "core/project/project_value.h"
 #include "core/study/points.h"
 #include "core/study/quantiles.h"
+#include "core/wear/wear_outcomes.h"
 
 #include <fmt/format.h>
 
@@ -23,8 +24,10 @@ public:
 
     std::vector<Issue> issues()
     {
-        check_names("fabrics", say("fabric"), study_.fabrics, design_.fabrics);
-        check_names("experiments", say("experiment"), study_.experiments, design_.experiments);
+        check_names("experiments", say("experiment"), study_.experiments, names_of(design_.experiments, design_.wears));
+        const bool worn = issues_.empty() && is_of_garments(study_, design_);
+        if (!worn || !study_.fabrics.empty()) check_names("fabrics", say("fabric"), study_.fabrics, names_in(design_.fabrics));
+        if (issues_.empty()) check_kind(worn);
         const bool named = issues_.empty();
         if (named) check_metrics();
         for (std::size_t k = 0; k < study_.factors.size(); ++k) check_factor(k, named);
@@ -36,30 +39,49 @@ public:
 private:
     void add(Place where, Message message) { issues_.push_back({Severity::error, "study", std::move(where), std::move(message)}); }
 
-    template <typename Item>
-    void check_names(const Place& key, const Message& what, const std::vector<std::string>& names, const std::vector<Item>& items)
+    static std::vector<std::string> names_of(const std::vector<Experiment>& samples, const std::vector<WearExperiment>& wears)
     {
-        const std::vector<std::string> known = names_in(items);
+        std::vector<std::string> names = names_in(samples);
+        for (const std::string& name : names_in(wears)) names.push_back(name);
+        return names;
+    }
+    void check_names(const Place& key, const Message& what, const std::vector<std::string>& names, const std::vector<std::string>& known)
+    {
         const std::string all = listed_in_quotes(known);
-        if (names.empty() && items.size() == 1) return;
-        if (items.empty()) return add(key, say("The project has no {} that a study can run.", what));
+        if (names.empty() && known.size() == 1) return;
+        if (known.empty()) return add(key, say("The project has no {} that a study can run.", what));
         if (names.empty()) return add(key, say("The project has several {}s; list those to run: {}.", what, all));
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            if (std::find(known.begin(), known.end(), names[i]) != known.end()) continue;
-            const Message hint = find_wear(design_, names[i]) ? say(" It is one on a garment, which studies do not run yet.") : Message();
-            add(key / i, say("The project has no {} \"{}\"{}{} It has {}.", what, names[i], or_near(names[i], known), hint, all));
-        }
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (std::find(known.begin(), known.end(), names[i]) == known.end())
+                add(key / i, say("The project has no {} \"{}\"{} It has {}.", what, names[i], or_near(names[i], known), all));
+    }
+    /// A sample and a garment have no number in common.
+    void check_kind(bool worn)
+    {
+        for (const std::string& name : experiments_of(study_, design_))
+            if ((find_wear(design_, name) != nullptr) != worn)
+                return add("experiments",
+                           say("A study runs samples of fabric or garments (type wear), not both; list experiments of one kind."));
+        if (worn && !study_.fidelity) add("fidelity", say("The error of garments is not known; name a fidelity."));
+    }
     }
     void check_metrics()
     {
         std::vector<std::string> known;
-        for (const std::string& name : experiments_of(study_, design_))
-            for (const OutcomeInfo& info : reported_by(find_experiment(design_, name)->type))
-                if (std::find(known.begin(), known.end(), info.key) == known.end()) known.push_back(info.key);
-        for (std::size_t i = 0; i < study_.metrics.size(); ++i)
-            if (std::find(known.begin(), known.end(), study_.metrics[i]) == known.end())
-                add(Place("metrics") / i, say("No experiment of the study has the metric \"{}\"{} They have: {}.", study_.metrics[i],
-                                              or_near(study_.metrics[i], known), listed(known)));
+        if (is_of_garments(study_, design_)) {
+            for (const WearNumber& number : wear_numbers()) known.push_back(number.info.key);
+        } else {
+            for (const std::string& name : experiments_of(study_, design_))
+                for (const OutcomeInfo& info : reported_by(find_experiment(design_, name)->type))
+                    if (std::find(known.begin(), known.end(), info.key) == known.end()) known.push_back(info.key);
+        }
+        for (std::size_t i = 0; i < study_.metrics.size(); ++i) {
+            const std::string& key = study_.metrics[i];
+            const bool of_part = is_of_garments(study_, design_) && (key.starts_with("panels/") || key.starts_with("zones/"));
+            if (std::find(known.begin(), known.end(), of_part ? key.substr(key.rfind('/') + 1) : key) == known.end())
+                add(Place("metrics") / i,
+                    say("No experiment of the study has the metric \"{}\"{} They have: {}.", key, or_near(key, known), listed(known)));
+        }
     }
     /// The path must lead somewhere, and the first value must be one that may stand there.
     void check_factor(std::size_t k, bool named)
@@ -186,8 +208,35 @@ std::vector<std::string> liquids_of(const std::vector<std::string>& experiments,
 {
     std::vector<std::string> liquids;
     for (const std::string& name : experiments)
-        if (const Experiment* experiment = find_experiment(design, name)) liquids.push_back(experiment->liquid);
+        if (const Experiment* experiment = find_experiment(design, name))
+            liquids.push_back(experiment->liquid);
+        else if (const WearExperiment* wear = find_wear(design, name))
+            liquids.push_back(wear->liquid);
     return liquids;
+}
+
+/// The garments that the study runs, cut as it says.
+std::vector<Garment> garments_of(const Study& study, const Design& design)
+{
+    std::vector<Garment> garments;
+    for (const std::string& name : experiments_of(study, design))
+        if (const WearExperiment* wear = find_wear(design, name))
+            for (const std::string& fabric : fabrics_of(study, design)) {
+                garments.push_back(*find_garment(design, wear->garment));
+                if (!fabric.empty()) cut_all_from(garments.back(), fabric);
+            }
+    return garments;
+}
+
+/// Also linings.
+std::vector<std::string> used_fabrics(const Study& study, const Design& design)
+{
+    std::vector<std::string> used;
+    if (!is_of_garments(study, design)) return fabrics_of(study, design);
+    for (const Garment& garment : garments_of(study, design))
+        for (const std::string& name : fabrics_of(garment))
+            if (std::find(used.begin(), used.end(), name) == used.end()) used.push_back(name);
+    return used;
 }
 
 } // namespace
@@ -198,11 +247,18 @@ std::optional<Message> out_of_reach(const Study& study, const Design& design, co
     const auto member = member_at(design, path);
     if (!member) return {};
     const auto& [list, index] = *member;
-    const std::vector<std::string> fabrics = fabrics_of(study, design), experiments = experiments_of(study, design);
+    const std::vector<std::string> fabrics = used_fabrics(study, design), experiments = experiments_of(study, design);
     if (list == "fabrics") return not_run(say("fabric"), design.fabrics[index].name, fabrics);
-    if (list == "experiments" && index < design.experiments.size())
-        return not_run(say("experiment"), design.experiments[index].name, experiments);
-    if (list == "experiments" || list == "garments") return say("The study runs no garment, so this changes nothing.");
+    if (list == "experiments") {
+        const std::size_t samples = design.experiments.size();
+        return not_run(say("experiment"), index < samples ? design.experiments[index].name : design.wears[index - samples].name,
+                       experiments);
+    }
+    if (list == "garments") {
+        const std::vector<std::string> garments = names_in(garments_of(study, design));
+        if (garments.empty()) return say("The study runs no garment, so this changes nothing.");
+        return not_run(say("garment"), design.garments[index].name, garments);
+    }
     const bool fibre = list == "materials";
     if ((!fibre && list != "liquids") || chooses(study, list)) return {};
     const std::string& name = fibre ? design.materials[index].name : design.liquids[index].name;
@@ -214,23 +270,32 @@ std::optional<Message> out_of_reach(const Study& study, const Design& design, co
 
 std::vector<Issue> validate(const Study& study, const Design& design) { return Check(study, design).issues(); }
 
+bool is_of_garments(const Study& study, const Design& design)
+{
+    return find_wear(design, experiments_of(study, design).front()) != nullptr;
+}
+
 std::vector<std::string> fabrics_of(const Study& study, const Design& design)
 {
-    return study.fabrics.empty() ? std::vector{design.fabrics.front().name} : study.fabrics;
+    if (!study.fabrics.empty()) return study.fabrics;
+    return {is_of_garments(study, design) ? std::string() : design.fabrics.front().name};
 }
 
 std::vector<std::string> experiments_of(const Study& study, const Design& design)
 {
-    return study.experiments.empty() ? std::vector{design.experiments.front().name} : study.experiments;
+    if (!study.experiments.empty()) return study.experiments;
+    return {design.experiments.empty() ? design.wears.front().name : design.experiments.front().name};
 }
 
 std::vector<std::string> metrics_of(const Study& study, const Design& design)
 {
     if (!study.metrics.empty()) return study.metrics;
     std::vector<std::string> keys;
-    for (const std::string& name : experiments_of(study, design))
-        for (const OutcomeInfo& info : compared_by(find_experiment(design, name)->type))
+    for (const std::string& name : experiments_of(study, design)) {
+        const Experiment* const sample = find_experiment(design, name);
+        for (const OutcomeInfo& info : sample ? compared_by(sample->type) : compared_by_wear())
             if (std::find(keys.begin(), keys.end(), info.key) == keys.end()) keys.push_back(info.key);
+    }
     return keys;
 }
 

@@ -12,6 +12,8 @@
 #include "core/project/project_json.h"
 #include "core/run/plan_run.h"
 #include "core/run/side_by_side.h"
+#include "core/wear/garment_jobs.h"
+#include "core/wear/wear_outcomes.h"
 
 #include <fmt/format.h>
 
@@ -26,11 +28,22 @@ namespace hygroloom {
 namespace {
 
 constexpr std::size_t longest_reason = 300, most_named_failures = 1000;
+constexpr const char* renamed = "The point renames what it is to run.";
+
+WearOptions wear_options(Fidelity fidelity, const KnobSettings& knobs, const MemoryRule& memory)
+{
+    WearOptions how;
+    how.fidelity = fidelity;
+    how.knobs = knobs;
+    how.memory = memory;
+    return how;
+}
 
 /// Plans of each fabric on each experiment, as the project has them.
 std::vector<ModelPlan> plans_of(const StudyFrame& frame, const Design& design, const Study& study, Fidelity fidelity)
 {
     std::vector<ModelPlan> plans;
+    if (is_of_garments(study, design)) return plans;
     for (const std::string& fabric : frame.fabrics())
         for (const std::string& experiment : frame.experiments()) try {
                 plans.push_back(
@@ -56,20 +69,35 @@ FidelityChoice fidelity_of(const StudyFrame& frame, const Design& design, const 
     return choose_fidelity(ladder, target);
 }
 
+/// Where a member of a list of the whole design stands that is the part's number `index`.
+template <typename Item> std::size_t place_in(const std::vector<Item>& whole, const std::vector<Item>& part, std::size_t index)
+{
+    const auto same = [&](const Item& item) { return item.name == part[index].name; };
+    return static_cast<std::size_t>(std::find_if(whole.begin(), whole.end(), same) - whole.begin());
+}
+
 /// The first error of a design that is part of another one, where its places are those of that one.
-std::string first_error(const Design& part, const Design& whole, const StudyRun& row, const std::vector<std::string>& fabrics,
-                        const std::vector<std::string>& experiments)
+std::string first_error(const Design& part, const Design& whole)
 {
     for (const Issue& issue : validate(part)) {
         if (issue.severity != Severity::error) continue;
-        Place where = issue.where;
-        if (where.key(0) == "fabrics")
-            where = where.with(1, static_cast<std::size_t>(find_fabric(whole, fabrics[row.fabric]) - whole.fabrics.data()));
-        if (where.key(0) == "experiments")
-            where = where.with(1, static_cast<std::size_t>(find_experiment(whole, experiments[row.experiment]) - whole.experiments.data()));
-        return where.text() + ": " + issue.text();
+        const std::string list = issue.where.key(0);
+        const std::size_t at = issue.where.number(0).value_or(0), samples = part.experiments.size();
+        std::optional<std::size_t> place;
+        if (issue.where.number(0) && list == "fabrics") place = place_in(whole.fabrics, part.fabrics, at);
+        if (issue.where.number(0) && list == "garments") place = place_in(whole.garments, part.garments, at);
+        if (issue.where.number(0) && list == "experiments") // garments follow the samples
+            place = at < samples ? place_in(whole.experiments, part.experiments, at)
+                                 : whole.experiments.size() + place_in(whole.wears, part.wears, at - samples);
+        return (place ? issue.where.with(1, *place) : issue.where).text() + ": " + issue.text();
     }
     return {};
+}
+
+/// The garment of a row: of the experiment, cut from a fabric unless its name is empty.
+GarmentCandidate garment_of(const Design& design, const std::string& experiment, const std::string& fabric)
+{
+    return fabric.empty() ? GarmentCandidate{fabric, design, experiment, {}} : cut_from(design, experiment, {}, fabric);
 }
 
 /// Others that begin a study in the folder wait for it, so that the folder never has the study of one and the rows of another. None where
@@ -161,12 +189,16 @@ private:
     }
     bool run_point(const StudyRun& of, std::size_t row, Backend& backend, StudyRowResult& result)
     {
-        const std::string &fabric = frame_.fabrics()[of.fabric], &experiment = frame_.experiments()[of.experiment];
         const PointSetting setting = with_point(study_.study, project_, points_, of.point);
-        if (!find_fabric(setting.design, fabric) || !find_experiment(setting.design, experiment))
-            throw Error("The point renames what it is to run.");
+        return is_of_garments(study_.study, study_.design) ? run_garment_at(of, setting, row, backend, result)
+                                                           : run_sample_at(of, setting, row, backend, result);
+    }
+    bool run_sample_at(const StudyRun& of, const PointSetting& setting, std::size_t row, Backend& backend, StudyRowResult& result)
+    {
+        const std::string &fabric = frame_.fabrics()[of.fabric], &experiment = frame_.experiments()[of.experiment];
+        if (!find_fabric(setting.design, fabric) || !find_experiment(setting.design, experiment)) throw Error(renamed);
         const Design part = part_of_run(setting.design, fabric, experiment);
-        const std::string error = first_error(part, setting.design, of, frame_.fabrics(), frame_.experiments());
+        const std::string error = first_error(part, setting.design);
         if (!error.empty()) throw Error(error);
         const Drawn drawing = drawn(part, fabric, experiment, {study_.study.seed, of.replicate, study_.study.replicates});
         RunOptions how;
@@ -181,17 +213,46 @@ private:
         RunCallbacks beside;
         beside.progress = [&](const RunProgress& progress) { under_way(row, progress); };
         const FinishedRun finished = run_and_measure(drawing.design, fabric, experiment, how, backend, control_, beside);
-        for (const Outcome& outcome : outcomes_of(finished.run, finished.metrics)) {
+        return take(outcomes_of(finished.run, finished.metrics), finished.run.device, finished.device_failure, result);
+    }
+    bool run_garment_at(const StudyRun& of, const PointSetting& setting, std::size_t row, Backend& backend, StudyRowResult& result)
+    {
+        const std::string &fabric = frame_.fabrics()[of.fabric], &experiment = frame_.experiments()[of.experiment];
+        const WearExperiment* const wear = find_wear(setting.design, experiment);
+        if (!wear || !find_garment(setting.design, wear->garment)) throw Error(renamed);
+        const Design part = part_of_run(garment_of(setting.design, experiment, fabric).design, experiment);
+        const std::string error = first_error(part, setting.design);
+        if (!error.empty()) throw Error(error);
+        const Drawn drawing = drawn(part, fabrics_of(part.garments.front()), {study_.study.seed, of.replicate, study_.study.replicates});
+        GarmentRunOptions how;
+        how.how = wear_options(fidelity_.fidelity, setting.knobs, options_.memory);
+        how.threads = options_.threads;
+        how.may_go_on_on_cpu = true;
+        how.one_on_cpu = &one_on_cpu_;
+        GarmentRunCallbacks beside;
+        beside.progress = [&](const RunProgress& progress) { under_way(row, progress); };
+        const GarmentParts parts = garment_parts(drawing.design, drawing.design.wears.front(), {});
+        const FinishedGarment finished = run_garment(parts, how, backend, control_, beside);
+        const std::vector<Outcome> outcomes = outcomes_of(*finished.metrics);
+        for (const std::string& metric : frame_.metrics())
+            if (std::none_of(outcomes.begin(), outcomes.end(), [&](const Outcome& outcome) { return outcome.key == metric; }))
+                throw Error(fmt::format("The garment has no part with the metric \"{}\".", metric));
+        return take(outcomes, finished.record->device, finished.device_failure, result);
+    }
+    /// Whether the device failed.
+    bool take(const std::vector<Outcome>& outcomes, const std::string& device, const std::string& device_failure, StudyRowResult& result)
+    {
+        for (const Outcome& outcome : outcomes) {
             const auto found = std::find(frame_.metrics().begin(), frame_.metrics().end(), outcome.key);
             if (found != frame_.metrics().end() && outcome.value)
                 result.metrics[static_cast<std::size_t>(found - frame_.metrics().begin())] = *outcome.value;
         }
-        result.device = finished.run.device;
-        if (!finished.device_failure.empty() && callbacks_.note) {
+        result.device = device;
+        if (!device_failure.empty() && callbacks_.note) {
             const std::lock_guard lock(mutex_);
-            callbacks_.note(finished.device_failure);
+            callbacks_.note(device_failure);
         }
-        return !finished.device_failure.empty();
+        return !device_failure.empty();
     }
     void under_way(std::size_t row, const RunProgress& progress)
     {
@@ -253,6 +314,11 @@ StudyNeeds study_needs(const Design& design, const Study& study, const std::file
     for (const ModelPlan& plan : plans_of(frame, design, study, fidelity_of(frame, design, study).fidelity))
         most = std::max(most, plan.expected_bytes);
     needs.bytes_each = static_cast<std::size_t>(most);
+    if (!is_of_garments(study, design)) return needs;
+    std::vector<GarmentCandidate> garments;
+    for (const std::string& fabric : frame.fabrics())
+        for (const std::string& experiment : frame.experiments()) garments.push_back(garment_of(design, experiment, fabric));
+    needs.bytes_each = bytes_of_largest(garments, wear_options(*study.fidelity, study.knobs, options.memory));
     return needs;
 }
 

@@ -11,17 +11,6 @@
 namespace hygroloom {
 namespace {
 
-Design used_by(const Design& design, const WearExperiment& wear)
-{
-    Design used;
-    used.garments.push_back(*find_garment(design, wear.garment));
-    used.wears.push_back(wear);
-    used.materials = design.materials;
-    for (const std::string& name : fabrics_of(used.garments.front()))
-        if (const Fabric* fabric = find_fabric(design, name)) used.fabrics.push_back(*fabric);
-    return used;
-}
-
 /// One run of a candidate's replicate.
 struct GarmentJob {
     Drawn drawn;
@@ -62,7 +51,7 @@ CandidateRun candidate_of(const GarmentCandidate& candidate, const Drawn& drawn,
     made.replicates.emplace_back(std::move(numbers));
     if (first) {
         made.worn =
-            std::make_shared<const WornCandidate>(WornCandidate{wear_json(*finished.metrics), used_by(record.design, wear),
+            std::make_shared<const WornCandidate>(WornCandidate{wear_json(*finished.metrics), part_of_run(record.design, wear.name),
                                                                 fmt::format("{}, {}", record.fidelity, record.backend), record.device});
         made.notes = finished.issues;
     }
@@ -82,13 +71,41 @@ GarmentCandidate cut_from(const Design& design, const std::string& experiment, c
     return made;
 }
 
+Design part_of_run(const Design& design, const std::string& experiment)
+{
+    Design part;
+    part.wears.push_back(*find_wear(design, experiment));
+    part.garments.push_back(*find_garment(design, part.wears.front().garment));
+    part.materials = design.materials;
+    for (const std::string& name : fabrics_of(part.garments.front()))
+        if (const Fabric* fabric = find_fabric(design, name)) part.fabrics.push_back(*fabric);
+    for (const Liquid& liquid : design.liquids)
+        if (liquid.name == part.wears.front().liquid) part.liquids.push_back(liquid);
+    return part;
+}
+
+Design with_absolute_files(Design design, const std::filesystem::path& base)
+{
+    const std::filesystem::path from = std::filesystem::absolute(base);
+    const auto whole = [&](std::string& file) {
+        if (!file.empty()) file = (from / file).lexically_normal().string();
+    };
+    for (Garment& garment : design.garments) {
+        whole(garment.source);
+        if (garment.wearer.zones.ends_with(".csv")) whole(garment.wearer.zones);
+    }
+    for (WearExperiment& wear : design.wears) whole(wear.activity_file);
+    return design;
+}
+
 std::size_t bytes_of_largest(const std::vector<GarmentCandidate>& candidates, const WearOptions& how)
 {
     double most = 0;
     for (const GarmentCandidate& candidate : candidates) {
         const WearExperiment& wear = *find_wear(candidate.design, candidate.experiment);
-        most =
-            std::max(most, plan_wear(garment_scene(garment_parts(candidate.design, wear, candidate.base), resolution_of(how)), wear).bytes);
+        most = std::max(
+            most,
+            plan_wear(garment_scene(garment_parts(candidate.design, wear, candidate.base), resolution_of(how)), wear, how.fidelity).bytes);
     }
     return static_cast<std::size_t>(most);
 }
@@ -110,6 +127,7 @@ std::vector<FinishedGarment> run_comparison(Comparison& comparison, const std::v
         const GarmentParts parts =
             garment_parts(design, *find_wear(design, candidate.experiment), candidate.base, [&control] { return control.cancel.load(); });
         const FinishedGarment finished = run_garment(parts, job.how, backend, control, callbacks(i));
+        learn_time(finished);
         if (i < candidates.size()) firsts[i] = finished;
         return candidate_of(candidate, job.drawn, finished, i < candidates.size());
     };

@@ -19,6 +19,11 @@ struct GarmentCandidate {
 GarmentCandidate cut_from(const Design& design, const std::string& experiment, const std::filesystem::path& base,
                           const std::string& fabric);
 
+/// What of the project the run of an experiment on a garment depends on. Precondition: the design has both.
+Design part_of_run(const Design& design, const std::string& experiment);
+/// The same design from another folder: the files of its garments by their whole paths.
+Design with_absolute_files(Design design, const std::filesystem::path& base);
+
 /// The memory (bytes) that the largest of the runs takes. Throws FileError of what a garment names, NotEnoughMemory, Error.
 std::size_t bytes_of_largest(const std::vector<GarmentCandidate>& candidates, const WearOptions& how);
 

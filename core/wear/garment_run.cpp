@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/moment.h"
+#include "core/run/presence.h"
 #include "core/solver/backend.h"
 
 #include <chrono>
@@ -14,6 +15,7 @@ FinishedGarment run_garment(const GarmentParts& parts, const GarmentRunOptions& 
                             const GarmentRunCallbacks& callbacks)
 {
     const auto start = std::chrono::steady_clock::now();
+    const Presence presence;
     const GarmentScene garment = garment_scene(parts, resolution_of(options.how));
     if (control.cancel) throw Cancelled();
     if (!garment.memory_is_short.empty() && callbacks.memory_is_short) callbacks.memory_is_short(garment.memory_is_short);
@@ -22,9 +24,11 @@ FinishedGarment run_garment(const GarmentParts& parts, const GarmentRunOptions& 
         *parts.design, wear_layout(parts, garment), name_of(options.how.fidelity), backend.name(), backend.device(), date_now()});
     std::optional<WearWriter> recording;
     if (!options.recording.empty()) recording.emplace(options.recording, *record);
+    if (callbacks.planned) callbacks.planned(plan_wear(garment, *parts.wear, options.how.fidelity, backend.name()));
     if (callbacks.started) callbacks.started(record);
     const auto metrics = std::make_shared<WearMetrics>(record->layout);
-    FinishedGarment finished{record, metrics, {}, parts.pattern.issues, 0, {}};
+    FinishedGarment finished{record, metrics, {}, parts.pattern.issues, 0, plan_wear(garment, *parts.wear, options.how.fidelity).time,
+                             true,   {}};
     WearCallbacks each;
     each.frame = [&](const std::shared_ptr<const WearFrame>& frame) {
         metrics->add(*frame);
@@ -47,7 +51,13 @@ FinishedGarment run_garment(const GarmentParts& parts, const GarmentRunOptions& 
     run_wear(garment, *parts.wear, backend, control, each, course);
     finished.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (recording) recording->finish(finished.wall);
+    finished.fair = options.threads == 0 && presence.alone() && finished.device_failure.empty();
     return finished;
+}
+
+void learn_time(const FinishedGarment& finished)
+{
+    if (finished.fair) learn_time(finished.estimated, finished.wall, finished.record->backend, finished.record->device);
 }
 
 } // namespace hygroloom

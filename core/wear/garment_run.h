@@ -20,6 +20,7 @@ struct GarmentRunOptions {
 /// All from the thread of the run.
 struct GarmentRunCallbacks {
     std::function<void(const std::string&)> memory_is_short; ///< it takes much of what is free; a sentence
+    std::function<void(const WearPlan&)> planned;            ///< as learned, before the first step
     std::function<void(std::shared_ptr<const WearRecord>)> started;
     std::function<void(std::shared_ptr<const WearFrame>, const WearMetrics&)> frame; ///< with what all frames so far come to
     std::function<void(const RunProgress&)> progress;
@@ -33,12 +34,17 @@ struct FinishedGarment {
     std::shared_ptr<const WearFrame> last;
     std::vector<std::string> issues; ///< of its pattern, in sentences
     double wall = 0;                 ///< s
-    std::string device_failure;      ///< a sentence, after which the run went on on the CPU; empty: none
+    GarmentTime estimated;           ///< before anything was learned
+    bool fair = true;           ///< it had all threads, no other run of this process was on, and its device did not fail: see learn_time()
+    std::string device_failure; ///< a sentence, after which the run went on on the CPU; empty: none
 };
 
 /// To the end, in the calling thread. Throws NotEnoughMemory before anything runs, Cancelled within 0.2 s when
 /// asked to stop (the recording so far is complete and readable), DeviceError, FileError or Error. Precondition: validate() found no error.
 FinishedGarment run_garment(const GarmentParts& parts, const GarmentRunOptions& options, Backend& backend, RunControl& control,
                             const GarmentRunCallbacks& callbacks);
+
+/// Takes up how long a garment's run took, where that was fair. Precondition: it was not paused.
+void learn_time(const FinishedGarment& finished);
 
 } // namespace hygroloom

@@ -113,7 +113,7 @@ double seconds_of(const GarmentScene& garment, const WearExperiment& wear)
 
 } // namespace
 
-WearPlan plan_wear(const GarmentScene& garment, const WearExperiment& wear)
+WearPlan plan_wear(const GarmentScene& garment, const WearExperiment& wear, Fidelity fidelity)
 {
     WearPlan plan;
     plan.cells = static_cast<int>(garment.cells.size());
@@ -122,7 +122,14 @@ WearPlan plan_wear(const GarmentScene& garment, const WearExperiment& wear)
     for (int fabric : garment.fabric)
         plan.crossings_per_cell.push_back(garment.fabrics[static_cast<std::size_t>(fabric)].crossings_per_cell);
     plan.bytes = bytes_of_garment(garment.scene.cloth.crossings());
-    plan.seconds = seconds_of(garment, wear);
+    plan.time = {fidelity, seconds_of(garment, wear), {}};
+    return plan;
+}
+
+WearPlan plan_wear(const GarmentScene& garment, const WearExperiment& wear, Fidelity fidelity, const std::string& backend)
+{
+    WearPlan plan = plan_wear(garment, wear, fidelity);
+    expect_as_learned(plan.time, backend);
     return plan;
 }
 

@@ -2,6 +2,7 @@
 // A garment that is worn, from its project to frames of cells.
 #pragma once
 
+#include "core/run/learned_times.h"
 #include "core/run/run_options.h"
 #include "core/wear/garment_scene.h"
 
@@ -44,9 +45,11 @@ struct WearPlan {
     std::vector<int> panel_cells;
     std::vector<int> crossings_per_cell; ///< of each panel
     double bytes = 0;
-    double seconds = 0; ///< rough, on two cores
+    GarmentTime time; ///< rough, on two cores of some machine, unless it was learned on this one
 };
-WearPlan plan_wear(const GarmentScene& garment, const WearExperiment& wear);
+WearPlan plan_wear(const GarmentScene& garment, const WearExperiment& wear, Fidelity fidelity);
+/// With what garments took here on the backend, see expect_as_learned().
+WearPlan plan_wear(const GarmentScene& garment, const WearExperiment& wear, Fidelity fidelity, const std::string& backend);
 
 /// s, of frames: 60 evenly, and one at each change of activity.
 std::vector<double> wear_times(const WearExperiment& wear);

@@ -8406,6 +8406,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>Stopped.</source>
         <translation>Gestoppt.</translation>
     </message>
+    <message>
+        <source>%1 %2, %3; %4 on this machine.</source>
+        <translation>%1 %2, %3; %4 auf diesem Rechner.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::RunHistory</name>

@@ -199,6 +199,30 @@ private Q_SLOTS:
         QCOMPARE(measured("some.hygrorec"), measured("one.hygrorec"));
     }
 
+    /// Estimates follow what garments took here.
+    void a_plan_learns_from_runs()
+    {
+        write_project("timed.hygro", {}, {{"duration_s", 60}});
+        const QStringList coarse{at("timed.hygro"), "--fidelity", "live", "--cell-mm", "50"};
+        QCOMPARE(run_cli(QStringList{"simulate"} + coarse, 120, at("cache")).code, 0);
+        const Answer plan = run_cli(QStringList{"garment", "plan"} + coarse, 120, at("cache"));
+        QVERIFY2(plan.out.contains("on this machine took ") && plan.out.contains(" here about "), plan.out);
+    }
+
+    void a_study_runs_a_garment()
+    {
+        write_project("sized.hygro", {}, {{"duration_s", 5}});
+        write("sizes.json", R"({ "format": "hygroloom-study", "version": 1, "fidelity": "live", "design": { "type": "grid" },
+            "factors": [ { "path": "garments.tee.source.chest_mm", "values": [900, 1100] } ], "metrics": ["area_m2", "zones/chest/water_g"] })");
+        const Answer swept = run_cli({"sweep", at("sized.hygro"), "--study", at("sizes.json"), "-o", at("sizes"), "--json", "--quiet"});
+        QVERIFY2(swept.code == 0 && swept.json()["done"].toInt() == 2, swept.err);
+        QFile table(at("sizes/results.csv"));
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = table.readAll().split('\n');
+        QVERIFY2(lines[0].contains(",area_m2,zones/chest/water_g,"), lines[0]);
+        QCOMPARE(run_cli({"sweep", "-o", at("sizes"), "--resume", "--quiet"}).code, 0); // from any folder
+    }
+
     /// A washed garment at rest dries from the start, and not all that is asked for fits in.
     void a_washed_garment_dries()
     {

@@ -59,3 +59,19 @@ def test_each_experiment_has_an_example(examples, monkeypatch, tmp_path, name):
         assert set(np.unique(ds.panel)) == set(done.panels.index) and set(np.unique(ds.zone)) == set(done.zones.index)
         again = hygroloom.measure(done.recording)  # recordings hold areas with 7 digits
         assert again.metrics["water_g"] == pytest.approx(done.metrics["water_g"], rel=1e-6) and set(again.metrics) == set(done.metrics)
+
+
+@pytest.mark.slow
+def test_garments_are_compared_and_studied(examples, tmp_path):
+    project = hygroloom.Project.open(examples / "lined-singlet.hygro")
+    name = project.experiments[-1]
+    project.set(f"experiments.{name}.duration_s", 5)
+    run = hygroloom.simulate(project, experiment=name, fidelity="live", recording=False)
+    assert run.table.loc["panels/front/water_g", "value"] == run.panels.loc["front", "water_g"]
+    assert run.table.loc["panels/front/wet_area_m2", "title"] == "wet area, panel front" and run.table.loc["wet_area_m2", "unit"] == "m²"
+    table = hygroloom.compare(project, name, fabrics=["Poplin shirting", "Sports micro-twill"], fidelity="live")
+    assert len(table[table.metric == "panels/front/water_g"]) == 2 and "verdicts" in table.attrs["json"]
+    study = {"experiments": [name], "factors": [{"path": f"experiments.{name}.initial_water_g_m2", "values": [0, 20]}],
+             "design": {"type": "grid"}, "fidelity": "live", "metrics": ["initial_water_g"]}  # fmt: skip
+    swept = hygroloom.sweep(project, study)
+    assert swept.initial_water_g[0] == 0 and swept.initial_water_g[1] > 10

@@ -117,6 +117,33 @@ private Q_SLOTS:
         learn_time(stopped);
         QVERIFY(!QFile::exists(file_));
     }
+    void garmentsLearnFromGarments()
+    {
+        const ModelPlan drop = plan_of(15);
+        const auto expected = [](double seconds, Fidelity fidelity, const char* backend) {
+            GarmentTime time{fidelity, seconds, {}};
+            expect_as_learned(time, backend);
+            return time;
+        };
+        QCOMPARE(expected(10, Fidelity::draft, "cpu").seconds, 10.0);
+        keep_learned_times(file_.toStdString());
+        QVERIFY(expected(10, Fidelity::draft, "cpu").learned.empty());
+        learn_time({Fidelity::draft, 10, {}}, 30, "cpu", "a device");
+        learn_time({Fidelity::draft, 0, {}}, 30, "cpu", "a device"); // nothing was estimated
+        const GarmentTime alike = expected(10, Fidelity::draft, "cpu");
+        QVERIFY(std::abs(alike.seconds - 30) < 1e-9);
+        QVERIFY(alike.learned.starts_with("One run of this kind on this machine took 3.0 times its estimate"));
+        learn_time({Fidelity::draft, 1000, {}}, 1000, "cpu", "a device");
+        const double large = expected(900, Fidelity::draft, "cpu").seconds;
+        QVERIFY(large > 900 && large < 1000); // the larger is nearer
+        QVERIFY(expected(10, Fidelity::standard, "cpu").learned.starts_with("2 runs of this kind at other fidelities"));
+        QCOMPARE(expected(10, Fidelity::draft, "cuda").seconds, 10.0);
+        QCOMPARE(plan_of(15).expected_seconds, drop.expected_seconds); // a sample's
+        keep_learned_times({});                                        // as the next session
+        keep_learned_times(file_.toStdString());
+        learn_time(run_of(drop, 2));
+        QVERIFY(std::abs(expected(10, Fidelity::draft, "cpu").seconds / alike.seconds - 1) < 0.1);
+    }
     void theOldestGoFirst()
     {
         const ModelPlan before = plan_of(15);

@@ -22,6 +22,7 @@ void GarmentRun::setPaused(bool paused)
 {
     if (!computing() || control_.pause == paused) { return; }
     control_.pause = paused;
+    was_paused_ = true;
     Q_EMIT pausedChanged(paused);
 }
 
@@ -36,6 +37,7 @@ void GarmentRun::begin(const std::function<void()>& work)
     if (thread_.joinable()) { thread_.join(); }
     control_.cancel = false;
     control_.pause = false;
+    was_paused_ = false;
     running_ = true;
     thread_ = std::jthread([this, work] {
         Outcome outcome = Outcome::finished;
@@ -104,8 +106,9 @@ void GarmentRun::compute(const Request& request)
     how.threads = request.threads;
     how.may_go_on_on_cpu = true;
     how.recording = request.recording;
-    const double wall = run_garment(parts, how, *backend, control_, callbacks).wall;
-    post([run, wall] { run->wall = wall; });
+    const FinishedGarment finished = run_garment(parts, how, *backend, control_, callbacks);
+    if (!was_paused_) { learn_time(finished); }
+    post([run, wall = finished.wall] { run->wall = wall; });
 }
 
 void GarmentRun::read(const std::filesystem::path& recording)

@@ -66,6 +66,7 @@ private:
 
     RunControl control_;
     bool running_ = false, computing_ = false;
+    std::atomic<bool> was_paused_ = false;
     Mailbox mail_;
     std::jthread thread_;
 };

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "gpu/backends.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/elided_combo.h"
 #include "ui/basics/issue_text.h"
@@ -175,8 +176,8 @@ void RunForm::estimate()
         planner_.drop();
         return;
     }
-    planner_.run([this, design = choice_.document().design(), wear = choice_.wear()->name, base = choice_.base(),
-                  fidelity = fidelity()](const NewestJob::Turn& turn) {
+    planner_.run([this, design = choice_.document().design(), wear = choice_.wear()->name, base = choice_.base(), fidelity = fidelity(),
+                  backend = backend()](const NewestJob::Turn& turn) {
         QString text;
         try {
             const GarmentParts parts = garment_parts(*design, *find_wear(*design, wear), base, [&turn] { return turn.outdated(); });
@@ -184,10 +185,10 @@ void RunForm::estimate()
             options.fidelity = fidelity;
             if (turn.outdated()) { return; }
             const GarmentScene scene = garment_scene(parts, resolution_of(options));
-            const WearPlan plan = plan_wear(scene, *parts.wear);
-            text = tr("%1 %2, %3; %4 on two cores.")
-                       .arg(plan.cells)
-                       .arg(cellsText(wear_layout(parts, scene).cells_in_words), bytesText(plan.bytes), roughDuration(plan.seconds));
+            const WearPlan plan = plan_wear(scene, *parts.wear, fidelity, expected_backend(backend));
+            const QString form = plan.time.learned.empty() ? tr("%1 %2, %3; %4 on two cores.") : tr("%1 %2, %3; %4 on this machine.");
+            text = form.arg(plan.cells)
+                       .arg(cellsText(wear_layout(parts, scene).cells_in_words), bytesText(plan.bytes), roughDuration(plan.time.seconds));
         } catch (const Cancelled&) {
             return;
         } catch (const NotEnoughMemory& error) {
@@ -235,7 +236,10 @@ void RunForm::showProgress(const RunProgress& progress)
 void RunForm::showEnd(GarmentRun::Outcome outcome, const QString& sentence)
 {
     switch (outcome) {
-    case GarmentRun::Outcome::finished: state_->setText(tr("Finished.")); break;
+    case GarmentRun::Outcome::finished:
+        state_->setText(tr("Finished."));
+        estimate(); // which has learned from it
+        break;
     case GarmentRun::Outcome::cancelled: state_->setText(tr("Stopped.")); break;
     case GarmentRun::Outcome::memory_short:
     case GarmentRun::Outcome::failed: state_->setText(sentence); break;

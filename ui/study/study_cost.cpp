@@ -30,9 +30,10 @@ std::vector<ModelPlan> plansOf(const Design& design, const Study& study, Fidelit
     for (const std::string& fabric : fabrics_of(study, design)) {
         for (const std::string& experiment : experiments_of(study, design)) {
             if (outdated()) { return {}; }
+            const Experiment* sample = find_experiment(design, experiment); // none: it is on a garment
+            if (!sample) { continue; }
             try {
-                plans.push_back(plan_run(design, *find_fabric(design, fabric), *find_experiment(design, experiment), fidelity, {},
-                                         study.knobs, backend));
+                plans.push_back(plan_run(design, *find_fabric(design, fabric), *sample, fidelity, {}, study.knobs, backend));
             } catch (const Error&) {
             }
         }

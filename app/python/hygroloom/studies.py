@@ -264,7 +264,8 @@ def sweep(
     temporary = _temporary.make() if folder is None else None
     try:
         place = _checks.path_bytes(os.path.join(temporary, "study") if temporary else folder, "folder")
-        columns, failures, notes = _hygroloom.sweep(opened._design, data, source, place, bool(resume), bool(retry_failed), how, progress)
+        ways = bool(resume), bool(retry_failed), how
+        columns, failures, notes = _hygroloom.sweep(opened._design, data, source, place, folder_of(opened), *ways, progress)
     finally:
         if temporary:
             _temporary.remove(temporary)
