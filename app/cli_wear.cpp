@@ -105,14 +105,18 @@ WearMetrics metrics_of(const WearRecording& recording)
     return metrics;
 }
 
+std::vector<double> times_of(const WearRecording& recording)
+{
+    std::vector<double> times;
+    for (int k = 0; k < recording.frames(); ++k) times.push_back(recording.time_of(k));
+    return times;
+}
+
 void write_wear_report(const WearRecording& recording, const WearMetrics& metrics, const std::vector<double>& times,
                        const WearMapOptions& how, const std::string& file, bool quiet)
 {
-    std::vector<double> frames;
-    frames.reserve(static_cast<std::size_t>(recording.frames()));
-    for (int k = 0; k < recording.frames(); ++k) frames.push_back(recording.time_of(k));
     const std::vector<ReportPicture> pictures =
-        as_invalid([&] { return pictures_of_panels(recording, frames_for_report(frames, times), how); });
+        as_invalid([&] { return pictures_of_panels(recording, frames_for_report(times_of(recording), times), how); });
     write_report_file(file, wear_report_html(recording.record(), metrics, pictures, recording.finished()));
     if (!quiet) print_note("Report: {}\n", file);
 }
@@ -373,11 +377,9 @@ int map_garment(const WearMapVerbOptions& options)
     require_other_file(options.report, options.recording);
     const WearRecording recording = as_invalid([&] { return WearRecording(options.recording); });
     const WearLayout& layout = recording.record().layout;
-    int nearest = recording.frames() - 1;
     require_within("--time", options.time, recording);
     for (const double time : options.times) require_within("--times", time, recording);
-    for (int k = 0; options.time >= 0 && k < recording.frames(); ++k)
-        if (std::abs(recording.time_of(k) - options.time) < std::abs(recording.time_of(nearest) - options.time)) nearest = k;
+    const int nearest = options.time < 0 ? recording.frames() - 1 : frames_for_report(times_of(recording), {options.time}).front();
     const WearFrame frame = as_invalid([&] { return recording.frame(nearest); });
     WearMapOptions how;
     how.scale = options.scale == "capacity" ? WearScale::capacity : WearScale::same;

@@ -110,22 +110,11 @@ void write_cells_vtk(const WearLayout& layout, const WearFrame& frame, const std
 {
     const Quads quads(layout);
     std::vector<std::int32_t> panel, zone, end, pick;
-    std::vector<double> area, water, inside, outside, share, temperature, evaporated, on_skin;
-    for (std::size_t i = 0; i < layout.cells.size(); ++i) {
-        const GarmentCell& c = layout.cells[i];
-        const auto per_area = [&](double kg) { return 1e3 * kg / c.area; };
-        panel.push_back(c.panel);
-        zone.push_back(c.zone);
-        end.push_back(c.end);
-        pick.push_back(c.pick);
-        area.push_back(1e6 * c.area);
-        water.push_back(per_area(frame.water(i)));
-        inside.push_back(per_area(frame.inside[i]));
-        outside.push_back(per_area(frame.outside[i]));
-        share.push_back(frame.water(i) / c.capacity);
-        temperature.push_back(static_cast<double>(frame.temperature[i]) - zero_celsius);
-        evaporated.push_back(per_area(frame.evaporated[i]));
-        on_skin.push_back(per_area(frame.on_skin[i]));
+    for (const GarmentCell& cell : layout.cells) {
+        panel.push_back(cell.panel);
+        zone.push_back(cell.zone);
+        end.push_back(cell.end);
+        pick.push_back(cell.pick);
     }
     PolyData file;
     std::vector<std::string> panels;
@@ -133,15 +122,11 @@ void write_cells_vtk(const WearLayout& layout, const WearFrame& frame, const std
     file.add_words("panels", panels);
     file.add_words("zones", layout.zone_names());
     file.begin("CellData");
-    for (const auto& [name, values] : {std::pair{"water_g_m2", &water},
-                                       {"inside_g_m2", &inside},
-                                       {"outside_g_m2", &outside},
-                                       {"share_of_capacity", &share},
-                                       {"temperature_c", &temperature},
-                                       {"evaporated_g_m2", &evaporated},
-                                       {"on_skin_g_m2", &on_skin},
-                                       {"area_mm2", &area}})
-        file.add(name, *values);
+    for (const CellNumber& number : cell_numbers()) {
+        std::vector<double> values;
+        for (std::size_t i = 0; i < layout.cells.size(); ++i) values.push_back(number.of(layout.cells[i], frame, i));
+        file.add(number.name, values);
+    }
     for (const auto& [name, values] : {std::pair{"panel", &panel}, {"zone", &zone}, {"end", &end}, {"pick", &pick}})
         file.add(name, *values);
     file.end("CellData");

@@ -5,24 +5,19 @@
 #include "core/base/error.h"
 #include "core/base/round_up.h"
 #include "core/base/text.h"
-#include "core/base/utf8.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
-#include <numbers>
 #include <set>
-#include <tuple>
 #include <unordered_map>
 
 namespace hygroloom {
 namespace {
 
 constexpr double pixels_per_metre = 1000, most_pixels = 4096;
-constexpr double paper = 1.0, ink = 0.18;
 
 /// A panel's cells by their end and pick.
 class CellsOfPanel {
@@ -51,38 +46,10 @@ private:
 
 double scale_of(const FlatBox& box) { return std::min(pixels_per_metre, most_pixels / std::max({1e-6, box.width(), box.height()})); }
 
-/// Draws into a picture of the size; throws Error where that fails.
-template <typename Draw> Image drawn(int width, int height, const Draw& draw)
-{
-    const std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface(
-        cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), cairo_surface_destroy);
-    const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> cairo(cairo_create(surface.get()), cairo_destroy);
-    cairo_select_font_face(cairo.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(cairo.get(), 15);
-    cairo_set_source_rgb(cairo.get(), paper, paper, paper);
-    cairo_paint(cairo.get());
-    draw(cairo.get());
-    return image_from(cairo.get());
-}
-
-void use_step(cairo_t* cairo, std::size_t step)
+Colour colour_of_step(std::size_t step)
 {
     const std::array<std::uint8_t, 3> colour = step_colour(step);
-    cairo_set_source_rgb(cairo, colour[0] / 255.0, colour[1] / 255.0, colour[2] / 255.0);
-}
-
-void write_text(cairo_t* cairo, double x, double y, const std::string& words)
-{
-    cairo_set_source_rgb(cairo, ink, ink, ink);
-    cairo_move_to(cairo, x, y);
-    cairo_show_text(cairo, printable(words).c_str());
-}
-
-/// 1, 2 or 5 times a power of ten, at most this.
-double round_length(double most)
-{
-    const double power = std::pow(10, std::floor(std::log10(most)));
-    return most >= 5 * power ? 5 * power : most >= 2 * power ? 2 * power : power;
+    return {static_cast<double>(colour[0]), static_cast<double>(colour[1]), static_cast<double>(colour[2])};
 }
 
 /// An arrow along the warp, about a place; half its length in pixels, the grain in radian.
@@ -99,21 +66,18 @@ void draw_grain(cairo_t* cairo, double x, double y, double half, double grain)
     cairo_stroke(cairo);
 }
 
-void draw_legend(cairo_t* cairo, const WearMap& map, double x, double y)
+void draw_legend(Canvas& canvas, const WearMap& map, int x, int y)
 {
-    write_text(cairo, x, y, map.scale == WearScale::same ? "water, g/m2" : "share of capacity");
+    constexpr int side = 24;
+    canvas.text(x, y - Canvas::letter_height, map.scale == WearScale::same ? "water, g/m²" : "share of capacity");
     for (std::size_t step = map.steps.size(); step-- > 0;) {
-        const double top = y + 12 + 24 * static_cast<double>(map.steps.size() - 1 - step);
-        use_step(cairo, step);
-        cairo_rectangle(cairo, x, top, 22, 24);
-        cairo_fill_preserve(cairo);
-        cairo_set_source_rgb(cairo, ink, ink, ink);
-        cairo_set_line_width(cairo, 1);
-        cairo_stroke(cairo);
+        const int top = y + 12 + side * static_cast<int>(map.steps.size() - 1 - step);
+        canvas.box(x, top, side, side, colour_of_step(step));
+        canvas.frame(x, top, side, side + 1, Canvas::ink);
         const double from = step > 0 ? map.steps[step - 1] : 0, to = map.steps[step];
-        write_text(cairo, x + 30, top + 17,
-                   map.scale == WearScale::same ? fmt::format("{:.4g} to {:.4g}", from, to)
-                                                : fmt::format("{:.4g} to {:.4g} %", 100 * from, 100 * to));
+        canvas.text(x + 30, top + 4,
+                    map.scale == WearScale::same ? fmt::format("{:.4g} to {:.4g}", from, to)
+                                                 : fmt::format("{:.4g} to {:.4g} %", 100 * from, 100 * to));
     }
 }
 
@@ -212,72 +176,83 @@ Image panel_picture(const WearLayout& layout, const WearMap& map, std::size_t pa
 {
     const WearPanel& of = layout.panels[panel];
     const FlatBox box = of.box();
-    constexpr double margin = 24, head = 64, legend = 170, foot = 56, most_side = 1000, least_height = 260;
+    constexpr int margin = 24, head = 64, legend = 170, foot = 56;
+    constexpr double most_side = 1000, least_height = 260;
     const double scale = most_side / std::max(box.width(), box.height());
     const double map_height = std::max(least_height, scale * box.height());
     const auto width = static_cast<int>(2 * margin + scale * box.width() + legend), height = static_cast<int>(head + map_height + foot);
     const auto x_of = [&](double x) { return margin + scale * (x - box.left); };
     const auto y_of = [&](double y) { return head + scale * (box.high - y); };
-    return drawn(width, height, [&](cairo_t* cairo) {
-        write_text(cairo, margin, 24, fmt::format("{}, {} of {}, at {:.4g} s", layout.garment, of.name, of.fabric, time));
-        write_text(cairo, margin, 46, map.cells);
-        const auto outline = [&] {
+    Canvas canvas(width, height);
+    cairo_t* const cairo = canvas.cairo();
+    canvas.text(margin, 11, fmt::format("{}, {} of {}, at {:.4g} s", layout.garment, of.name, of.fabric, time));
+    canvas.text(margin, 33, map.cells);
+    const auto outline = [&] {
+        cairo_new_path(cairo);
+        for (const FlatPlace& place : of.outline) cairo_line_to(cairo, x_of(place[0]), y_of(place[1]));
+        cairo_close_path(cairo);
+    };
+    cairo_save(cairo);
+    outline();
+    cairo_clip(cairo);
+    cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
+    const FlatPlace &across = of.grid.across, &along = of.grid.along;
+    for (double half : {1.0, 0.5}) // cells at the edge reach to the outline
+        for (std::size_t i = 0; i < layout.cells.size(); ++i) {
+            const GarmentCell& cell = layout.cells[i];
+            if (static_cast<std::size_t>(cell.panel) != panel) continue;
             cairo_new_path(cairo);
-            for (const FlatPlace& place : of.outline) cairo_line_to(cairo, x_of(place[0]), y_of(place[1]));
+            for (const auto& [a, b] : {std::pair{-half, -half}, {half, -half}, {half, half}, {-half, half}})
+                cairo_line_to(cairo, x_of(cell.flat[0] + a * across[0] + b * along[0]), y_of(cell.flat[1] + a * across[1] + b * along[1]));
             cairo_close_path(cairo);
-        };
-        cairo_save(cairo);
-        outline();
-        cairo_clip(cairo);
-        cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
-        const FlatPlace &across = of.grid.across, &along = of.grid.along;
-        for (double half : {1.0, 0.5}) // cells at the edge reach to the outline
-            for (std::size_t i = 0; i < layout.cells.size(); ++i) {
-                const GarmentCell& cell = layout.cells[i];
-                if (static_cast<std::size_t>(cell.panel) != panel) continue;
-                cairo_new_path(cairo);
-                for (const auto& [a, b] : {std::pair{-half, -half}, {half, -half}, {half, half}, {-half, half}})
-                    cairo_line_to(cairo, x_of(cell.flat[0] + a * across[0] + b * along[0]),
-                                  y_of(cell.flat[1] + a * across[1] + b * along[1]));
-                cairo_close_path(cairo);
-                use_step(cairo, step_of(map.steps, map.values[i]));
-                cairo_fill(cairo);
-            }
-        cairo_restore(cairo);
-        outline();
-        cairo_set_source_rgb(cairo, ink, ink, ink);
-        cairo_set_line_width(cairo, 1.5);
-        cairo_stroke(cairo);
-        draw_grain(cairo, x_of(0.5 * (box.left + box.right)), y_of(0.5 * (box.low + box.high)),
-                   0.2 * scale * std::min(box.width(), box.height()), of.grain);
-        const ReaderUnit unit = reader_unit(map.units, "mm");
-        const double length = round_length(0.5 * unit.of(1e3 * box.width())), bar = 1e-3 * length / unit.per_one,
-                     bar_y = head + map_height + 20;
-        cairo_set_source_rgb(cairo, ink, ink, ink);
-        cairo_set_line_width(cairo, 3);
-        cairo_move_to(cairo, margin, bar_y);
-        cairo_line_to(cairo, margin + scale * bar, bar_y);
-        cairo_stroke(cairo);
-        write_text(cairo, margin, bar_y + 22, fmt::format("{:.3g} {}", length, unit.unit));
-        draw_legend(cairo, map, 2 * margin + scale * box.width(), head + 12);
-    });
+            canvas.use(colour_of_step(step_of(map.steps, map.values[i])));
+            cairo_fill(cairo);
+        }
+    cairo_restore(cairo);
+    outline();
+    canvas.use(Canvas::ink);
+    cairo_set_line_width(cairo, 1.5);
+    cairo_stroke(cairo);
+    draw_grain(cairo, x_of(0.5 * (box.left + box.right)), y_of(0.5 * (box.low + box.high)),
+               0.2 * scale * std::min(box.width(), box.height()), of.grain);
+    canvas.scale_bar(margin, static_cast<int>(head + map_height + 20), 0.5 * box.width(), scale, map.units);
+    draw_legend(canvas, map, static_cast<int>(2 * margin + scale * box.width()), head + 12);
+    return canvas.take();
+}
+
+const std::vector<CellNumber>& cell_numbers()
+{
+    using Cell = const GarmentCell&;
+    using Frame = const WearFrame&;
+    static const std::vector<CellNumber> table{
+        {"area_mm2", [](Cell cell, Frame, std::size_t) { return 1e6 * cell.area; }, 4},
+        {"water_g_m2", [](Cell cell, Frame frame, std::size_t i) { return 1e3 * frame.water(i) / cell.area; }},
+        {"inside_g_m2", [](Cell cell, Frame frame, std::size_t i) { return 1e3 * frame.inside[i] / cell.area; }},
+        {"outside_g_m2", [](Cell cell, Frame frame, std::size_t i) { return 1e3 * frame.outside[i] / cell.area; }},
+        {"share_of_capacity", [](Cell cell, Frame frame, std::size_t i) { return frame.water(i) / cell.capacity; }},
+        {"temperature_c", [](Cell, Frame frame, std::size_t i) { return static_cast<double>(frame.temperature[i]) - zero_celsius; }, 4},
+        {"evaporated_g_m2", [](Cell cell, Frame frame, std::size_t i) { return 1e3 * frame.evaporated[i] / cell.area; }},
+        {"on_skin_g_m2", [](Cell cell, Frame frame, std::size_t i) { return 1e3 * frame.on_skin[i] / cell.area; }}};
+    return table;
 }
 
 std::string wear_csv(const WearLayout& layout, const WearFrame& frame)
 {
-    std::string text =
-        "panel,end,pick,flat_x_mm,flat_y_mm,x_mm,y_mm,z_mm,zone,area_mm2,water_g_m2,inside_g_m2,outside_g_m2,share_of_capacity,"
-        "temperature_c,evaporated_g_m2,on_skin_g_m2\n";
+    std::string text = "panel,end,pick,flat_x_mm,flat_y_mm,x_mm,y_mm,z_mm,zone";
+    for (const CellNumber& number : cell_numbers()) text += std::string(",") + number.name;
+    text += "\n";
     const std::vector<std::string> zones = layout.zone_names();
     for (std::size_t i = 0; i < layout.cells.size(); ++i) {
         const GarmentCell& c = layout.cells[i];
-        const auto per_area = [&](double kg) { return 1e3 * kg / c.area; };
-        text += fmt::format(
-            "{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{},{:.4f},{:.6g},{:.6g},{:.6g},{:.6g},{:.4f},{:.6g},{:.6g}\n",
-            csv_field(layout.panels[static_cast<std::size_t>(c.panel)].name), c.end, c.pick, 1e3 * c.flat[0], 1e3 * c.flat[1],
-            1e3 * c.place.x, 1e3 * c.place.y, 1e3 * c.place.z, csv_field(zones[static_cast<std::size_t>(c.zone)]), 1e6 * c.area,
-            per_area(frame.water(i)), per_area(frame.inside[i]), per_area(frame.outside[i]), frame.water(i) / c.capacity,
-            static_cast<double>(frame.temperature[i]) - zero_celsius, per_area(frame.evaporated[i]), per_area(frame.on_skin[i]));
+        text +=
+            fmt::format("{},{},{},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{}", csv_field(layout.panels[static_cast<std::size_t>(c.panel)].name),
+                        c.end, c.pick, 1e3 * c.flat[0], 1e3 * c.flat[1], 1e3 * c.place.x, 1e3 * c.place.y, 1e3 * c.place.z,
+                        csv_field(zones[static_cast<std::size_t>(c.zone)]));
+        for (const CellNumber& number : cell_numbers()) {
+            const double value = number.of(c, frame, i);
+            text += number.decimals ? fmt::format(",{:.{}f}", value, *number.decimals) : fmt::format(",{:.6g}", value);
+        }
+        text += "\n";
     }
     return text;
 }

@@ -53,6 +53,14 @@ Image panel_picture(const WearLayout& layout, const WearMap& map, std::size_t pa
 /// A panel's colours alone, from the least to the largest flat x and y of its outline, at the pattern's scale.
 Image panel_texture(const WearLayout& layout, const WearMap& map, std::size_t panel);
 
+/// What tables of cells and files for ParaView have of each.
+struct CellNumber {
+    const char* name; ///< ends in its unit
+    double (*of)(const GarmentCell& cell, const WearFrame& frame, std::size_t number);
+    std::optional<int> decimals = {}; ///< in tables; none: six digits
+};
+const std::vector<CellNumber>& cell_numbers();
+
 /// A row for each cell.
 std::string wear_csv(const WearLayout& layout, const WearFrame& frame);
 

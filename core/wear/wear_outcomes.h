@@ -19,10 +19,10 @@ struct WearAt {
 struct WearNumber {
     OutcomeInfo info; ///< without its part
     std::optional<double> (*value)(const WearAt& at);
-    const char* missing = "";         ///< why there is no value, in a clause
     std::optional<int> decimals = {}; ///< in a table of parts; none: such a table leaves it out
     bool over_time = false;           ///< files have it of every frame
     bool of_whole_only = false;
+    const char* missing = ""; ///< why there is no value, in a clause
 };
 
 /// In the order of files.
