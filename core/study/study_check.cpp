@@ -64,7 +64,6 @@ private:
                            say("A study runs samples of fabric or garments (type wear), not both; list experiments of one kind."));
         if (worn && !study_.fidelity) add("fidelity", say("The error of garments is not known; name a fidelity."));
     }
-    }
     void check_metrics()
     {
         std::vector<std::string> known;
