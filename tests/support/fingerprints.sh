@@ -9,6 +9,7 @@ out=$2
 fingerprint=${3:-$bin/tests/fingerprint}
 data=$(dirname "$0")/../data/fingerprints
 mkdir -p "$out"
+export XDG_CACHE_HOME="$(cd "$out" && pwd)/cache" # or what is learned of this machine's speed would change the expected times
 
 # The name to write, the project, the run.
 recorded() {
@@ -20,7 +21,7 @@ recorded() {
   # Sentences, versions and times may change; numbers may not.
   grep -E '^ *("[a-z_0-9]+": *)?(-?[0-9.e+-]+|true|false|null|[[{]),?$' "$out/$name.all" |
     grep -vE '"(wall|expected)[a-z_]*"|"threads"' > "$out/$name.numbers"
-  rm "$out/$name.all" "$out/$name.hygrorec"
+  rm -rf "$out/$name.all" "$out/$name.hygrorec" "$XDG_CACHE_HOME"
 }
 
 scene() {
@@ -34,7 +35,7 @@ study() {
   "$bin/hygroloom-cli" sweep "$data/scenes.hygro" --study "$data/$1.study.json" --backend cpu --quiet -o "$out/$1" > "$out/$1.all"
   sed -E 's/,(wall_s,device,commit,reason|[^,]*,"[^"]*",[^,]*,[^,]*)$//' "$out/$1/results.csv" > "$out/$1.rows"
   [ ! -e "$out/$1/sensitivity.json" ] || mv "$out/$1/sensitivity.json" "$out/$1.sensitivity"
-  rm -r "$out/$1" "$out/$1.all"
+  rm -rf "$out/$1" "$out/$1.all" "$XDG_CACHE_HOME"
 }
 
 scene droplet-draft --fabric "Textile F" --experiment droplet --fidelity draft --threads 2
