@@ -5,6 +5,7 @@
 
 #include <deque>
 #include <map>
+#include <utility>
 
 namespace hygroloom {
 namespace {
@@ -122,10 +123,12 @@ void write_cells_vtk(const WearLayout& layout, const WearFrame& frame, const std
     file.add_words("panels", panels);
     file.add_words("zones", layout.zone_names());
     file.begin("CellData");
+    std::vector<std::vector<double>> numbers; // which must stay until the file is written
     for (const CellNumber& number : cell_numbers()) {
         std::vector<double> values;
         for (std::size_t i = 0; i < layout.cells.size(); ++i) values.push_back(number.of(layout.cells[i], frame, i));
-        file.add(number.name, values);
+        numbers.push_back(std::move(values));
+        file.add(number.name, numbers.back());
     }
     for (const auto& [name, values] : {std::pair{"panel", &panel}, {"zone", &zone}, {"end", &end}, {"pick", &pick}})
         file.add(name, *values);
