@@ -247,7 +247,7 @@ void add_compare(CLI::App& app, Verb& chosen)
     add_project_options(verb, *options, true);
     verb.remove_option(verb.get_option("--fabric"));
     verb.add_option("others", options->others, "Further projects, of which each has a garment with an experiment of that name")
-        ->type_name("PROJECTS");
+        ->type_name("FILE");
     options->takes_knobs = true;
     verb.add_option("--fabrics", options->fabrics, "Two or more fabrics, separated by commas; all of the project when left out")
         ->allow_extra_args(false);
