@@ -1481,10 +1481,6 @@
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source> It is one on a garment, which studies do not run yet.</source>
-        <translation> Er ist einer an einem Kleidungsstück; solche laufen in Studien noch nicht.</translation>
-    </message>
-    <message>
         <source> and more</source>
         <translation> und weitere</translation>
     </message>
@@ -1747,10 +1743,6 @@
     <message>
         <source>The project has no fabric &quot;{}&quot;{}</source>
         <translation>Das Projekt hat kein Gewebe „{}“{}</translation>
-    </message>
-    <message>
-        <source>The project has no {} &quot;{}&quot;{}{} It has {}.</source>
-        <translation>Im Projekt fehlt: {} „{}“{}{} Vorhanden: {}.</translation>
     </message>
     <message>
         <source>The project has no {} that a study can run.</source>
@@ -2059,6 +2051,46 @@
     <message>
         <source>{}{}</source>
         <translation>{}{}</translation>
+    </message>
+    <message>
+        <source>A study runs samples of fabric or garments (type wear), not both; list experiments of one kind.</source>
+        <translation>Eine Studie rechnet Stoffproben oder Kleidungsstücke (Art wear), nicht beides; nennen Sie Versuche einer Art.</translation>
+    </message>
+    <message>
+        <source>The error of garments is not known; name a fidelity.</source>
+        <translation>Der Fehler von Kleidungsstücken ist nicht bekannt; nennen Sie eine Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>The project has no {} &quot;{}&quot;{} It has {}.</source>
+        <translation>Im Projekt ({}) gibt es „{}“ nicht{} Es gibt: {}.</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>garment</source>
+        <translation>Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>on the skin</source>
+        <translation>auf der Haut</translation>
+    </message>
+    <message>
+        <source>share of capacity</source>
+        <translation>Füllgrad</translation>
+    </message>
+    <message>
+        <source>time until full</source>
+        <translation>Zeit bis voll</translation>
+    </message>
+    <message>
+        <source>water per area</source>
+        <translation>Wasser je Fläche</translation>
+    </message>
+    <message>
+        <source>wet area</source>
+        <translation>nasse Fläche</translation>
     </message>
 </context>
 <context>
