@@ -33,7 +33,21 @@ void refuse_what_samples_take(const CompareOptions& options)
     if (!options.others.empty() && !options.fabrics.empty()) throw Stop(exit_usage, "Give either several projects or --fabrics with one.");
 }
 
-/// Each project with its own experiment on a garment, named like its file.
+/// What the experiments of two projects differ in beside name and garment; empty: in nothing.
+std::string difference_of(const WearExperiment& a, const WearExperiment& b)
+{
+    const std::pair<bool, const char*> parts[] = {{a.climate == b.climate, "climate"},
+                                                  {a.liquid == b.liquid, "liquid"},
+                                                  {a.duration_s == b.duration_s, "duration_s"},
+                                                  {a.activity == b.activity, "activity"},
+                                                  {a.activity_file == b.activity_file, "activity_file"},
+                                                  {a.initial_water_g_m2 == b.initial_water_g_m2, "initial_water_g_m2"}};
+    for (const auto& [same, key] : parts)
+        if (!same) return key;
+    return "";
+}
+
+/// Each project with its own experiment on a garment, named like its file. All experiments are alike.
 std::vector<GarmentCandidate> of_projects(const CompareOptions& options, const Design& design, const WearExperiment& wear)
 {
     const auto named = [](const std::string& file) { return std::filesystem::path(file).stem().string(); };
@@ -45,6 +59,10 @@ std::vector<GarmentCandidate> of_projects(const CompareOptions& options, const D
         require_valid(own, other);
         const WearExperiment* const worn = chosen_wear(own, other);
         if (worn == nullptr) throw Stop(exit_usage, fmt::format("{}: The experiment \"{}\" is none on a garment.", file, other.experiment));
+        if (const std::string key = difference_of(*worn, wear); !key.empty())
+            throw Stop(exit_usage, fmt::format("{}: The experiment \"{}\" is not \"{}\" of {}: they differ in {}. Garments are compared "
+                                               "on the same experiment.",
+                                               file, worn->name, wear.name, options.project, key));
         all.push_back({named(file), own, worn->name, folder_of(file)});
         const auto same = [&](const GarmentCandidate& before) { return before.name == all.back().name; };
         if (std::any_of(all.begin(), all.end() - 1, same)) all.back().name = file;

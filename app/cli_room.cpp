@@ -24,7 +24,7 @@ namespace {
 const int voxels_per_pitch = static_cast<int>(knobs_of(Fidelity::draft).room_voxels), coarser_voxels = voxels_per_pitch * 2 / 3;
 
 struct Room {
-    double seconds = 0; ///< that it took, less where it was found before
+    std::optional<double> seconds; ///< that it took; none: it was found before
     DrawnRoom drawn;
     double open = 0;              ///< share of the layer
     double filling = 0, half = 0; ///< Pa; less than 0: the liquid presses
@@ -39,11 +39,12 @@ std::optional<Room> room_of(const Fabric& fabric, const FittedFabric& fitted)
     const Textile textile = build_textile(fabric, fitted, {0, 0, 1, 1});
     const double temperature = kelvin_from_celsius(20);
     const LiquidInPores water{water_surface_tension(temperature), water_viscosity(temperature)};
+    const bool found_before = room_tables_are_kept(textile, voxels_per_pitch);
     const auto start = std::chrono::steady_clock::now();
     const auto tables = room_tables(textile, voxels_per_pitch);
     if (tables->types.empty()) return {};
     Room room;
-    room.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (!found_before) room.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     room.drawn = tables->types[0];
     room.growth = tables->growth;
     const BetweenParameters between = room_of_crossing(textile, 0, 0, water, *tables);
@@ -70,7 +71,7 @@ void add_room_json(nlohmann::ordered_json& json, const Fabric& fabric, const Fit
     const auto room = room_of(fabric, fitted);
     if (!room) return;
     json["room"] = {{"voxels_per_pitch", voxels_per_pitch},
-                    {"seconds", room->seconds},
+                    {"seconds", room->seconds ? Json(*room->seconds) : Json(nullptr)},
                     {"void", room->open},
                     {"permeability_m2", {{"warp", room->drawn.along_warp}, {"weft", room->drawn.along_weft}}},
                     {"filling_suction_pa", room->filling},

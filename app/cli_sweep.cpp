@@ -124,9 +124,10 @@ void give_outcome(const SweepOptions& options, const StudyFolder& study, const S
     constexpr std::size_t most_named = 20;
     for (std::size_t i = 0; i < std::min(json["failures"].size(), most_named); ++i) {
         const Json& failure = json["failures"][i];
-        print_note("Point {} failed, replicate {}, {}, {}: {}\n", failure["point"].get<std::size_t>(),
-                   failure["replicate"].get<std::size_t>(), failure["fabric"].get<std::string>(), failure["experiment"].get<std::string>(),
-                   failure["reason"].get<std::string>());
+        const auto fabric = failure["fabric"].get<std::string>();
+        print_note("Point {} failed, replicate {}, {}{}: {}\n", failure["point"].get<std::size_t>(),
+                   failure["replicate"].get<std::size_t>(), fabric.empty() ? fabric : fabric + ", ",
+                   failure["experiment"].get<std::string>(), failure["reason"].get<std::string>());
     }
     if (outcome.progress.failed > most_named) print_note("{} more failed.\n", outcome.progress.failed - most_named);
     if (options.json) {

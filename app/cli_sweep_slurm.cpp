@@ -13,6 +13,7 @@ namespace hygroloom {
 
 int submit_to_slurm(const SweepOptions& options)
 {
+    if (options.sbatch.find('\n') != std::string::npos) throw Stop(exit_usage, "--sbatch: This must be one line; given are several.");
     const StudyFolder study = given_study(options);
     StudyOptions rows;
     rows.resume = options.resume || options.retry_failed;
@@ -24,7 +25,7 @@ int submit_to_slurm(const SweepOptions& options)
         print_json({{"job", job.id}, {"submitted", job.submitted}, {"folder", options.folder}});
         return exit_ok;
     }
-    print_result("Job {} with {} tasks\n", job.id, job.submitted);
+    print_result("Job {} with {} {}\n", job.id, job.submitted, job.submitted == 1 ? "task" : "tasks");
     if (!options.quiet)
         print_note("squeue -j {0} says how far it is, scancel {0} ends it.\nhygroloom-cli sweep -o {1} --merge makes the table of the runs "
                    "that have ended.\n",

@@ -70,6 +70,7 @@ std::string content_of(const Textile& textile, int voxels)
     return content;
 }
 
+constexpr std::uint64_t first_digest = 0xcbf29ce484222325U;
 /// FNV-1a.
 std::uint64_t digest(std::string_view bytes, std::uint64_t start)
 {
@@ -80,8 +81,7 @@ std::uint64_t digest(std::string_view bytes, std::uint64_t start)
 /// Named by content and code; two digests, that no two contents share a file.
 std::filesystem::path file_of(const std::filesystem::path& folder, std::string_view content)
 {
-    constexpr std::uint64_t start = 0xcbf29ce484222325U;
-    const std::uint64_t code = digest(__VERSION__, digest(room_code, start));
+    const std::uint64_t code = digest(__VERSION__, digest(room_code, first_digest));
     return folder / fmt::format("{:016x}{:016x}.json", digest(content, code), digest(content, ~code));
 }
 
@@ -92,6 +92,7 @@ constexpr double DrawnRoom::*numbers_of_room[] = {&DrawnRoom::warp_skin, &DrawnR
 constexpr double RoomTables::*numbers_of_tables[] = {&RoomTables::falls_along_warp, &RoomTables::falls_along_weft,
                                                      &RoomTables::level_along_warp, &RoomTables::level_along_weft, &RoomTables::growth};
 
+/// With the digest of what follows, so that a damaged file is known.
 std::string text_of(const RoomTables& tables)
 {
     Json types = Json::array(), numbers = Json::array();
@@ -105,18 +106,46 @@ std::string text_of(const RoomTables& tables)
         types.push_back(row);
     }
     for (const auto number : numbers_of_tables) numbers.push_back(tables.*number);
-    return Json{{"types", types},
-                {"numbers", numbers},
-                {"ends", tables.ends},
-                {"picks", tables.picks},
-                {"warp_places", tables.warp_places},
-                {"weft_places", tables.weft_places}}
-        .dump();
+    const std::string text = Json{
+        {"types", types},
+        {"numbers", numbers},
+        {"ends", tables.ends},
+        {"picks", tables.picks},
+        {"warp_places", tables.warp_places},
+        {"weft_places",
+         tables.weft_places}}.dump();
+    return fmt::format("{:016x}{}", digest(text, first_digest), text);
+}
+
+/// Whether runs may read them: files are anybody's.
+bool are_usable(const RoomTables& tables, const Textile& textile)
+{
+    constexpr double most = 1e12; // of any number, in SI units
+    const auto bounded = [](double least) { return [least](auto value) { return static_cast<double>(value) >= least && static_cast<double>(value) <= most; }; };
+    const auto all = [](const auto& values, const auto& holds) { return std::all_of(values.begin(), values.end(), holds); };
+    const std::size_t pairs = textile.warp.types.size() * textile.weft.types.size();
+    if (!tables.types.empty() && tables.types.size() != pairs) return false;
+    for (const DrawnRoom& room : tables.types) {
+        for (const auto number : numbers_of_room)
+            if (!bounded(0)(room.*number)) return false;
+        for (const auto state : states_of_file)
+            for (const auto value : {&RestingState::curvature, &RestingState::warp, &RestingState::weft})
+                if (!bounded(-most)(room.states.*state.*value)) return false;
+    }
+    for (const auto number : numbers_of_tables)
+        if (!bounded(number == &RoomTables::growth ? -most : 0)(tables.*number)) return false;
+    const bool falls = bounded(0)(4 - tables.falls_along_warp) && bounded(0)(4 - tables.falls_along_weft);
+    const std::size_t places = static_cast<std::size_t>(std::max(0, tables.ends)) * static_cast<std::size_t>(std::max(0, tables.picks));
+    return falls && tables.ends >= 0 && tables.picks >= 0 && tables.warp_places.size() == places && tables.weft_places.size() == places &&
+           all(tables.warp_places, bounded(0)) && all(tables.weft_places, bounded(0));
 }
 
 /// Throws where it is no such file.
-RoomTables tables_of(const std::string& text)
+RoomTables tables_of(std::string_view file, const Textile& textile)
 {
+    constexpr std::size_t digits = 16;
+    const std::string_view text = file.size() > digits ? file.substr(digits) : std::string_view();
+    if (file.substr(0, digits) != fmt::format("{:016x}", digest(text, first_digest))) throw FileError("damaged");
     const Json json = Json::parse(text);
     RoomTables tables;
     for (const Json& row : json.at("types")) {
@@ -130,20 +159,24 @@ RoomTables tables_of(const std::string& text)
     }
     std::size_t at = 0;
     for (const auto number : numbers_of_tables) tables.*number = json.at("numbers").at(at++).get<double>();
-    tables.ends = json.at("ends").get<int>();
-    tables.picks = json.at("picks").get<int>();
-    tables.warp_places = json.at("warp_places").get<std::vector<float>>();
-    tables.weft_places = json.at("weft_places").get<std::vector<float>>();
-    const auto places = static_cast<std::size_t>(tables.ends) * static_cast<std::size_t>(tables.picks);
-    if (tables.warp_places.size() != places || tables.weft_places.size() != places) throw FileError("not tables of a room");
+    const auto count = [&](const char* key) {
+        const Json& value = json.at(key);
+        if (!value.is_number_unsigned() || value.get<std::uint64_t>() > most_bytes) throw FileError("no count");
+        return value.get<int>();
+    };
+    tables.ends = count("ends");
+    tables.picks = count("picks");
+    for (const auto& [key, places] : {std::pair("warp_places", &tables.warp_places), std::pair("weft_places", &tables.weft_places)})
+        for (const Json& place : json.at(key)) places->push_back(static_cast<float>(std::clamp(place.get<double>(), -1e30, 1e30)));
+    if (!are_usable(tables, textile)) throw FileError("no tables of this cloth");
     return tables;
 }
 
-std::shared_ptr<const RoomTables> on_disk(std::string_view content)
+std::shared_ptr<const RoomTables> on_disk(std::string_view content, const Textile& textile)
 try {
     const std::filesystem::path in = folder();
     if (in.empty()) return nullptr;
-    return std::make_shared<RoomTables>(tables_of(read_file(file_of(in, content), most_bytes)));
+    return std::make_shared<RoomTables>(tables_of(read_file(file_of(in, content), most_bytes), textile));
 } catch (const std::exception&) {
     return nullptr; // missing or damaged: to be found again
 }
@@ -171,10 +204,10 @@ void remove_oldest(const std::filesystem::path& in)
     for (std::size_t i = 0; i < files.size() / 2; ++i) std::filesystem::remove(files[i].second);
 }
 
-void write(std::string_view content, const RoomTables& tables)
+void write(std::string_view content, const RoomTables& tables, const Textile& textile)
 try {
     const std::filesystem::path in = folder();
-    if (in.empty()) return;
+    if (in.empty() || !are_usable(tables, textile)) return;
     std::filesystem::create_directories(in);
     write_file(file_of(in, content), text_of(tables));
     remove_oldest(in);
@@ -201,10 +234,10 @@ std::shared_ptr<const RoomTables> room_tables(const Textile& textile, int voxels
 {
     const std::string content = content_of(textile, voxels);
     if (auto before = in_memory(content)) return before;
-    auto tables = on_disk(content);
+    auto tables = on_disk(content, textile);
     if (!tables) {
         tables = std::make_shared<RoomTables>(find_room_tables(textile, voxels));
-        write(content, *tables);
+        write(content, *tables, textile);
     }
     remember(content, tables);
     return tables;

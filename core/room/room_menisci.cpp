@@ -12,36 +12,47 @@ namespace {
 constexpr double blur_in_voxels = 2;
 constexpr int margin = 8; // voxels of air above and below the cloth
 
+/// Weights at no voxels from the middle, at one, two and so on, on either side.
 std::vector<float> gaussian(double spread, double side)
 {
     const int reach = static_cast<int>(std::ceil(3 * spread / side));
     std::vector<double> kernel;
     double sum = 0;
-    for (int i = -reach; i <= reach; ++i) {
+    for (int i = 0; i <= reach; ++i) {
         kernel.push_back(std::exp(-0.5 * std::pow(i * side / spread, 2)));
-        sum += kernel.back();
+        sum += (i > 0 ? 2 : 1) * kernel.back();
     }
     std::vector<float> weights;
     for (const double weight : kernel) weights.push_back(static_cast<float>(weight / sum));
     return weights;
 }
 
-/// Of so many values, each the sum of weights times what stands at it and so far behind it, once, twice and so on.
-void weigh(const float* values, std::size_t apart, const float* weights, std::size_t weighed, float* sums, std::size_t count)
+/// How many values stand before a place, and behind it, each so far from the next.
+struct Beside {
+    std::size_t apart, before, behind;
+};
+
+/// Of so many values, each with what stands beside it. What is alike on both sides is added first: cloth turned over comes out the same.
+template <typename Values> Values weighed(const float* value, const std::vector<float>& weights, const Beside& beside)
+{
+    const auto apart = static_cast<std::ptrdiff_t>(beside.apart);
+    const auto at = [&](std::ptrdiff_t k) { return Eigen::Map<const Values>(value + k * apart); };
+    Values sum = weights[0] * at(0);
+    const auto both = static_cast<std::ptrdiff_t>(std::min(beside.before, beside.behind)),
+               before = static_cast<std::ptrdiff_t>(beside.before), behind = static_cast<std::ptrdiff_t>(beside.behind);
+    std::ptrdiff_t k = 1;
+    for (; k <= both; ++k) sum += weights[static_cast<std::size_t>(k)] * (at(-k) + at(k));
+    for (; k <= std::max(before, behind); ++k) sum += weights[static_cast<std::size_t>(k)] * at(k <= before ? -k : k);
+    return sum;
+}
+void weigh(const float* values, const std::vector<float>& weights, const Beside& beside, float* sums, std::size_t count)
 {
     using Block = Eigen::Array<float, 32, 1>; // kept in registers
+    using One = Eigen::Array<float, 1, 1>;
     constexpr std::size_t block = Block::SizeAtCompileTime;
     std::size_t i = 0;
-    for (; i + block <= count; i += block) {
-        Block sum = Block::Zero();
-        for (std::size_t k = 0; k < weighed; ++k) sum += weights[k] * Eigen::Map<const Block>(values + i + k * apart);
-        Eigen::Map<Block>(sums + i) = sum;
-    }
-    for (; i < count; ++i) {
-        float sum = 0;
-        for (std::size_t k = 0; k < weighed; ++k) sum += weights[k] * values[i + k * apart];
-        sums[i] = sum;
-    }
+    for (; i + block <= count; i += block) Eigen::Map<Block>(sums + i) = weighed<Block>(values + i, weights, beside);
+    for (; i < count; ++i) sums[i] = weighed<One>(values + i, weights, beside)[0];
 }
 
 } // namespace
@@ -84,22 +95,21 @@ void RestingLiquid::blur(const std::vector<float>& values, std::vector<float>& b
 {
     const auto row = static_cast<std::size_t>(grid_.nx), rows = static_cast<std::size_t>(grid_.ny), plane = row * rows;
     const auto planes = static_cast<std::size_t>(grid_.nz);
-    const std::size_t beyond = kernel_[0].size() / 2, aside = kernel_[1].size() / 2, above = kernel_[2].size() / 2;
+    const std::size_t beyond = kernel_[0].size() - 1, aside = kernel_[1].size() - 1, above = kernel_[2].size() - 1;
     const std::size_t wide = row + 2 * beyond;
     blurred.resize(values.size());
     between_.resize(wide * rows);
     wide_.resize(std::max(plane + 2 * aside * row, wide * rows + 2 * beyond));
     for (std::size_t z = 0; z < planes; ++z) {
-        const std::size_t first = z - std::min(z, above), last = std::min(planes - 1, z + above);
         float* middle = &wide_[aside * row];
-        weigh(&values[first * plane], plane, &kernel_[2][first + above - z], last - first + 1, middle, plane);
+        weigh(&values[z * plane], kernel_[2], {plane, std::min(z, above), std::min(planes - 1 - z, above)}, middle, plane);
         for (std::size_t y = 0; y < aside; ++y) { // the plane goes on behind its last row, and before its first
             std::copy_n(middle + y % rows * row, row, middle + (rows + y) * row);
             std::copy_n(middle + (rows - 1 - y % rows) * row, row, middle - (y + 1) * row);
         }
-        weigh(wide_.data(), row, kernel_[1].data(), kernel_[1].size(), between_.data(), plane);
+        weigh(middle, kernel_[1], {row, aside, aside}, between_.data(), plane);
         widen(beyond);
-        weigh(wide_.data(), 1, kernel_[0].data(), kernel_[0].size(), between_.data(), wide * rows);
+        weigh(&wide_[beyond], kernel_[0], {1, beyond, beyond}, between_.data(), wide * rows);
         for (std::size_t y = 0; y < rows; ++y) std::copy_n(&between_[y * wide], row, &blurred[z * plane + y * row]);
     }
 }

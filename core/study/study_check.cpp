@@ -64,22 +64,32 @@ private:
                            say("A study runs samples of fabric or garments (type wear), not both; list experiments of one kind."));
         if (worn && !study_.fidelity) add("fidelity", say("The error of garments is not known; name a fidelity."));
     }
+    /// "water_g", or of a part "panels/front/water_g".
+    static bool is_number_of_garment(const std::string& key)
+    {
+        const std::size_t first = key.find('/'), last = key.rfind('/');
+        const bool of_whole = first == std::string::npos;
+        const std::string kind = of_whole ? "" : key.substr(0, first), number = of_whole ? key : key.substr(last + 1);
+        if (!of_whole && (last < first + 2 || (kind != "panels" && kind != "zones"))) return false;
+        const auto& all = wear_numbers();
+        const auto found = std::find_if(all.begin(), all.end(), [&](const WearNumber& each) { return each.info.key == number; });
+        return found != all.end() && (of_whole || !found->of_whole_only);
+    }
     void check_metrics()
     {
+        const bool worn = is_of_garments(study_, design_);
         std::vector<std::string> known;
-        if (is_of_garments(study_, design_)) {
+        if (worn)
             for (const WearNumber& number : wear_numbers()) known.push_back(number.info.key);
-        } else {
+        else
             for (const std::string& name : experiments_of(study_, design_))
                 for (const OutcomeInfo& info : reported_by(find_experiment(design_, name)->type))
                     if (std::find(known.begin(), known.end(), info.key) == known.end()) known.push_back(info.key);
-        }
         for (std::size_t i = 0; i < study_.metrics.size(); ++i) {
             const std::string& key = study_.metrics[i];
-            const bool of_part = is_of_garments(study_, design_) && (key.starts_with("panels/") || key.starts_with("zones/"));
-            if (std::find(known.begin(), known.end(), of_part ? key.substr(key.rfind('/') + 1) : key) == known.end())
-                add(Place("metrics") / i,
-                    say("No experiment of the study has the metric \"{}\"{} They have: {}.", key, or_near(key, known), listed(known)));
+            if (worn ? is_number_of_garment(key) : std::find(known.begin(), known.end(), key) != known.end()) continue;
+            add(Place("metrics") / i,
+                say("No experiment of the study has the metric \"{}\"{} They have: {}.", key, or_near(key, known), listed(known)));
         }
     }
     /// The path must lead somewhere, and the first value must be one that may stand there.
@@ -195,12 +205,16 @@ std::vector<std::string> fibres_of(const std::vector<std::string>& fabrics, cons
     return fibres;
 }
 
-/// Whether a factor chooses among fibres, or among liquids: then any may come to be used.
+/// Whether a factor chooses among fibres, liquids, fabrics or garments: then any may come to be used.
 bool chooses(const Study& study, const std::string& list)
 {
-    const std::string key = list == "materials" ? "material" : ".liquid";
-    return std::any_of(study.factors.begin(), study.factors.end(),
-                       [&](const Factor& factor) { return !factor.path.starts_with(list) && factor.path.find(key) != std::string::npos; });
+    const std::pair<const char*, const char*> keys[] = {
+        {"materials", "material"}, {"liquids", ".liquid"}, {"fabrics", ".fabric"}, {"fabrics", ".lining"}, {"garments", ".garment"}};
+    return std::any_of(std::begin(keys), std::end(keys), [&](const auto& each) {
+        return list == each.first && std::any_of(study.factors.begin(), study.factors.end(), [&](const Factor& factor) {
+                   return !factor.path.starts_with(list) && factor.path.find(each.second) != std::string::npos;
+               });
+    });
 }
 
 std::vector<std::string> liquids_of(const std::vector<std::string>& experiments, const Design& design)
@@ -246,6 +260,11 @@ std::optional<Message> out_of_reach(const Study& study, const Design& design, co
     const auto member = member_at(design, path);
     if (!member) return {};
     const auto& [list, index] = *member;
+    if (is_of_garments(study, design)) {
+        if (!study.fabrics.empty() && path.starts_with("garments") && path.ends_with(".fabric"))
+            return say("The study cuts the garment from its own list of fabrics, so this changes nothing.");
+        if ((list == "fabrics" || list == "garments") && chooses(study, list)) return {};
+    }
     const std::vector<std::string> fabrics = used_fabrics(study, design), experiments = experiments_of(study, design);
     if (list == "fabrics") return not_run(say("fabric"), design.fabrics[index].name, fabrics);
     if (list == "experiments") {

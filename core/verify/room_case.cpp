@@ -3,9 +3,9 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/physics/water.h"
-#include "core/room/kept_tables.h"
 #include "core/room/room_flow.h"
 #include "core/room/room_menisci.h"
+#include "core/room/room_tables.h"
 #include "core/room/stokes.h"
 #include "core/verify/pore_set_ups.h"
 
@@ -254,16 +254,16 @@ std::vector<VerifyResult> room(const VerifyValues& v, Backend&)
         double warp, weft, filling, half;
     };
     const auto found_at = [&](int n) {
-        const auto tables = room_tables(textile, n);
-        if (tables->types.empty()) throw Error("fabric: Must have at most 16 pairs of yarns that cross; it has more.");
-        const BetweenParameters between = room_of_crossing(textile, 0, 0, liquid, *tables);
-        return Found{tables->types[0].along_warp, tables->types[0].along_weft, suction_filling(between.retention[both_wet], 0.5),
+        const auto tables = find_room_tables(textile, n);
+        if (tables.types.empty()) throw Error("fabric: Must have at most 16 pairs of yarns that cross; it has more.");
+        const BetweenParameters between = room_of_crossing(textile, 0, 0, liquid, tables);
+        return Found{tables.types[0].along_warp, tables.types[0].along_weft, suction_filling(between.retention[both_wet], 0.5),
                      suction_emptying(between.retention[both_wet], 0.5)};
     };
     const Found found = found_at(voxels), finer = found_at(std::min(64, voxels * 3 / 2));
-    const auto tables = room_tables(textile, voxels);
-    const double drawn_void = share_outside(drawn_layer(textile, voxels * 3 / 2), tables->growth);
-    const BetweenParameters between = room_of_crossing(textile, 0, 0, liquid, *tables);
+    const auto tables = find_room_tables(textile, voxels);
+    const double drawn_void = share_outside(drawn_layer(textile, voxels * 3 / 2), tables.growth);
+    const BetweenParameters between = room_of_crossing(textile, 0, 0, liquid, tables);
     const double layer = textile.thickness * textile.warp.pitch * textile.weft.pitch;
     const YarnType &warp = textile.warp.types[0], &weft = textile.weft.types[0];
     const double yarns =

@@ -31,8 +31,12 @@ int rank_of(const std::string& key)
     return found == std::end(compared) ? 0 : static_cast<int>(found - std::begin(compared)) + 1;
 }
 
-/// g, beside all water that was given.
-bool is_rounding(double water, const WearMetrics& metrics) { return std::abs(water) < 1e-9 * 1e3 * metrics.ledger().water_delivered; }
+/// g, beside all water that was given or there before.
+bool is_rounding(double water, const WearMetrics& metrics)
+{
+    const Ledger& ledger = metrics.ledger();
+    return std::abs(water) < 1e-9 * 1e3 * std::max(ledger.water_delivered, ledger.water_initial);
+}
 
 Outcome outcome_of(const WearNumber& number, At at)
 {

@@ -118,6 +118,12 @@ private Q_SLOTS:
         study = worn_study();
         study.metrics = {"absorbency_time_s"};
         QVERIFY(first_issue(study, design).find("They have: area_m2, ") != std::string::npos);
+        for (const char* wrong : {"panels/sweat_g", "panels//water_g", "sleeves/front/water_g", "panels/front/nothing"}) {
+            study.metrics = {wrong};
+            QVERIFY2(first_issue(study, design).find("They have: area_m2, ") != std::string::npos, wrong);
+        }
+        study.metrics = {"panels/front/water_g", "zones/chest/water_g"};
+        QCOMPARE(first_issue(study, design), std::string());
         study = worn_study();
         study.fidelity.reset();
         study.error = 0.05;
@@ -130,6 +136,14 @@ private Q_SLOTS:
         QCOMPARE(refused("fabrics.Textile F.ends_per_cm"), std::string());
         QCOMPARE(refused("experiments.wear.duration_s"), std::string());
         QVERIFY(!refused("experiments[0].duration_s").empty());
+
+        Study chosen = worn_study();
+        chosen.factors.resize(1);
+        chosen.factors[0].path = "garments.tee.panels.*.fabric";
+        QVERIFY(!out_of_reach(chosen, design, "fabrics.cloth.ends_per_cm"));
+        QVERIFY(!out_of_reach(chosen, design, chosen.factors[0].path));
+        chosen.fabrics = {"cloth"};
+        QVERIFY(english(out_of_reach(chosen, design, chosen.factors[0].path).value()).find("own list of fabrics") != std::string::npos);
     }
 
     void a_part_that_is_not_there_is_an_error_of_its_row()

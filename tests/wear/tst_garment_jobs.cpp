@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 using namespace hygroloom;
@@ -94,8 +96,9 @@ private Q_SLOTS:
         QVERIFY(water(0) != water(1) && water(1) != water(2));
         const Interval& range = tee.intervals.at("panels/front/most_water_g");
         QVERIFY(range.low < water(1) && water(1) < range.high && range.runs == 3);
-        QCOMPARE(tee.intervals.at("area_m2").low, tee.intervals.at("area_m2").centre);
-        QVERIFY(!tee.intervals.at("most_water_g").numerical_known);
+        const Interval& area = tee.intervals.at("area_m2"); // alike in all: the size of cells is left
+        QVERIFY(std::abs((area.high - area.centre) / area.centre - 0.02) < 1e-6);
+        QVERIFY(tee.intervals.at("most_water_g").numerical_known && !three.candidates[0].numerical.empty());
         const auto told = nlohmann::json::parse(comparison_json(three))["candidates"][0]["run"];
         QVERIFY(told["intervals"].contains("zones/chest/water_g") && told["panels"].contains("back, layer 2"));
     }
@@ -109,7 +112,7 @@ private Q_SLOTS:
         const Comparison one = compare(both, 1), some = compare(both, 2);
         QVERIFY(one.verdicts.empty());
         QCOMPARE(rank_text(one.candidates[0]), std::string("1="));
-        QVERIFY(comparison_table(one).find("There are no verdicts") != std::string::npos);
+        QVERIFY(comparison_table(one).find("Sizes get no verdict") != std::string::npos);
         const Compared* const verdict = verdict_of(some, "Poplin shirting", "most_water_g");
         QVERIFY(verdict && verdict->pairs == 2);
         QVERIFY(comparison_csv(some).find("largest_wet_area_m2_verdict") != std::string::npos);
