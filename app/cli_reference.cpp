@@ -94,7 +94,8 @@ std::string reference(const CLI::App& app)
                                    app.get_description());
     for (const DescribedVerb& verb : described_verbs(app)) {
         text += fmt::format("## {}\n\n{}.\n\n", verb.name, verb.meaning);
-        if (verb.name == "tradeoff") text += "<!-- not run: it takes minutes -->\n\n"; // a word to the test of the guide
+        if (verb.name == "tradeoff" || verb.name == "calibrate")
+            text += "<!-- not run: it takes minutes -->\n\n"; // a word to the test of the guide
         if (!verb.example.empty()) text += "```sh\n" + verb.example + "\n```\n\n";
         if (!verb.notes.empty()) text += verb.notes + "\n\n";
         text += options_table(verb) + "\n";

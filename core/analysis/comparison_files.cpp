@@ -145,7 +145,8 @@ std::string basis_text(const Comparison& comparison)
                    ? (few.empty() ? few : few + " ") +
                          fmt::format(
                              "Intervals hold {:.0f} % of such garments: {} replicates draw the inputs of their fabrics that are not "
-                             "known, alike for all. 2 % stand for the size of the panels' cells; other numerical errors and the model's own are not in them.",
+                             "known, alike for all. 2 % stand for the size of the panels' cells; other numerical errors and the model's "
+                             "own are not in them.",
                              100 * of_intervals.held, comparison.replicates)
                    : "Sizes get no verdict: the numerical error of garments is not known, and one run of each shows no scatter.";
     return comparison.replicates > 1

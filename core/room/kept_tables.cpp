@@ -121,7 +121,9 @@ std::string text_of(const RoomTables& tables)
 bool are_usable(const RoomTables& tables, const Textile& textile)
 {
     constexpr double most = 1e12; // of any number, in SI units
-    const auto bounded = [](double least) { return [least](auto value) { return static_cast<double>(value) >= least && static_cast<double>(value) <= most; }; };
+    const auto bounded = [](double least) {
+        return [least](auto value) { return static_cast<double>(value) >= least && static_cast<double>(value) <= most; };
+    };
     const auto all = [](const auto& values, const auto& holds) { return std::all_of(values.begin(), values.end(), holds); };
     const std::size_t pairs = textile.warp.types.size() * textile.weft.types.size();
     if (!tables.types.empty() && tables.types.size() != pairs) return false;

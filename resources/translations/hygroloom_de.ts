@@ -2092,6 +2092,10 @@
         <source>wet area</source>
         <translation>nasse Fläche</translation>
     </message>
+    <message>
+        <source>The study cuts the garment from its own list of fabrics, so this changes nothing.</source>
+        <translation>Die Studie schneidet das Kleidungsstück aus ihrer eigenen Liste von Geweben, daher ändert das nichts.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>

@@ -175,11 +175,18 @@ private Q_SLOTS:
         for (const char* words :
              {"Which of 2 garments", "Denim: front, at 60 s", "contact angle on cotton", "<th>duration</th><td>60 s</td>"})
             QVERIFY2(html.contains(words), words);
+        write_project("twin.hygro", {}, {{"duration_s", 60}});
+        const QJsonArray projects =
+            run_cli(QStringList{"compare", at("worn.hygro"), at("twin.hygro"), "--by", "most_water_g", "--json"} + coarse)
+                .json()["candidates"]
+                .toArray();
+        QCOMPARE(projects.size(), 2);
+        QStringList names{projects.at(0).toObject()["fabric"].toString(), projects.at(1).toObject()["fabric"].toString()};
+        names.sort();
+        QCOMPARE(names, (QStringList{"twin", "worn"}));
         write_project("damp.hygro", {}, {{"duration_s", 60}, {"initial_water_g_m2", 50}});
-        const QJsonObject projects =
-            run_cli(QStringList{"compare", at("worn.hygro"), at("damp.hygro"), "--by", "most_water_g", "--json"} + coarse).json();
-        QCOMPARE(projects["candidates"].toArray()[0].toObject()["fabric"].toString(), QString("worn"));
-        QCOMPARE(projects["candidates"].toArray()[1].toObject()["fabric"].toString(), QString("damp"));
+        const Answer other = run_cli(QStringList{"compare", at("worn.hygro"), at("damp.hygro")} + coarse);
+        QVERIFY2(other.code == 2 && other.err.contains("they differ in initial_water_g_m2"), other.err);
         QCOMPARE(run_cli(QStringList{"compare", at("worn.hygro"), "--why", "Denim"} + coarse).code, 2);
         QCOMPARE(run_cli(QStringList{"compare", at("worn.hygro"), at("damp.hygro"), "--fabrics", "Denim"} + coarse).code, 2);
         QCOMPARE(run_cli(QStringList{"compare", at("tee.hygro")} + coarse).code, 2); // it has one fabric
