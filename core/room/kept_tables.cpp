@@ -82,7 +82,7 @@ std::uint64_t digest(std::string_view bytes, std::uint64_t start)
 std::filesystem::path file_of(const std::filesystem::path& folder, std::string_view content)
 {
     const std::uint64_t code = digest(__VERSION__, digest(room_code, first_digest));
-    return folder / fmt::format("{:016x}{:016x}.json", digest(content, code), digest(content, ~code));
+    return folder / fmt::format("{:016x}{:016x}.room", digest(content, code), digest(content, ~code));
 }
 
 constexpr RestingState RoomStates::*states_of_file[] = {&RoomStates::almost, &RoomStates::sunk,  &RoomStates::knee,
@@ -106,14 +106,13 @@ std::string text_of(const RoomTables& tables)
         types.push_back(row);
     }
     for (const auto number : numbers_of_tables) numbers.push_back(tables.*number);
-    const std::string text = Json{
-        {"types", types},
-        {"numbers", numbers},
-        {"ends", tables.ends},
-        {"picks", tables.picks},
-        {"warp_places", tables.warp_places},
-        {"weft_places",
-         tables.weft_places}}.dump();
+    const Json json{{"types", types},
+                    {"numbers", numbers},
+                    {"ends", tables.ends},
+                    {"picks", tables.picks},
+                    {"warp_places", tables.warp_places},
+                    {"weft_places", tables.weft_places}};
+    const std::string text = json.dump();
     return fmt::format("{:016x}{}", digest(text, first_digest), text);
 }
 
@@ -200,7 +199,7 @@ void remove_oldest(const std::filesystem::path& in)
 {
     std::vector<std::pair<std::filesystem::file_time_type, std::filesystem::path>> files;
     for (const auto& entry : std::filesystem::directory_iterator(in))
-        if (entry.path().extension() == ".json") files.emplace_back(entry.last_write_time(), entry.path());
+        if (entry.path().extension() == ".room") files.emplace_back(entry.last_write_time(), entry.path());
     if (files.size() <= most_files) return;
     std::sort(files.begin(), files.end());
     for (std::size_t i = 0; i < files.size() / 2; ++i) std::filesystem::remove(files[i].second);

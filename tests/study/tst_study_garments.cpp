@@ -5,6 +5,7 @@
 #include "core/wear/garment_jobs.h"
 #include "core/wear/wear_outcomes.h"
 #include "tests/support/drop_design.h"
+#include "tests/support/worn_tee.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -19,17 +20,8 @@ namespace {
 Design tee_and_drop()
 {
     Design design = drop_design();
-    for (const Preset& preset : shipped_presets())
-        if (preset.fabric().name == "Textile F") add_preset(design, preset);
-    Garment tee;
-    tee.name = "tee";
-    tee.panels["*"] = {"Textile F"};
-    design.garments.push_back(tee);
-    WearExperiment wear;
-    wear.name = "wear";
-    wear.garment = "tee";
-    wear.duration_s = 2;
-    design.wears.push_back(wear);
+    add_shipped(design, "Textile F");
+    add_worn_tee(design, "Textile F", 2);
     return design;
 }
 

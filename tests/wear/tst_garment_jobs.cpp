@@ -2,6 +2,7 @@
 // Garments side by side: the comparison of samples, with replicates whose first is the single run.
 #include "core/wear/garment_jobs.h"
 #include "core/wear/wear_outcomes.h"
+#include "tests/support/worn_tee.h"
 #include "tests/wear/flat_garment.h"
 
 #include <QTest>
@@ -18,18 +19,8 @@ namespace {
 Design two_cloths()
 {
     Design design = library_design("Textile F");
-    for (const Preset& preset : shipped_presets())
-        if (preset.fabric().name == "Poplin shirting") add_preset(design, preset);
-    Garment tee;
-    tee.name = "tee";
-    tee.panels["*"] = {"Textile F"};
-    tee.panels["back"] = {"Textile F", 0, false, 2, "Poplin shirting"};
-    design.garments.push_back(tee);
-    WearExperiment wear;
-    wear.name = "wear";
-    wear.garment = "tee";
-    wear.duration_s = 60;
-    design.wears.push_back(wear);
+    add_shipped(design, "Poplin shirting");
+    add_worn_tee(design, "Textile F", 60).panels["back"] = {"Textile F", 0, false, 2, "Poplin shirting"};
     return design;
 }
 
