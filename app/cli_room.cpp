@@ -15,6 +15,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace hygroloom {
@@ -30,8 +31,23 @@ struct Room {
     double filling = 0, half = 0; ///< Pa; less than 0: the liquid presses
     double growth = 0;            ///< m, see RoomTables
     std::optional<RoomDetails> details;
+    double error = 0; ///< see WithoutLiquid
+};
+
+/// What depends on the cloth's drawing alone, so that fabrics that differ in colour or liquid share it.
+struct WithoutLiquid {
+    std::optional<RoomDetails> details;
     double error = 0; ///< of the permeabilities: the larger change that coarser voxels make, as a share
 };
+
+WithoutLiquid without_liquid(const Textile& textile, const RoomTables& tables)
+{
+    WithoutLiquid found{room_details(textile, tables, voxels_per_pitch), 0};
+    const DrawnRoom &drawn = tables.types[0], coarse = room_tables(textile, coarser_voxels)->types[0];
+    const auto changes = [](double fine, double other) { return fine > 0 ? std::abs(other / fine - 1) : 0.0; };
+    found.error = std::max(changes(drawn.along_warp, coarse.along_warp), changes(drawn.along_weft, coarse.along_weft));
+    return found;
+}
 
 /// None where the cloth is not drawn: see room_tables().
 std::optional<Room> room_of(const Fabric& fabric, const FittedFabric& fitted)
@@ -51,10 +67,12 @@ std::optional<Room> room_of(const Fabric& fabric, const FittedFabric& fitted)
     room.open = between.volume / (textile.thickness * textile.warp.pitch * textile.weft.pitch);
     room.filling = between.retention[both_wet].front;
     room.half = suction_emptying(between.retention[both_wet], 0.5);
-    room.details = room_details(textile, *tables, voxels_per_pitch);
-    const DrawnRoom coarse = room_tables(textile, coarser_voxels)->types[0];
-    const auto changes = [](double fine, double other) { return fine > 0 ? std::abs(other / fine - 1) : 0.0; };
-    room.error = std::max(changes(room.drawn.along_warp, coarse.along_warp), changes(room.drawn.along_weft, coarse.along_weft));
+    static std::map<std::shared_ptr<const RoomTables>, WithoutLiquid> found; // cloths drawn alike have the same tables
+    const auto known = found.find(tables);
+    const WithoutLiquid& same =
+        known != found.end() ? known->second : found.emplace(tables, without_liquid(textile, *tables)).first->second;
+    room.details = same.details;
+    room.error = same.error;
     return room;
 }
 
