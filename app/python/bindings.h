@@ -28,6 +28,10 @@ std::vector<std::shared_ptr<const FittedFabric>> require_valid(const Design& des
 const Fabric& chosen_fabric(const Design& design, const std::string& name);
 const Experiment& chosen_experiment(const Design& design, const std::string& name);
 
+/// The experiment of a garment of that name, or without a name of a project that has no others; null: the name is of another or of none.
+/// Throws Error where several could be meant.
+const WearExperiment* chosen_wear(const Design& design, const std::string& name);
+
 /// For Python's JSON reader.
 py::str text(const std::string& utf8);
 

@@ -83,6 +83,12 @@ const Experiment& chosen_experiment(const Design& design, const std::string& nam
     return chosen(design.experiments, name, "experiment");
 }
 
+const WearExperiment* chosen_wear(const Design& design, const std::string& name)
+{
+    if (name.empty() && design.experiments.empty() && !design.wears.empty()) return &chosen(design.wears, name, "experiment");
+    return find_wear(design, name);
+}
+
 void add_projects(py::module_& module)
 {
     using released = py::call_guard<Unlocked>;

@@ -111,9 +111,8 @@ py::tuple simulate(const Design& design, const std::string& fabric, const std::s
                    const py::dict& how, const py::object& progress)
 {
     const RunArguments arguments = run_arguments(how);
-    const bool only_wear = experiment.empty() && design.experiments.empty() && design.wears.size() == 1;
     std::optional<std::string> worn;
-    if (only_wear || find_wear(design, experiment)) worn = only_wear ? design.wears.front().name : experiment;
+    if (const WearExperiment* wear = chosen_wear(design, experiment)) worn = wear->name;
     if (worn && !fabric.empty())
         throw Error(fmt::format("The experiment \"{}\" is one on a garment, whose panels name their fabrics; leave fabric out.", *worn));
     const auto run = [=](Watch& watch) {

@@ -125,9 +125,8 @@ std::string compared(const Design& design, CompareArguments asked, const RunArgu
     for (const std::string& name : asked.fabrics)
         if (!seen.insert(chosen_fabric(design, name).name).second) throw Error(fmt::format("fabrics: \"{}\" is named twice.", name));
     if (asked.fabrics.size() < 2) throw Error("A comparison needs two or more fabrics; use simulate for one.");
-    const bool only_wear = asked.experiment.empty() && design.experiments.empty() && design.wears.size() == 1;
-    const WearExperiment* wear = only_wear ? &design.wears.front() : find_wear(design, asked.experiment);
-    if (wear) return compared_garments(design, asked, *wear, arguments, watch);
+    if (const WearExperiment* wear = chosen_wear(design, asked.experiment))
+        return compared_garments(design, asked, *wear, arguments, watch);
     const RunOptions how = run_options(arguments);
     const Experiment& experiment = chosen_experiment(design, asked.experiment);
     Comparison comparison = comparison_of(asked, experiment.name, compared_by(experiment.type));

@@ -231,13 +231,20 @@ private:
         how.one_on_cpu = &one_on_cpu_;
         GarmentRunCallbacks beside;
         beside.progress = [&](const RunProgress& progress) { under_way(row, progress); };
+        beside.frame = [&](const std::shared_ptr<const WearFrame>& frame, const WearMetrics& metrics) {
+            if (frame->time == 0) require_parts(metrics); // now rather than at the end of the run
+        };
         const GarmentParts parts = garment_parts(drawing.design, drawing.design.wears.front(), {});
         const FinishedGarment finished = run_garment(parts, how, backend, control_, beside);
-        const std::vector<Outcome> outcomes = outcomes_of(*finished.metrics);
+        return take(outcomes_of(*finished.metrics), finished.record->device, finished.device_failure, result);
+    }
+    /// Which parts a garment has is known when its pattern has been read.
+    void require_parts(const WearMetrics& metrics) const
+    {
+        const std::vector<Outcome> outcomes = outcomes_of(metrics);
         for (const std::string& metric : frame_.metrics())
             if (std::none_of(outcomes.begin(), outcomes.end(), [&](const Outcome& outcome) { return outcome.key == metric; }))
                 throw Error(fmt::format("The garment has no part with the metric \"{}\".", metric));
-        return take(outcomes, finished.record->device, finished.device_failure, result);
     }
     /// Whether the device failed.
     bool take(const std::vector<Outcome>& outcomes, const std::string& device, const std::string& device_failure, StudyRowResult& result)

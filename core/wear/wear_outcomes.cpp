@@ -123,7 +123,7 @@ const std::vector<WearNumber>& wear_numbers()
          0,
          false,
          false,
-         "it is not left to dry, or more than 5 % of the most water is left"},
+         "it took up no water, is not left to dry, or more than 5 % of the most water is left"},
         {{"sweat_g", "sweat", "", "g", neither}, [](At at) -> Value { return 1e3 * at.metrics.sweat(); }, {}, false, whole},
         {{"initial_water_g", "water at the start", "", "g", neither},
          [](At at) -> Value { return 1e3 * at.metrics.at_start(); },
