@@ -4,11 +4,13 @@
 #include "small_png.h"
 #include "ui/basics/language.h"
 #include "ui/garment/garment_edits.h"
+#include "ui/results/live_panel.h"
 #include "window_test.h"
 
 #include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>
+#include <QPainter>
 #include <QScreen>
 #include <QTranslator>
 
@@ -118,9 +120,11 @@ private:
     {
         constexpr int rest_ms = 350, limit_ms = 20000;
         const auto grab = [this] {
-            return window_->screen()
-                ->grabWindow(window_->winId())
-                .toImage()
+            QPixmap all = window_->screen()->grabWindow(window_->winId());
+            if (const auto* live = window_->findChild<LivePanel*>(); live && live->isVisible()) { // how far it came depends on the machine
+                QPainter(&all).fillRect(QRect(live->mapTo(window_.get(), QPoint()), live->size()), Qt::gray);
+            }
+            return all.toImage()
                 .convertToFormat(QImage::Format_RGB32)
                 .scaled(compared_size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
         };
