@@ -73,7 +73,7 @@ void write_results(const CalibrateOptions& options, const Design& design, const 
         if (!options.quiet) print_note("Calibrated project: {}\n", options.output);
     }
     if (options.report.empty()) return;
-    write_report_file(options.report, calibration_report_html(result));
+    write_report_file(options.report, calibration_report(result));
     if (!options.quiet) print_note("Report: {}\n", options.report);
 }
 
@@ -139,7 +139,8 @@ void add_calibrate(CLI::App& app, Verb& chosen)
     verb.add_option("--at-once", options->at_once,
                     "Runs at the same time; 0: one on a CPU, up to 16 on each GPU. Results do not depend on it")
         ->check(CLI::Range(0, 1024));
-    verb.add_option("--report", options->report, "Write a report (.html or .pdf) with the fit and its residuals")->type_name("FILE");
+    verb.add_option("--report", options->report, "Write a report (.html, .pdf, .txt or .json) with the fit and its residuals")
+        ->type_name("FILE");
     verb.add_option("-o,--output", options->output, "Project with the calibrated fabric (.hygro)")->type_name("FILE");
     verb.callback([&chosen, options] { chosen = [options] { return calibrate_verb(*options); }; });
 }

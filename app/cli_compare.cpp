@@ -99,7 +99,7 @@ void write_report(const Comparison& comparison, const std::vector<std::optional<
         for (const auto& [side, map] : {std::pair{"top", &maps[at]->top}, std::pair{"bottom", &maps[at]->bottom}})
             pictures.emplace_back(map_caption(comparison, candidate.fabric, side), *map);
     }
-    write_report_file(file, comparison_report_html(comparison, pictures_on_one_scale(std::move(pictures))));
+    write_report_file(file, comparison_report(comparison, pictures_on_one_scale(std::move(pictures))));
 }
 
 /// The compared fabrics; with --why the two that it is about, unless others are named, too. Sets the baseline of --why.
@@ -269,7 +269,7 @@ void add_compare(CLI::App& app, Verb& chosen)
     add_machine_options(verb, *options);
     add_at_once_option(verb, options->at_once);
     verb.add_option("--report", options->report,
-                    "Write a report (.html or .pdf) with verdicts, intervals, maps, curves and what is not known")
+                    "Write a report (.html, .pdf, .txt or .json) with verdicts, intervals, maps, curves and what is not known")
         ->type_name("FILE");
     verb.add_option("-o,--output", options->output, "Folder for the table and the maps")->type_name("FOLDER");
     verb.callback([&chosen, options] { chosen = [options] { return compare(*options); }; });

@@ -135,7 +135,7 @@ int compare_garments(const CompareOptions& options, const Design& design, const 
         print_result("{}", comparison_table(comparison));
     if (some && !(options.output.empty() && options.report.empty())) {
         const std::vector<ReportPicture> maps = maps_of(candidates, firsts, options.output);
-        if (!options.report.empty()) write_report_file(options.report, comparison_report_html(comparison, maps));
+        if (!options.report.empty()) write_report_file(options.report, comparison_report(comparison, maps));
         if (!options.quiet && !options.output.empty()) print_note("Table and maps: {}\n", options.output);
         if (!options.quiet && !options.report.empty()) print_note("Report: {}\n", options.report);
     }

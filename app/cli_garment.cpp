@@ -212,8 +212,9 @@ void add_map_options(CLI::App& verb, WearMapVerbOptions& map)
         ->delimiter(',')
         ->allow_extra_args(false)
         ->excludes("--most");
-    verb.add_option("--report", map.report,
-                    "With map: write a report (.html or .pdf) with maps, tables, curves and what was assumed; -o may be left out")
+    verb.add_option(
+            "--report", map.report,
+            "With map: write a report (.html, .pdf, .txt or .json) with maps, tables, curves and what was assumed; -o may be left out")
         ->type_name("FILE");
     verb.add_option("--times", map.times,
                     "With --report: times of its maps, s, separated by commas; at each quarter of the run when left out")

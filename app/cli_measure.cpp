@@ -68,7 +68,7 @@ void write_report(const Recording& recording, const Metrics& metrics, const Meas
     const RunRecord& run = recording.run();
     const Frame frame = recording.frame(frame_at(recording, options.recording, options.time));
     const std::vector<ReportPicture> pictures = pictures_of_faces(run, frame, start_of_maps(run, recording.frame(0)), options.cells);
-    write_report_file(options.report, report_html(run, metrics, pictures, recording.finished()));
+    write_report_file(options.report, report_of(run, metrics, pictures, recording.finished()));
     if (!options.quiet) print_note("Report: {}\n", options.report);
 }
 
@@ -259,7 +259,8 @@ void add_measure(CLI::App& app, Verb& verb)
         ->check(time_validator());
     measure_verb.add_option("-o,--output", options->output, "File of the map (.csv or .png)")->type_name("FILE");
     const CLI::Validator given([](const std::string& text) { return text.empty() ? "the file name is empty" : ""; }, "");
-    measure_verb.add_option("--report", options->report, "Write a report (.html or .pdf) with results, maps, charts and inputs")
+    measure_verb
+        .add_option("--report", options->report, "Write a report (.html, .pdf, .txt or .json) with results, maps, charts and inputs")
         ->type_name("FILE")
         ->check(given);
     CLI::Option* vtk =

@@ -37,10 +37,10 @@ std::filesystem::path program_of_window()
 }
 
 /// A file that goes when this does.
-struct Page {
+struct PassedPage {
     std::string name = (std::filesystem::temp_directory_path() / "hygroloom-report-XXXXXX").string();
     int file = mkostemp(name.data(), O_CLOEXEC);
-    ~Page()
+    ~PassedPage()
     {
         if (file >= 0) {
             close(file);
@@ -67,21 +67,21 @@ bool run(const std::filesystem::path& program, const std::string& page, const st
 void check_report_name(const std::string& file)
 {
     if (file.empty()) return;
-    if (!is_pdf(file) && CLI::detail::to_lower(std::filesystem::path(file).extension().string()) != ".html")
-        throw Stop(exit_usage, "--report: A report is an .html or a .pdf file; given is \"" + file + "\".");
+    if (!is_pdf(file) && written_as({}, file).empty())
+        throw Stop(exit_usage, "--report: A report is an .html, .pdf, .txt or .json file; given is \"" + file + "\".");
     if (is_pdf(file) && program_of_window().empty())
         throw Stop(exit_usage,
                    "--report: A .pdf is written by the program hygroloom, which is neither beside this one nor in the path. Give "
                    "an .html file; browsers print it.");
 }
 
-void write_report_file(const std::string& file, const std::string& html)
+void write_report_file(const std::string& file, const ReportPage& page)
 {
-    if (!is_pdf(file)) return write_file(file, html);
-    const Page page;
-    if (page.file < 0) throw Stop(exit_failed, "The temporary file for the report cannot be made: " + page.name);
-    write_file(page.name, html);
-    if (!run(program_of_window(), page.name, file)) throw Stop(exit_failed, file + ": The report could not be written as PDF.");
+    if (!is_pdf(file)) return write_file(file, written_as(page, file));
+    const PassedPage passed;
+    if (passed.file < 0) throw Stop(exit_failed, "The temporary file for the report cannot be made: " + passed.name);
+    write_file(passed.name, json_of(page));
+    if (!run(program_of_window(), passed.name, file)) throw Stop(exit_failed, file + ": The report could not be written as PDF.");
 }
 
 } // namespace hygroloom

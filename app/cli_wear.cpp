@@ -117,7 +117,7 @@ void write_wear_report(const WearRecording& recording, const WearMetrics& metric
 {
     const std::vector<ReportPicture> pictures =
         as_invalid([&] { return pictures_of_panels(recording, frames_for_report(times_of(recording), times), how); });
-    write_report_file(file, wear_report_html(recording.record(), metrics, pictures, recording.finished()));
+    write_report_file(file, wear_report(recording.record(), metrics, pictures, recording.finished()));
     if (!quiet) print_note("Report: {}\n", file);
 }
 

@@ -19,7 +19,7 @@
 
 namespace {
 
-/// Without a window: `hygroloom --pdf page.html page.pdf`. The command line writes its reports so.
+/// Without a window: `hygroloom --pdf page.json page.pdf`. The command line writes its reports so.
 int printPage(int argc, char* argv[])
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -28,8 +28,8 @@ int printPage(int argc, char* argv[])
     });
     const QGuiApplication application(argc, argv);
     try {
-        const std::string html = hygroloom::read_file(argv[2], std::size_t{256} << 20U);
-        hygroloom::write_file(argv[3], hygroloom::pdfOf(QString::fromStdString(html)));
+        const std::string json = hygroloom::read_file(argv[2], std::size_t{256} << 20U);
+        hygroloom::write_file(argv[3], hygroloom::pdfOf(hygroloom::page_from_json(json)));
         return 0;
     } catch (const std::exception& error) {
         std::fputs((std::string(error.what()) + "\n").c_str(), stderr);

@@ -57,7 +57,7 @@ Calibrated calibrated(const Design& design, const std::string& fabric_name, cons
     runs.started = [&](std::size_t points) { round.emplace(watch, points); };
     runs.progress = [&](std::size_t point, const RunProgress& progress) { round->tell(point, share_of(progress)); };
     const Calibration result = calibrate(runs);
-    Calibrated all{calibration_json(result), calibration_report_html(result), result.refusal};
+    Calibrated all{calibration_json(result), html_of(calibration_report(result)), result.refusal};
     if (result.identifiable()) all.design = calibrated_design(design, result);
     return all;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/measured_data.h"
+#include "core/analysis/page.h"
 #include "core/design/free_inputs.h"
 #include "core/run/run_options.h"
 
@@ -88,7 +89,7 @@ Design calibrated_design(const Design& design, const Calibration& calibration);
 std::string calibration_table(const Calibration& calibration);
 std::string calibration_json(const Calibration& calibration);
 /// One page with the fit and its residuals as pictures.
-std::string calibration_report_html(const Calibration& calibration);
+ReportPage calibration_report(const Calibration& calibration);
 /// The measured points with the curves before and after; empty unless there is a curve of two times at least.
 std::string fit_svg(const Calibration& calibration);
 

@@ -4,7 +4,7 @@
 #include "core/analysis/intervals.h"
 #include "core/analysis/line_chart.h"
 #include "core/analysis/outcomes.h"
-#include "core/analysis/report_parts.h"
+#include "core/analysis/page.h"
 #include "core/analysis/series_keys.h"
 #include "core/analysis/svg.h"
 #include "core/base/version.h"
@@ -93,27 +93,32 @@ std::string residuals_svg(const Calibration& calibration)
     return svg_of(chart);
 }
 
-std::string inputs_html(const Calibration& calibration)
+PageBlocks inputs_of(const Calibration& calibration)
 {
-    std::string rows = "<tr><th></th><th>before</th><th>fitted</th><th>range</th></tr>\n";
+    using Kind = PageCell::Kind;
+    std::vector<PageRow> rows{row_of_headings({"", "before", "fitted", "range"})};
     for (const FittedInput& input : calibration.inputs)
-        rows += fmt::format("<tr><th>{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
-                            escaped_markup(input.title), value_text(input.given, input.unit),
-                            calibration.fitted.empty() ? "–" : fitted_text(input), range_text(input));
+        rows.push_back({{input.title, Kind::heading},
+                        {value_text(input.given, input.unit), Kind::number},
+                        {calibration.fitted.empty() ? "–" : fitted_text(input), Kind::number},
+                        {range_text(input)}});
     return table(rows);
 }
 
-std::string numbers_html(const Calibration& calibration)
+PageBlocks numbers_of(const Calibration& calibration)
 {
+    using Kind = PageCell::Kind;
     if (calibration.fitted.empty()) return {};
-    std::string rows = "<tr><th></th><th>measured</th><th>before</th><th>fitted</th><th>residual</th><th></th></tr>\n";
+    std::vector<PageRow> rows{row_of_headings({"", "measured", "before", "fitted", "residual", ""})};
     for (std::size_t i = 0; i < calibration.fitted.size(); ++i) {
         const MeasuredNumber& number = calibration.data.numbers[i];
-        rows += fmt::format("<tr><th>{}</th><td class=\"number\">{:.4g}{}</td><td class=\"number\">{:.4g}</td><td class=\"number\">{:.4g}"
-                            "</td><td class=\"number\">{:.2g}</td><td>{}</td></tr>\n",
-                            escaped_markup(title_of(calibration, number)), number.value,
-                            number.spread ? fmt::format(" ± {:.2g}", *number.spread) : "", calibration.before[i], calibration.fitted[i],
-                            number.value - calibration.fitted[i], escaped_markup(number.unit));
+        rows.push_back(
+            {{title_of(calibration, number), Kind::heading},
+             {fmt::format("{:.4g}{}", number.value, number.spread ? fmt::format(" ± {:.2g}", *number.spread) : ""), Kind::number},
+             {fmt::format("{:.4g}", calibration.before[i]), Kind::number},
+             {fmt::format("{:.4g}", calibration.fitted[i]), Kind::number},
+             {fmt::format("{:.2g}", number.value - calibration.fitted[i]), Kind::number},
+             {number.unit}});
     }
     return table(rows);
 }
@@ -187,23 +192,22 @@ std::string calibration_json(const Calibration& calibration)
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string calibration_report_html(const Calibration& calibration)
+ReportPage calibration_report(const Calibration& calibration)
 {
-    const std::string answer =
-        calibration.identifiable() ? "" : "<p><b>The data do not tell these inputs.</b> " + escaped_markup(calibration.refusal) + "</p>\n";
-    std::string pictures;
-    if (has_picture(calibration))
-        pictures = "<figure>" + fit_svg(calibration) + "</figure>\n<figure>" + residuals_svg(calibration) + "</figure>\n";
+    PageBlocks answer;
+    if (!calibration.identifiable()) answer = {PageText{calibration.refusal, "The data do not tell these inputs."}};
+    PageBlocks drawings;
+    if (has_picture(calibration)) drawings = {PageDrawing{fit_svg(calibration)}, PageDrawing{residuals_svg(calibration)}};
     std::vector<std::string> basis = calibration.notes;
     if (!calibration.fitted.empty()) basis.insert(basis.begin(), {residual_text(calibration), basis_text(calibration)});
-    return page("Calibration: " + calibration.fabric,
-                fmt::format("<p>Which inputs of “{}” does the measurement {} tell, by the experiment “{}”, {}?</p>\n",
-                            escaped_markup(calibration.fabric), escaped_markup(calibration.data.file),
-                            escaped_markup(calibration.experiment), hygroloom::name_of(calibration.fidelity)) +
-                    answer + section("Inputs", inputs_html(calibration)) + section("Fit", pictures) +
-                    section("Numbers", numbers_html(calibration)) + section("What it rests on", list(basis)) +
-                    section("Computation", table(row("program", std::string("Hygroloom ") + program_version(), "") +
-                                                 row("commit", program_commit(), ""))));
+    return {
+        "Calibration: " + calibration.fabric,
+        joined({sentence(fmt::format("Which inputs of “{}” does the measurement {} tell, by the experiment “{}”, {}?", calibration.fabric,
+                                     calibration.data.file, calibration.experiment, hygroloom::name_of(calibration.fidelity))),
+                answer, section("Inputs", inputs_of(calibration)), section("Fit", drawings), section("Numbers", numbers_of(calibration)),
+                section("What it rests on", list(basis)),
+                section("Computation",
+                        table({row("program", std::string("Hygroloom ") + program_version(), ""), row("commit", program_commit(), "")}))})};
 }
 
 } // namespace hygroloom

@@ -21,6 +21,7 @@ namespace hygroloom {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Kind = PageCell::Kind;
 
 const Experiment* experiment_of(const Candidate& candidate)
 {
@@ -29,11 +30,11 @@ const Experiment* experiment_of(const Candidate& candidate)
 
 std::string question(const Comparison& comparison)
 {
-    return fmt::format("<p>Which of {} {} is best on the experiment “{}”? They are ranked by {}; {} is better. The verdicts are against "
-                       "{}. Those that share a rank cannot be told apart.</p>\n",
-                       comparison.candidates.size(), comparison.of_garments ? "garments" : "fabrics", escaped_markup(comparison.experiment),
-                       escaped_markup(full_title(comparison.ranked_by)),
-                       comparative(comparison.ranked_by, comparison.ranked_by.better == Better::more), escaped_markup(comparison.baseline));
+    return fmt::format("Which of {} {} is best on the experiment “{}”? They are ranked by {}; {} is better. The verdicts are against "
+                       "{}. Those that share a rank cannot be told apart.",
+                       comparison.candidates.size(), comparison.of_garments ? "garments" : "fabrics", comparison.experiment,
+                       full_title(comparison.ranked_by), comparative(comparison.ranked_by, comparison.ranked_by.better == Better::more),
+                       comparison.baseline);
 }
 
 /// Runs that are alike.
@@ -43,32 +44,30 @@ struct RunKind {
 };
 
 /// Kinds may differ in which rows they have: a row that one lacks is a dash.
-std::string table_of_kinds(const std::vector<RunKind>& kinds)
+PageBlocks table_of_kinds(const std::vector<RunKind>& kinds)
 {
     std::vector<std::string> names;
     for (const RunKind& kind : kinds)
         for (const auto& [name, text] : kind.rows)
             if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-    std::string body;
+    std::vector<PageRow> rows;
     if (kinds.size() > 1) {
-        body = "<tr><th></th>";
-        for (const RunKind& kind : kinds) body += "<th>" + escaped_markup(kind.fabrics) + "</th>";
-        body += "</tr>\n";
+        rows.push_back(row_of_headings({""}));
+        for (const RunKind& kind : kinds) rows.back().push_back({kind.fabrics, Kind::heading});
     }
     for (const std::string& name : names) {
-        body += "<tr><th>" + escaped_markup(name) + "</th>";
+        rows.push_back(row_of_headings({name}));
         for (const RunKind& kind : kinds) {
             const auto found = std::find_if(kind.rows.begin(), kind.rows.end(), [&](const auto& row) { return row.first == name; });
-            body += "<td>" + (found == kind.rows.end() ? "–" : escaped_markup(found->second)) + "</td>";
+            rows.back().push_back({found == kind.rows.end() ? "–" : found->second});
         }
-        body += "</tr>\n";
     }
-    return table(body);
+    return table(rows);
 }
 
 /// Type, liquid, how it comes to the cloth, climate, sample, duration and fidelity: a column where all runs are alike in them, otherwise
 /// one for each kind of run, headed by its fabrics.
-std::string experiment_table(const Comparison& comparison, const ReaderUnits& units)
+PageBlocks experiment_table(const Comparison& comparison, const ReaderUnits& units)
 {
     std::vector<RunKind> kinds;
     for (const Candidate& candidate : comparison.candidates) {
@@ -86,46 +85,44 @@ std::string experiment_table(const Comparison& comparison, const ReaderUnits& un
     return table_of_kinds(kinds);
 }
 
-std::string cell(const Comparison& comparison, const Candidate& candidate, const OutcomeInfo& criterion, const ReaderUnits& units)
+PageCell cell(const Comparison& comparison, const Candidate& candidate, const OutcomeInfo& criterion, const ReaderUnits& units)
 {
     const auto found = candidate.intervals.find(criterion.key);
-    std::string text = found == candidate.intervals.end() ? "–" : with_interval(criterion, found->second, units);
+    PageCell made{found == candidate.intervals.end() ? "–" : with_interval(criterion, found->second, units), Kind::number};
     if (const Compared* verdict = verdict_of(comparison, candidate.fabric, criterion.key))
-        text += fmt::format("<br><b>{}</b>", name_of(verdict->verdict));
-    if (const LoneNumber* lone = lone_number_of(comparison, candidate.fabric, criterion.key))
-        text += fmt::format("<br><b>{}</b>", lone->words);
+        made.strong.emplace_back(name_of(verdict->verdict));
+    if (const LoneNumber* lone = lone_number_of(comparison, candidate.fabric, criterion.key)) made.strong.push_back(lone->words);
     if (const LaboratoryValue* value = measured_of(comparison, candidate.fabric, criterion.key)) {
         const ReaderUnit own = reader_unit(units, shown(criterion, 0).unit);
-        text += fmt::format("<br>measured {:.4g}{}", own.of(shown(criterion, value->value).value),
-                            value->spread ? fmt::format(" ± {:.2g}", own.per_one * *value->spread) : "");
+        made.below = fmt::format("measured {:.4g}{}", own.of(shown(criterion, value->value).value),
+                                 value->spread ? fmt::format(" ± {:.2g}", own.per_one * *value->spread) : "");
     }
-    return "<td class=\"number\">" + text + "</td>";
+    return made;
 }
 
-std::string results(const Comparison& comparison, const ReaderUnits& units)
+PageBlocks results(const Comparison& comparison, const ReaderUnits& units)
 {
-    std::string rows = comparison.of_garments ? "<tr><th></th><th>garment</th>" : "<tr><th></th><th>fabric</th>";
+    std::vector<PageRow> rows{row_of_headings({"", comparison.of_garments ? "garment" : "fabric"})};
     for (const OutcomeInfo& criterion : comparison.criteria) {
         const std::string unit = reader_unit(units, shown(criterion, 0).unit).unit;
-        rows += "<th>" + escaped_markup(full_title(criterion) + (unit.empty() ? "" : ", " + unit)) + "</th>";
+        rows.back().push_back({full_title(criterion) + (unit.empty() ? "" : ", " + unit), Kind::heading});
     }
-    rows += "</tr>\n";
     for (const Candidate& candidate : comparison.candidates) {
-        rows +=
-            fmt::format("<tr><td>{}</td><th>{}</th>", candidate.rank == 0 ? "–" : rank_text(candidate), escaped_markup(candidate.fabric));
-        if (!candidate.failure.empty())
-            rows += fmt::format("<td colspan=\"{}\">{}</td>", comparison.criteria.size(), escaped_markup(candidate.failure));
-        else
-            for (const OutcomeInfo& criterion : comparison.criteria) rows += cell(comparison, candidate, criterion, units);
-        rows += "</tr>\n";
+        rows.push_back({{candidate.rank == 0 ? "–" : rank_text(candidate)}, {candidate.fabric, Kind::heading}});
+        if (!candidate.failure.empty()) {
+            rows.back().push_back({candidate.failure});
+            rows.back().back().columns = static_cast<int>(comparison.criteria.size());
+        } else {
+            for (const OutcomeInfo& criterion : comparison.criteria) rows.back().push_back(cell(comparison, candidate, criterion, units));
+        }
     }
     std::vector<std::string> sentences{basis_text(comparison)};
     for (const LoneNumber& lone : comparison.lone) sentences.push_back(lone.sentence);
-    return table(rows) + list(sentences);
+    return joined({table(rows), list(sentences)});
 }
 
 /// The intervals of one number, a line a candidate; what was measured is a hollow diamond.
-std::string whiskers(const Comparison& comparison, const OutcomeInfo& criterion, const ReaderUnits& units)
+PageBlocks whiskers(const Comparison& comparison, const OutcomeInfo& criterion, const ReaderUnits& units)
 {
     constexpr double left = 170, width = 380, line = 22;
     double low = 0, high = 0;
@@ -161,8 +158,9 @@ std::string whiskers(const Comparison& comparison, const OutcomeInfo& criterion,
     const ReaderUnit own = reader_unit(units, shown(criterion, 0).unit);
     body += svg_text(left, y + 4, "start", fmt::format("{:.4g}", own.of(shown(criterion, low).value)));
     body += svg_text(left + width, y + 4, "end", fmt::format("{:.4g} {}", own.of(shown(criterion, high).value), own.unit));
-    return fmt::format("<figure>{}{}</svg><figcaption>{}. Point and line: simulated, with its interval.{}</figcaption></figure>\n",
-                       svg_begin(580, y + 14), body, escaped_markup(full_title(criterion)), measured ? " Hollow diamond: measured." : "");
+    return {PageDrawing{svg_begin(580, y + 14) + body + "</svg>",
+                        fmt::format("{}. Point and line: simulated, with its interval.{}", full_title(criterion),
+                                    measured ? " Hollow diamond: measured." : "")}};
 }
 
 /// The middle of the replicates with their band; of a single run its curve.
@@ -200,7 +198,7 @@ std::string bands_text(const Comparison& comparison, const Plot& plot, const Cur
 }
 
 /// Curves of what the type of experiment measures, a figure for each with all fabrics in it.
-std::string curves(const Comparison& comparison, const ReaderUnits& units)
+PageBlocks curves(const Comparison& comparison, const ReaderUnits& units)
 {
     const auto first = std::find_if(comparison.candidates.begin(), comparison.candidates.end(),
                                     [](const Candidate& c) { return experiment_of(c) && c.metrics && c.metrics->series.time.size() > 1; });
@@ -210,7 +208,7 @@ std::string curves(const Comparison& comparison, const ReaderUnits& units)
     const std::vector<double> times = replicates ? trace_times(experiment.duration_s) : first->metrics->series.time;
     const Plot& plot = subject_plot(experiment.type);
     const ReaderUnit own = reader_unit(units, plot.unit);
-    std::string figures;
+    PageBlocks figures;
     for (const Curve& curve : plot.curves) {
         if (curve.in_reports_only) continue;
         LineChart chart{fmt::format("{}, {}", plot.title, curve.name), "time, s", own.unit, times, {}};
@@ -221,41 +219,36 @@ std::string curves(const Comparison& comparison, const ReaderUnits& units)
                 chart.curves.push_back(std::move(made));
             }
         if (chart.curves.empty()) continue;
-        const std::string bands = bands_text(comparison, plot, curve);
-        figures +=
-            "<figure>" + svg_of(chart) + (bands.empty() ? bands : "<figcaption>" + escaped_markup(bands) + "</figcaption>") + "</figure>\n";
+        figures.emplace_back(PageDrawing{svg_of(chart), bands_text(comparison, plot, curve)});
     }
     return figures;
 }
 
 /// With replicates, what the maps are of.
-std::string maps_of(const Comparison& comparison, const std::vector<ReportPicture>& maps)
+PageBlocks maps_of(const Comparison& comparison, const std::vector<ReportPicture>& maps)
 {
     if (maps.empty()) return {};
     const char* about = comparison.of_garments
-                            ? "<p>The first run of each garment, at the end of the experiment. The other replicates have no pictures.</p>\n"
-                            : "<p>The first run of each cloth, at the end of the experiment. The other replicates have no "
-                              "pictures here; their ranges stand round the curves.</p>\n";
-    return (comparison.replicates > 1 ? about : "") + figures_of(maps);
+                            ? "The first run of each garment, at the end of the experiment. The other replicates have no pictures."
+                            : "The first run of each cloth, at the end of the experiment. The other replicates have no "
+                              "pictures here; their ranges stand round the curves.";
+    return joined({comparison.replicates > 1 ? sentence(about) : PageBlocks(), blocks_of(maps)});
 }
 
 /// What the fabrics of the candidates weigh, and what else follows from their descriptions.
-std::string calculated(const Comparison& comparison, const ReaderUnits& units)
+PageBlocks calculated(const Comparison& comparison, const ReaderUnits& units)
 {
-    const std::string mm = reader_unit(units, "mm").unit;
-    std::string rows = fmt::format("<tr><th>fabric</th><th>mass per area, g/m²</th><th>thickness, {}</th><th>porosity</th></tr>\n", mm);
-    bool any = false;
+    std::vector<PageRow> rows{
+        row_of_headings({"fabric", "mass per area, g/m²", "thickness, " + reader_unit(units, "mm").unit, "porosity"})};
     for (const Candidate& candidate : comparison.candidates) {
         if (!candidate.run || !(candidate.run->textile.quantities.areal_density_g_m2 > 0)) continue;
         const FabricQuantities& q = candidate.run->textile.quantities;
-        any = true;
-        rows += "<tr><th>" + escaped_markup(candidate.fabric) + "</th>";
+        rows.push_back(row_of_headings({candidate.fabric}));
         for (const std::string& number : {rounded_text(q.areal_density_g_m2, 4),
                                           rounded_text(reader_unit(units, "mm").of(q.thickness_mm), 3), rounded_text(q.porosity, 3)})
-            rows += "<td class=\"number\">" + number + "</td>";
-        rows += "</tr>\n";
+            rows.back().push_back({number, Kind::number});
     }
-    return any ? table(rows) : std::string();
+    return rows.size() > 1 ? table(rows) : PageBlocks();
 }
 
 /// The fabrics that its runs were of, in the design that has them.
@@ -290,7 +283,7 @@ std::vector<std::pair<std::string, std::string>> description(const Candidate& ca
 }
 
 /// What the candidates' descriptions do not share.
-std::string differences(const Comparison& comparison, const ReaderUnits& units)
+PageBlocks differences(const Comparison& comparison, const ReaderUnits& units)
 {
     std::vector<std::string> names; // in the order in which a description has them
     std::map<std::string, std::vector<std::string>> rows;
@@ -301,19 +294,15 @@ std::string differences(const Comparison& comparison, const ReaderUnits& units)
             rows[name].resize(count);
             rows[name][i] = text;
         }
-    std::string body = "<tr><th></th>";
-    for (const Candidate& candidate : comparison.candidates) body += "<th>" + escaped_markup(candidate.fabric) + "</th>";
-    body += "</tr>\n";
-    bool any = false;
+    std::vector<PageRow> differing{row_of_headings({""})};
+    for (const Candidate& candidate : comparison.candidates) differing.front().push_back({candidate.fabric, Kind::heading});
     for (const std::string& name : names) {
         const std::vector<std::string>& texts = rows[name];
         if (std::all_of(texts.begin(), texts.end(), [&](const std::string& text) { return text == texts.front(); })) continue;
-        any = true;
-        body += "<tr><th>" + escaped_markup(name) + "</th>";
-        for (const std::string& text : texts) body += "<td>" + (text.empty() ? "–" : escaped_markup(text)) + "</td>";
-        body += "</tr>\n";
+        differing.push_back(row_of_headings({name}));
+        for (const std::string& text : texts) differing.back().push_back({text.empty() ? "–" : text});
     }
-    return any ? table(body) : "<p>Nothing: the descriptions are the same.</p>\n";
+    return differing.size() > 1 ? table(differing) : sentence("Nothing: the descriptions are the same.");
 }
 
 /// Whose time it is.
@@ -327,22 +316,22 @@ std::string time_words(const Candidate& candidate)
                                 : fmt::format("{:.3g} s for {} runs together", candidate.wall, candidate.timed);
 }
 
-std::string computation(const Comparison& comparison)
+PageBlocks computation(const Comparison& comparison)
 {
-    std::string rows = "<tr><th>fabric</th><th>fidelity and backend</th><th>device</th><th>computing time</th></tr>\n";
+    std::vector<PageRow> rows{row_of_headings({"fabric", "fidelity and backend", "device", "computing time"})};
     std::vector<std::string> notes;
     for (const Candidate& candidate : comparison.candidates) {
-        if (candidate.worn) rows += row(candidate.fabric, candidate.worn->how, candidate.worn->device, time_words(candidate));
+        if (candidate.worn) rows.push_back(row(candidate.fabric, candidate.worn->how, candidate.worn->device, time_words(candidate)));
         if (candidate.run)
-            rows += row(candidate.fabric, fmt::format("{}, {}", name_of(candidate.run->plan.fidelity), candidate.run->backend),
-                        candidate.run->device, time_words(candidate));
+            rows.push_back(row(candidate.fabric, fmt::format("{}, {}", name_of(candidate.run->plan.fidelity), candidate.run->backend),
+                               candidate.run->device, time_words(candidate)));
         for (const std::string& note : all_notes(comparison, candidate)) notes.push_back(candidate.fabric + ": " + note);
     }
-    return table(rows) + list(notes) +
-           table(row("program", std::string("Hygroloom ") + program_version(), "") + row("commit", program_commit(), ""));
+    return joined({table(rows), list(notes),
+                   table({row("program", std::string("Hygroloom ") + program_version(), ""), row("commit", program_commit(), "")})});
 }
 
-std::string unknown(const Comparison& comparison)
+PageBlocks unknown(const Comparison& comparison)
 {
     std::vector<std::string> sentences;
     for (const Candidate& candidate : comparison.candidates) {
@@ -363,18 +352,18 @@ std::string map_caption(const Comparison& comparison, const std::string& fabric,
     return fabric + (comparison.replicates > 1 ? ", as given, " : ", ") + side;
 }
 
-std::string comparison_report_html(const Comparison& comparison, const std::vector<ReportPicture>& maps, const ReaderUnits& units)
+ReportPage comparison_report(const Comparison& comparison, const std::vector<ReportPicture>& maps, const ReaderUnits& units)
 {
-    std::string intervals;
-    for (const OutcomeInfo& criterion : comparison.criteria) intervals += whiskers(comparison, criterion, units);
-    return page("Comparison: " + comparison.experiment,
-                "<p>All numbers are simulated, except those marked as measured.</p>\n" + question(comparison) +
-                    section("Experiment", experiment_table(comparison, units)) + section("Results", results(comparison, units)) +
-                    section("Intervals", intervals) + section("Why", comparison.why ? why_html(*comparison.why, units) : std::string()) +
-                    section("Maps", maps_of(comparison, maps)) + section("Over time", curves(comparison, units)) +
-                    section("Fabrics", calculated(comparison, units)) +
-                    section("What differs in the descriptions", differences(comparison, units)) +
-                    section("Computation", computation(comparison)) + section("What is not known", unknown(comparison)));
+    PageBlocks intervals;
+    for (const OutcomeInfo& criterion : comparison.criteria) intervals = joined({intervals, whiskers(comparison, criterion, units)});
+    return {"Comparison: " + comparison.experiment,
+            joined({sentence("All numbers are simulated, except those marked as measured."), sentence(question(comparison)),
+                    section("Experiment", experiment_table(comparison, units)), section("Results", results(comparison, units)),
+                    section("Intervals", intervals), section("Why", comparison.why ? why_blocks(*comparison.why, units) : PageBlocks()),
+                    section("Maps", maps_of(comparison, maps)), section("Over time", curves(comparison, units)),
+                    section("Fabrics", calculated(comparison, units)),
+                    section("What differs in the descriptions", differences(comparison, units)),
+                    section("Computation", computation(comparison)), section("What is not known", unknown(comparison))})};
 }
 
 } // namespace hygroloom

@@ -3,16 +3,16 @@
 #pragma once
 
 #include "core/analysis/comparison.h"
+#include "core/analysis/page.h"
 #include "core/analysis/reader_units.h"
-#include "core/analysis/report_parts.h"
 
 namespace hygroloom {
 
 /// Of a map of a fabric as given: "Cotton, as given, top"; there is nothing but that where no replicates are compared.
 std::string map_caption(const Comparison& comparison, const std::string& fabric, const std::string& side);
 
-/// HTML of one file, as report_html() is. maps: of all candidates as given, on one colour scale.
+/// maps: of all candidates as given, on one colour scale.
 /// units: of numbers and curves.
-std::string comparison_report_html(const Comparison& comparison, const std::vector<ReportPicture>& maps, const ReaderUnits& units = {});
+ReportPage comparison_report(const Comparison& comparison, const std::vector<ReportPicture>& maps, const ReaderUnits& units = {});
 
 } // namespace hygroloom

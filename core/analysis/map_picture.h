@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/analysis/map_image.h"
-#include "core/analysis/report_parts.h"
+#include "core/analysis/page.h"
 #include "core/run/run_record.h"
 
 namespace hygroloom {

@@ -6,7 +6,6 @@
 #include "core/analysis/plots.h"
 #include "core/analysis/report_inputs.h"
 #include "core/analysis/report_outcomes.h"
-#include "core/analysis/svg.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/design/fabric_quantities.h"
@@ -23,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A number with so many digits, in the reader's unit.
-std::string row_of(const ReaderUnits& units, const std::string& name, double value, int digits, const std::string& unit)
+PageRow row_of(const ReaderUnits& units, const std::string& name, double value, int digits, const std::string& unit)
 {
     const ReaderUnit own = reader_unit(units, unit);
     return row(name, rounded_text(own.of(value), digits), own.unit);
@@ -34,7 +33,7 @@ constexpr const char* sizes_of_stain = "The wetted radius is that of the smalles
                                        "of equal moments is the filled one that "
                                        "spreads as widely as the wet crossings on top; single fingers count little in it.";
 
-std::string results(const RunRecord& run, const Metrics& metrics, const ReaderUnits& units)
+PageBlocks results(const RunRecord& run, const Metrics& metrics, const ReaderUnits& units)
 {
     const std::vector<Outcome> outcomes = outcomes_of(run, metrics);
     const std::map<std::string, Interval> intervals = numerical_intervals(run, metrics);
@@ -44,23 +43,23 @@ std::string results(const RunRecord& run, const Metrics& metrics, const ReaderUn
     const bool ellipse = std::any_of(outcomes.begin(), outcomes.end(),
                                      [](const Outcome& outcome) { return outcome.key.starts_with("wetted_area_ellipse"); });
     if (ellipse) notes.insert(notes.begin(), sizes_of_stain);
-    const std::string assumed = metrics.assumed.empty() ? "" : "<p>Assumed:</p>\n" + list(metrics.assumed);
-    const std::string about = "<p>After ±: the numerical error, as measured on runs of this kind.</p>\n";
-    return table(found.rows) + (intervals.empty() ? "" : about) + list(notes) + assumed;
+    const PageBlocks assumed = metrics.assumed.empty() ? PageBlocks() : joined({sentence("Assumed:"), list(metrics.assumed)});
+    const PageBlocks about = intervals.empty() ? PageBlocks() : sentence("After ±: the numerical error, as measured on runs of this kind.");
+    return joined({table(found.rows), about, list(notes), assumed});
 }
 
-std::string balance(const Ledger& ledger)
+PageBlocks balance(const Ledger& ledger)
 {
-    std::string rows;
+    std::vector<PageRow> rows;
     for (const auto& part : {water_balance(ledger), balance_check(ledger)})
-        for (const BalanceRow& of : part) rows += row(of.title, fmt::format("{:.4g}", of.value), of.unit);
+        for (const BalanceRow& of : part) rows.push_back(row(of.title, fmt::format("{:.4g}", of.value), of.unit));
     return table(rows);
 }
 
 /// Curves that are empty or all 0 are left out, and so is a plot without curves.
-std::string charts(const Metrics& metrics, const ReaderUnits& units)
+PageBlocks charts(const Metrics& metrics, const ReaderUnits& units)
 {
-    std::string figures;
+    PageBlocks figures;
     for (const Plot& plot : all_plots()) {
         const ReaderUnit own = reader_unit(units, plot.unit);
         LineChart chart{plot.title, "time, s", own.unit, metrics.series.time, {}};
@@ -70,30 +69,34 @@ std::string charts(const Metrics& metrics, const ReaderUnits& units)
             for (double& value : values) value = own.of(value);
             chart.curves.push_back({curve.name, values});
         }
-        if (!chart.curves.empty() && chart.x.size() > 1) figures += "<figure>" + svg_of(chart) + "</figure>\n";
+        if (!chart.curves.empty() && chart.x.size() > 1) figures.emplace_back(PageDrawing{svg_of(chart)});
     }
     return figures;
 }
 
-std::string derived(const ReaderUnits& units, const FabricQuantities& q)
+std::vector<PageRow> derived(const ReaderUnits& units, const FabricQuantities& q)
 {
-    return row("cover factor", rounded_text(q.cover_factor, 3), "") + row("mass per area", rounded_text(q.areal_density_g_m2, 4), "g/m²") +
-           row_of(units, "thickness", q.thickness_mm, 3, "mm") + row("porosity", rounded_text(q.porosity, 3), "") +
-           row("fibres in the yarn layer", rounded_text(q.fibre_volume_fraction, 3), "m³/m³") +
-           row_of(units, "gap between ends", q.gap_warp_mm, 3, "mm") + row_of(units, "gap between picks", q.gap_weft_mm, 3, "mm") +
-           row("smoothness", rounded_text(q.smoothness, 3), "");
+    return {row("cover factor", rounded_text(q.cover_factor, 3), ""),
+            row("mass per area", rounded_text(q.areal_density_g_m2, 4), "g/m²"),
+            row_of(units, "thickness", q.thickness_mm, 3, "mm"),
+            row("porosity", rounded_text(q.porosity, 3), ""),
+            row("fibres in the yarn layer", rounded_text(q.fibre_volume_fraction, 3), "m³/m³"),
+            row_of(units, "gap between ends", q.gap_warp_mm, 3, "mm"),
+            row_of(units, "gap between picks", q.gap_weft_mm, 3, "mm"),
+            row("smoothness", rounded_text(q.smoothness, 3), "")};
 }
 
-std::string derived(const ReaderUnits& units, const char* which, const YarnQuantities& q)
+void add_derived(std::vector<PageRow>& rows, const ReaderUnits& units, const char* which, const YarnQuantities& q)
 {
     const std::string yarn = std::string(which) + ", ";
     const ReaderUnit length = reader_unit(units, "mm");
     const auto side = [&length](double mm) { return rounded_text(length.of(mm), 3); };
-    return row_of(units, yarn + "linear density", q.linear_density_tex, 3, "tex") +
-           row(yarn + "section", side(q.section_mm.width) + " x " + side(q.section_mm.height), length.unit) +
-           row(yarn + "fibre share", rounded_text(q.packing_factor_in_fabric, 3), "m³/m³") +
-           row(yarn + "crimp", rounded_text(q.crimp_percent, 3), "%") + row(yarn + "pore radius", rounded_text(q.pore_radius_um, 3), "µm") +
-           row(yarn + "contact angle", rounded_text(q.contact_angle_deg, 3), "°");
+    rows.insert(rows.end(), {row_of(units, yarn + "linear density", q.linear_density_tex, 3, "tex"),
+                             row(yarn + "section", side(q.section_mm.width) + " x " + side(q.section_mm.height), length.unit),
+                             row(yarn + "fibre share", rounded_text(q.packing_factor_in_fabric, 3), "m³/m³"),
+                             row(yarn + "crimp", rounded_text(q.crimp_percent, 3), "%"),
+                             row(yarn + "pore radius", rounded_text(q.pore_radius_um, 3), "µm"),
+                             row(yarn + "contact angle", rounded_text(q.contact_angle_deg, 3), "°")});
 }
 
 /// The materials and the liquid that the run used, also where the project takes them from the library.
@@ -116,10 +119,13 @@ Design with_what_was_used(const RunRecord& run, const Fabric& fabric, const Expe
     return used;
 }
 
-std::string input(const RunRecord& run, const ReaderUnits& units)
+PageBlocks input(const RunRecord& run, const ReaderUnits& units)
 {
     const FabricQuantities& q = run.textile.quantities;
-    std::string body = table(derived(units, q) + derived(units, "warp", q.warp) + derived(units, "weft", q.weft)) + list(english(q.notes));
+    std::vector<PageRow> rows = derived(units, q);
+    add_derived(rows, units, "warp", q.warp);
+    add_derived(rows, units, "weft", q.weft);
+    PageBlocks body = joined({table(rows), list(english(q.notes))});
     const Fabric* fabric = find_fabric(run.design, run.fabric);
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     if (!fabric || !experiment) return body;
@@ -127,64 +133,66 @@ std::string input(const RunRecord& run, const ReaderUnits& units)
     constexpr std::pair<const char*, const char*> parts[] = {
         {"fabrics", "Fabric"}, {"materials", "Fibres"}, {"experiments", "Experiment"}, {"liquids", "Liquid"}};
     for (const auto& [key, name] : parts)
-        for (const Json& value : project.value(key, Json::array())) body += table_of_inputs(name, value, units);
+        for (const Json& value : project.value(key, Json::array())) body = joined({body, table_of_inputs(name, value, units)});
     return body;
 }
 
 /// The parts of the physics, and why each was modelled or not.
-std::string parts(const RunRecord& run)
+PageBlocks parts(const RunRecord& run)
 {
-    std::string rows;
+    std::vector<PageRow> rows;
     for (const PlannedPart& part : run.plan.parts)
-        rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td></tr>\n", escaped_markup(part.name), part.on ? "on" : "off",
-                            escaped_markup(part.reason));
+        rows.push_back({{part.name, PageCell::Kind::heading}, {part.on ? "on" : "off"}, {part.reason}});
     std::vector<std::string> sentences;
     for (const SwitchedPart& part : run.switched_on) sentences.push_back(in_words(part));
-    return table(rows) + list(sentences);
+    return joined({table(rows), list(sentences)});
 }
 
 /// The knobs that the user changed.
-std::string knobs(const ModelPlan& plan)
+PageBlocks knobs(const ModelPlan& plan)
 {
     const Knobs usual = knobs_of(plan.fidelity);
-    std::string rows;
+    std::vector<PageRow> rows;
     for (const KnobInfo& knob : knob_table()) {
         const double value = plan.knobs.*knob.value;
         const std::string meaning = knob.meaning; // its first part, before what is said of single values
         if (value != usual.*knob.value)
-            rows += row(meaning.substr(0, meaning.find(';')), text_of(knob, value),
-                        fmt::format("(instead of {})", text_of(knob, usual.*knob.value)));
+            rows.push_back(row(meaning.substr(0, meaning.find(';')), text_of(knob, value),
+                               fmt::format("(instead of {})", text_of(knob, usual.*knob.value))));
     }
-    return rows.empty() ? "" : "<p>Knobs that differ from this fidelity:</p>\n" + table(rows);
+    return rows.empty() ? PageBlocks() : joined({sentence("Knobs that differ from this fidelity:"), table(rows)});
 }
 
-std::string origin(const RunRecord& run, const Ledger& ledger, bool finished)
+PageBlocks origin(const RunRecord& run, const Ledger& ledger, bool finished)
 {
-    std::string rows = row("program", std::string("Hygroloom ") + program_version(), "") + row("commit", program_commit(), "") +
-                       row("fabric", run.fabric, "") + row("experiment", run.experiment, "") + row("backend", run.backend, "") +
-                       row("device", run.device, "") + row("fidelity", name_of(run.plan.fidelity), "") +
-                       row("seed", std::to_string(run.seed), "");
-    if (finished) rows += row("computing time", fmt::format("{:.4g}", run.wall), "s");
-    rows += row("simulated time", fmt::format("{:.4g}", ledger.time), "s");
+    std::vector<PageRow> rows{row("program", std::string("Hygroloom ") + program_version(), ""),
+                              row("commit", program_commit(), ""),
+                              row("fabric", run.fabric, ""),
+                              row("experiment", run.experiment, ""),
+                              row("backend", run.backend, ""),
+                              row("device", run.device, ""),
+                              row("fidelity", name_of(run.plan.fidelity), ""),
+                              row("seed", std::to_string(run.seed), "")};
+    if (finished) rows.push_back(row("computing time", fmt::format("{:.4g}", run.wall), "s"));
+    rows.push_back(row("simulated time", fmt::format("{:.4g}", ledger.time), "s"));
     if (run.plan.expected_error)
-        rows +=
-            row("largest numerical error of all numbers but “stain at rest from”", rounded_text(100 * *run.plan.expected_error, 2), "%");
-    if (!run.date.empty()) rows += row("started", run.date, "");
-    return table(rows) + knobs(run.plan) + parts(run) + list(notes_of(run.plan));
+        rows.push_back(
+            row("largest numerical error of all numbers but “stain at rest from”", rounded_text(100 * *run.plan.expected_error, 2), "%"));
+    if (!run.date.empty()) rows.push_back(row("started", run.date, ""));
+    return joined({table(rows), knobs(run.plan), parts(run), list(notes_of(run.plan))});
 }
 
 } // namespace
 
-std::string report_html(const RunRecord& run, const Metrics& metrics, const std::vector<ReportPicture>& pictures, bool finished,
-                        const ReaderUnits& units)
+ReportPage report_of(const RunRecord& run, const Metrics& metrics, const std::vector<ReportPicture>& pictures, bool finished,
+                     const ReaderUnits& units)
 {
     const std::string origin_of_all =
         "Simulated, not measured." + (finished ? "" : fmt::format(" The run was stopped at {:.4g} s.", metrics.ledger.time));
-    return page(run.fabric + ", " + run.experiment, "<p>" + origin_of_all + "</p>\n" + section("Results", results(run, metrics, units)) +
-                                                        section("Maps", figures_of(pictures)) +
-                                                        section("Over time", charts(metrics, units)) +
-                                                        section("Balance", balance(metrics.ledger)) + section("Inputs", input(run, units)) +
-                                                        section("Computation", origin(run, metrics.ledger, finished)));
+    return {run.fabric + ", " + run.experiment,
+            joined({sentence(origin_of_all), section("Results", results(run, metrics, units)), section("Maps", blocks_of(pictures)),
+                    section("Over time", charts(metrics, units)), section("Balance", balance(metrics.ledger)),
+                    section("Inputs", input(run, units)), section("Computation", origin(run, metrics.ledger, finished))})};
 }
 
 } // namespace hygroloom

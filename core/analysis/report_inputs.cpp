@@ -2,8 +2,6 @@
 // Numbers by the labels of their rows, with the unit that their key ends in.
 #include "core/analysis/report_inputs.h"
 
-#include "core/analysis/report_parts.h"
-#include "core/analysis/svg.h"
 #include "core/base/text.h"
 #include "core/base/trade_units.h"
 #include "core/design/field_labels.h"
@@ -117,12 +115,11 @@ std::vector<std::pair<std::string, std::string>> inputs_in_words(const ProjectJs
     return std::move(writer.rows);
 }
 
-std::string table_of_inputs(const char* title, const ProjectJson& value, const ReaderUnits& units)
+PageBlocks table_of_inputs(const char* title, const ProjectJson& value, const ReaderUnits& units)
 {
-    std::string rows;
-    for (const auto& [name, text] : inputs_in_words(value, units))
-        rows += "<tr><th>" + escaped_markup(name) + "</th><td>" + escaped_markup(text) + "</td></tr>\n";
-    return fmt::format("<details open><summary>{}</summary>{}</details>\n", title, table(rows));
+    std::vector<PageRow> rows;
+    for (const auto& [name, text] : inputs_in_words(value, units)) rows.push_back({{name, PageCell::Kind::heading}, {text}});
+    return section(title, table(rows), 3);
 }
 
 } // namespace hygroloom

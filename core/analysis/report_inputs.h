@@ -2,6 +2,7 @@
 // Inputs of a report: what a project file holds, in words with units.
 #pragma once
 
+#include "core/analysis/page.h"
 #include "core/analysis/reader_units.h"
 #include "core/project/project_json.h"
 
@@ -15,7 +16,7 @@ namespace hygroloom {
 /// value in the file there is no row.
 std::vector<std::pair<std::string, std::string>> inputs_in_words(const ProjectJson& value, const ReaderUnits& units = {});
 
-/// The same as HTML: a table that folds away under its title.
-std::string table_of_inputs(const char* title, const ProjectJson& value, const ReaderUnits& units = {});
+/// The same as a table under its title.
+PageBlocks table_of_inputs(const char* title, const ProjectJson& value, const ReaderUnits& units = {});
 
 } // namespace hygroloom

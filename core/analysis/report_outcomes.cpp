@@ -2,7 +2,6 @@
 #include "core/analysis/report_outcomes.h"
 
 #include "core/analysis/comparison.h"
-#include "core/analysis/report_parts.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +19,7 @@ OutcomeRows outcome_rows(const std::vector<Outcome>& outcomes, const std::map<st
             found == intervals.end() ? fmt::format("{:.4g}", own.of(value.value)) : with_interval(outcome, found->second, units);
         const std::string text = !outcome.text.empty() ? outcome.text : outcome.value ? number : "–";
         const std::string grade = outcome.grade ? fmt::format("grade {} of 5", *outcome.grade) : "";
-        made.rows += row(full_title(outcome), text, outcome.value ? own.unit : "", grade);
+        made.rows.push_back(row(full_title(outcome), text, outcome.value ? own.unit : "", grade));
         for (const std::string& note : {outcome.missing, outcome.remark})
             if (!note.empty()) made.notes.push_back(full_title(outcome) + ": " + note + ".");
     }

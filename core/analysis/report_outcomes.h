@@ -3,12 +3,13 @@
 #pragma once
 
 #include "core/analysis/intervals.h"
+#include "core/analysis/page.h"
 #include "core/analysis/reader_units.h"
 
 namespace hygroloom {
 
 struct OutcomeRows {
-    std::string rows;               ///< HTML
+    std::vector<PageRow> rows;
     std::vector<std::string> notes; ///< why numbers are missing, and what limits others, in sentences
 };
 /// Of those that people read, with the intervals that there are.

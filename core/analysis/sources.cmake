@@ -25,6 +25,9 @@ target_sources(hygroloom_core PRIVATE
   analysis/moisture_tester.cpp
   analysis/netcdf_file.cpp
   analysis/outcomes.cpp
+  analysis/page.cpp
+  analysis/page_html.cpp
+  analysis/page_json.cpp
   analysis/plots.cpp
   analysis/poly_data.cpp
   analysis/recording_netcdf.cpp
@@ -33,7 +36,6 @@ target_sources(hygroloom_core PRIVATE
   analysis/report.cpp
   analysis/report_inputs.cpp
   analysis/report_outcomes.cpp
-  analysis/report_parts.cpp
   analysis/run_trace.cpp
   analysis/series_keys.cpp
   analysis/stain_shape.cpp

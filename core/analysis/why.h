@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/analysis/comparison.h"
+#include "core/analysis/page.h"
 #include "core/design/fabric_parts.h"
 
 #include <cstdint>
@@ -103,7 +104,7 @@ std::vector<WhyLine> lines_of(const Why& why);
 
 /// A table, then the sentences.
 std::string why_text(const Why& why);
-/// HTML with bars, for a report.
-std::string why_html(const Why& why, const ReaderUnits& units = {});
+/// With bars, for a report.
+PageBlocks why_blocks(const Why& why, const ReaderUnits& units = {});
 
 } // namespace hygroloom

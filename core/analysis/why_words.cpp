@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Why one fabric is better than another, in words, as a table and as bars.
 #include "core/analysis/comparative.h"
-#include "core/analysis/report_parts.h"
+#include "core/analysis/page.h"
 #include "core/analysis/svg.h"
 #include "core/analysis/why.h"
 #include "core/base/text.h"
@@ -94,7 +94,7 @@ std::vector<std::string> what_shows_alone(const Why& why, const ReaderUnits& uni
 }
 
 /// A bar from 0 for each contribution, with its interval.
-std::string bars(const Why& why, const ReaderUnits& units)
+PageBlocks bars(const Why& why, const ReaderUnits& units)
 {
     constexpr double left = 240, width = 330, line = 24;
     constexpr std::size_t longest_label = 36;
@@ -123,10 +123,11 @@ std::string bars(const Why& why, const ReaderUnits& units)
     const ReaderUnit own = of_differences(units)(shown(why.metric, 0).unit);
     body += svg_text(left, y + 4, "start", fmt::format("{:.3g}", own.of(shown(why.metric, low).value)));
     body += svg_text(left + width, y + 4, "end", fmt::format("{:.3g} {}", own.of(shown(why.metric, high).value), own.unit));
-    return fmt::format("<figure>{}{}</svg><figcaption>{}, {} less {}. Blue: better for {}; brown: worse; grey: no effect that this "
-                       "simulation can show. Lines: intervals.</figcaption></figure>\n",
-                       svg_begin(600, y + 14), body, escaped_markup(full_title(why.metric)), escaped_markup(why.fabric),
-                       escaped_markup(why.against), escaped_markup(why.fabric));
+    return {
+        PageDrawing{svg_begin(600, y + 14) + body + "</svg>",
+                    fmt::format("{}, {} less {}. Blue: better for {}; brown: worse; grey: no effect that this simulation can show. Lines: "
+                                "intervals.",
+                                full_title(why.metric), why.fabric, why.against, why.fabric)}};
 }
 
 } // namespace
@@ -218,22 +219,20 @@ std::string why_text(const Why& why)
     return text;
 }
 
-std::string why_html(const Why& why, const ReaderUnits& units)
+PageBlocks why_blocks(const Why& why, const ReaderUnits& units)
 {
-    std::string html = "<p>" + escaped_markup(heading_of(why, units)) + ".</p>\n";
+    PageBlocks blocks = sentence(heading_of(why, units) + ".");
     if (why.nothing.empty()) {
-        html += bars(why, units);
-        std::string rows = "<tr><th></th><th>" + escaped_markup(why.fabric) + "</th><th>" + escaped_markup(why.against) +
-                           "</th><th>contribution</th><th></th></tr>\n";
+        std::vector<PageRow> rows{row_of_headings({"", why.fabric, why.against, "contribution", ""})};
         for (const WhyLine& each : lines_of(why))
-            rows += fmt::format("<tr><th>{}</th><td>{}</td><td>{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
-                                escaped_markup(each.title), escaped_markup(each.first), escaped_markup(each.second),
-                                escaped_markup(with_unit(why.metric, *each.compared, units)),
-                                each.whole ? name_of(why.whole->verdict) : effect_words(why.metric, *each.compared));
-        html += table(rows);
+            rows.push_back({{each.title, PageCell::Kind::heading},
+                            {each.first},
+                            {each.second},
+                            {with_unit(why.metric, *each.compared, units), PageCell::Kind::number},
+                            {each.whole ? name_of(why.whole->verdict) : effect_words(why.metric, *each.compared)}});
+        blocks = joined({blocks, bars(why, units), table(rows)});
     }
-    std::vector<std::string> sentences = sentences_of(why, units);
-    return html + list(sentences);
+    return joined({blocks, list(sentences_of(why, units))});
 }
 
 } // namespace hygroloom

@@ -33,23 +33,26 @@ inline std::string csv_field(const std::string& text)
     return text.find_first_of(",;\"\n\r") == std::string::npos ? text : quoted_csv_field(text);
 }
 
+/// Characters of UTF-8: one of several bytes counts once.
+inline std::size_t width_as_seen(const std::string& text)
+{
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
 /// Columns as wide as their widest cell; the first is aligned left, the others right. A row of two is a name and a sentence.
 inline std::string aligned_columns(const std::vector<std::vector<std::string>>& rows)
 {
-    const auto width_of = [](const std::string& text) { // as seen: UTF-8 of more than one byte counts once
-        return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-    };
     std::vector<std::size_t> widths;
     for (const auto& row : rows)
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (i == widths.size()) widths.push_back(0);
-            if (row.size() > 2 || i != 1) widths[i] = std::max(widths[i], width_of(row[i]));
+            if (row.size() > 2 || i != 1) widths[i] = std::max(widths[i], width_as_seen(row[i]));
         }
     std::string text;
     for (const auto& row : rows) {
         std::string line;
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const std::string blanks(widths[i] - std::min(widths[i], width_of(row[i])), ' ');
+            const std::string blanks(widths[i] - std::min(widths[i], width_as_seen(row[i])), ' ');
             line += (i == 0 ? "" : "  ") + (i == 0 || row.size() == 2 ? row[i] + blanks : blanks + row[i]);
         }
         text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/garment/gltf_file.h"
 
+#include "core/base/base64.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/base/utf8.h"
@@ -26,29 +27,6 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at)
     std::uint32_t word = 0;
     for (std::size_t i = 0; i < 4; ++i) word |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
     return word;
-}
-
-/// The bytes of base64; none where it is no such text.
-std::optional<std::string> from_base64(std::string_view text)
-{
-    while (text.ends_with('=')) text.remove_suffix(1);
-    std::string bytes;
-    bytes.reserve(text.size() / 4 * 3 + 3);
-    unsigned bits = 0;
-    int known = 0;
-    for (const char c : text) {
-        unsigned six = 64;
-        if (c >= 'A' && c <= 'Z') six = static_cast<unsigned>(c - 'A');
-        if (c >= 'a' && c <= 'z') six = static_cast<unsigned>(c - 'a') + 26;
-        if (c >= '0' && c <= '9') six = static_cast<unsigned>(c - '0') + 52;
-        if (c == '+' || c == '-') six = 62;
-        if (c == '/' || c == '_') six = 63;
-        if (six == 64) return {};
-        bits = (bits << 6 | six) & 0xffffff;
-        known += 6;
-        if (known >= 8) bytes += static_cast<char>(bits >> (known -= 8) & 0xff);
-    }
-    return bytes;
 }
 
 /// A URI's escapes as characters: %20.

@@ -4,7 +4,6 @@
 #include "core/analysis/line_chart.h"
 #include "core/analysis/report_inputs.h"
 #include "core/analysis/report_outcomes.h"
-#include "core/analysis/svg.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "core/project/project_json.h"
@@ -24,7 +23,7 @@ std::string grams(double kg) { return fmt::format("{:.4g}", 1e3 * kg); }
 /// Of water that was given: less than a billionth of it is rounding.
 std::string grams(double kg, double given) { return std::abs(kg) < 1e-9 * given ? "0" : grams(kg); }
 
-std::string results(const WearMetrics& metrics, const ReaderUnits& units)
+PageBlocks results(const WearMetrics& metrics, const ReaderUnits& units)
 {
     const OutcomeRows found = outcome_rows(outcomes_of(metrics, metrics.all()), {}, units);
     std::string about = fmt::format("Cloth is wet with more than {:.0f} % of what it can hold, full with {:.0f} %, and dry with less than "
@@ -33,26 +32,26 @@ std::string results(const WearMetrics& metrics, const ReaderUnits& units)
     if (metrics.stops())
         about += *metrics.stops() > 0 ? fmt::format(" Drying counts from when the activity last falls, at {:.4g} s.", *metrics.stops())
                                       : " Drying counts from the start.";
-    return table(found.rows) + list(found.notes) + "<p>" + about + "</p>\n";
+    return joined({table(found.rows), list(found.notes), sentence(about)});
 }
 
 /// A row for each part, at the end.
-std::string parts_table(const char* title, const WearMetrics& metrics, const std::vector<WearPart>& parts, const ReaderUnits& units)
+PageBlocks parts_table(const char* title, const WearMetrics& metrics, const std::vector<WearPart>& parts, const ReaderUnits& units)
 {
-    std::string rows = fmt::format("<tr><th>{}</th>", title);
+    std::vector<std::string> titles{title};
     for (const WearNumber& number : wear_numbers())
-        if (number.decimals) rows += fmt::format("<th>{}, {}</th>", number.info.title, reader_unit(units, shown(number.info, 0).unit).unit);
-    rows += "</tr>\n";
+        if (number.decimals)
+            titles.push_back(fmt::format("{}, {}", number.info.title, reader_unit(units, shown(number.info, 0).unit).unit));
+    std::vector<PageRow> rows{row_of_headings(titles)};
     for (const WearPart& part : parts) {
-        rows += "<tr><th>" + escaped_markup(part.name) + "</th>";
+        rows.push_back(row_of_headings({part.name}));
         for (const WearNumber& number : wear_numbers()) {
             if (!number.decimals) continue;
             const std::optional<double> value = number.value({metrics, part, part.course.back()});
             const ShownValue seen = shown(number.info, value.value_or(0));
-            rows += fmt::format("<td class=\"number\">{}</td>",
-                                value ? fmt::format("{:.{}f}", reader_unit(units, seen.unit).of(seen.value), *number.decimals) : "–");
+            rows.back().push_back({value ? fmt::format("{:.{}f}", reader_unit(units, seen.unit).of(seen.value), *number.decimals) : "–",
+                                   PageCell::Kind::number});
         }
-        rows += "</tr>\n";
     }
     return table(rows);
 }
@@ -76,46 +75,47 @@ struct NamedCourse {
     const char* key;
 };
 
-std::string chart_of(const WearMetrics& metrics, const char* title, const std::vector<NamedCourse>& lines)
+PageBlock chart_of(const WearMetrics& metrics, const char* title, const std::vector<NamedCourse>& lines)
 {
     LineChart chart{title, "time, s", shown(wear_number(lines.front().key).info, 0).unit, {}, {}};
     for (const WearNow& now : metrics.all().course) chart.x.push_back(now.time);
     for (const NamedCourse& line : lines) chart.curves.push_back({line.name, course_of(metrics, line.part, line.key)});
-    return "<figure>" + svg_of(chart) + "</figure>\n";
+    return PageDrawing{svg_of(chart)};
 }
 
-std::string curves(const WearMetrics& metrics)
+PageBlocks curves(const WearMetrics& metrics)
 {
     const WearPart& all = metrics.all();
     if (all.course.size() < 2) return {};
-    std::string figures =
-        chart_of(metrics, "Wet area", {{"all", all, "wet_area_m2"}}) + chart_of(metrics, "Water",
-                                                                                {{"in the cloth", all, "water_g"},
-                                                                                 {"of it at the skin's face", all, "water_inside_g"},
-                                                                                 {"evaporated", all, "evaporated_g"},
-                                                                                 {"on the skin", all, "on_skin_g"}});
+    PageBlocks figures{chart_of(metrics, "Wet area", {{"all", all, "wet_area_m2"}}),
+                       chart_of(metrics, "Water",
+                                {{"in the cloth", all, "water_g"},
+                                 {"of it at the skin's face", all, "water_inside_g"},
+                                 {"evaporated", all, "evaporated_g"},
+                                 {"on the skin", all, "on_skin_g"}})};
     for (const auto& [title, parts] : {std::pair{"Water by panel", &metrics.panels()}, {"Water by zone of the body", &metrics.zones()}}) {
         std::vector<NamedCourse> lines;
         for (const WearPart* part : for_curves(*parts)) lines.push_back({part->name, *part, "water_g_m2"});
-        figures += chart_of(metrics, title, lines);
+        figures.push_back(chart_of(metrics, title, lines));
     }
     const bool some = metrics.panels().size() > most_curves || metrics.zones().size() > most_curves;
-    return figures + (some ? fmt::format("<p>Of panels and zones the {} largest.</p>\n", most_curves) : "");
+    if (some) figures.emplace_back(PageText{fmt::format("Of panels and zones the {} largest.", most_curves)});
+    return figures;
 }
 
-std::string balance(const WearMetrics& metrics)
+PageBlocks balance(const WearMetrics& metrics)
 {
     const Ledger& ledger = metrics.ledger();
     const double evaporated = ledger.water_evaporated, given = ledger.water_delivered;
-    return table(row("in the cloth at the start", grams(metrics.at_start()), "g") + row("sweat", grams(metrics.sweat()), "g") +
-                 row("in the cloth", grams(metrics.all().course.back().water), "g", "liquid and bound by fibres") +
-                 row("on the skin", grams(ledger.water_free, given), "g") +
-                 row(evaporated < 0 ? "taken from the air" : "evaporated", grams(std::abs(evaporated), given), "g") +
-                 row("dripped", grams(ledger.water_dripped, given), "g") +
-                 row("not accounted for", fmt::format("{:.1g}", metrics.imbalance()), "of all water"));
+    return table({row("in the cloth at the start", grams(metrics.at_start()), "g"), row("sweat", grams(metrics.sweat()), "g"),
+                  row("in the cloth", grams(metrics.all().course.back().water), "g", "liquid and bound by fibres"),
+                  row("on the skin", grams(ledger.water_free, given), "g"),
+                  row(evaporated < 0 ? "taken from the air" : "evaporated", grams(std::abs(evaporated), given), "g"),
+                  row("dripped", grams(ledger.water_dripped, given), "g"),
+                  row("not accounted for", fmt::format("{:.1g}", metrics.imbalance()), "of all water")});
 }
 
-std::string assumed(const WearRecord& record)
+PageBlocks assumed(const WearRecord& record)
 {
     std::vector<std::string> sentences{
         fmt::format("The skin holds a film of up to {:.0f} g/m² under the cloth; more drips.", 1e6 * skin_film),
@@ -134,13 +134,12 @@ std::string assumed(const WearRecord& record)
     const WearExperiment* wear = find_wear(record.design, record.layout.experiment);
     if (wear != nullptr && !wear->activity_file.empty())
         sentences.push_back("Rates over time, of the zones that it names: " + wear->activity_file + ".");
-    return list(sentences) +
-           "<p>No interval stands beside these numbers: their error has not been measured on garments. The guide's page on "
-           "limits names what is left out.</p>\n";
+    return joined({list(sentences), sentence("No interval stands beside these numbers: their error has not been measured on garments. "
+                                             "The guide's page on limits names what is left out.")});
 }
 
 /// The garment, its experiment and its fabrics, as the project has them.
-std::string input(const WearRecord& record, const ReaderUnits& units)
+PageBlocks input(const WearRecord& record, const ReaderUnits& units)
 {
     Design used;
     if (const Garment* garment = find_garment(record.design, record.layout.garment)) used.garments.push_back(*garment);
@@ -150,19 +149,20 @@ std::string input(const WearRecord& record, const ReaderUnits& units)
     for (const std::string& name : names)
         if (const Fabric* fabric = find_fabric(record.design, name)) used.fabrics.push_back(*fabric);
     const ProjectJson project = json_from_design(used);
-    std::string body;
+    PageBlocks body;
     for (const auto& [key, name] : {std::pair{"garments", "Garment"}, {"experiments", "Experiment"}, {"fabrics", "Fabric"}})
-        for (const ProjectJson& value : project.value(key, ProjectJson::array())) body += table_of_inputs(name, value, units);
+        for (const ProjectJson& value : project.value(key, ProjectJson::array()))
+            body = joined({body, table_of_inputs(name, value, units)});
     return body;
 }
 
-std::string origin(const WearRecord& record, const WearMetrics& metrics)
+PageBlocks origin(const WearRecord& record, const WearMetrics& metrics)
 {
-    return table(row("program", std::string("Hygroloom ") + program_version(), "") + row("commit", program_commit(), "") +
-                 row("garment", record.layout.garment, "") + row("experiment", record.layout.experiment, "") +
-                 row("cells", std::to_string(record.layout.cells.size()), "", record.layout.cells_in_words) +
-                 row("fidelity", record.fidelity, "") + row("backend", record.backend, "") + row("device", record.device, "") +
-                 row("simulated time", fmt::format("{:.4g}", metrics.all().course.back().time), "s") + row("started", record.date, ""));
+    return table({row("program", std::string("Hygroloom ") + program_version(), ""), row("commit", program_commit(), ""),
+                  row("garment", record.layout.garment, ""), row("experiment", record.layout.experiment, ""),
+                  row("cells", std::to_string(record.layout.cells.size()), "", record.layout.cells_in_words),
+                  row("fidelity", record.fidelity, ""), row("backend", record.backend, ""), row("device", record.device, ""),
+                  row("simulated time", fmt::format("{:.4g}", metrics.all().course.back().time), "s"), row("started", record.date, "")});
 }
 
 } // namespace
@@ -207,19 +207,19 @@ std::vector<ReportPicture> pictures_of_panels(const WearLayout& layout, const st
     return pictures;
 }
 
-std::string wear_report_html(const WearRecord& record, const WearMetrics& metrics, const std::vector<ReportPicture>& pictures,
-                             bool finished, const ReaderUnits& units)
+ReportPage wear_report(const WearRecord& record, const WearMetrics& metrics, const std::vector<ReportPicture>& pictures, bool finished,
+                       const ReaderUnits& units)
 {
     const std::string origin_of_all =
         "Simulated, not measured." +
         (finished ? std::string() : fmt::format(" The run was stopped at {:.4g} s.", metrics.all().course.back().time));
-    return page(record.layout.garment + ", " + record.layout.experiment,
-                "<p>" + origin_of_all + "</p>\n" + section("Results", results(metrics, units)) +
-                    section("Panels", parts_table("panel", metrics, metrics.panels(), units)) +
-                    section("Zones of the body", parts_table("zone", metrics, metrics.zones(), units)) +
-                    section("Maps", figures_of(pictures)) + section("Over time", curves(metrics)) + section("Balance", balance(metrics)) +
-                    section("Assumed", assumed(record)) + section("Inputs", input(record, units)) +
-                    section("Computation", origin(record, metrics)));
+    return {
+        record.layout.garment + ", " + record.layout.experiment,
+        joined({sentence(origin_of_all), section("Results", results(metrics, units)),
+                section("Panels", parts_table("panel", metrics, metrics.panels(), units)),
+                section("Zones of the body", parts_table("zone", metrics, metrics.zones(), units)), section("Maps", blocks_of(pictures)),
+                section("Over time", curves(metrics)), section("Balance", balance(metrics)), section("Assumed", assumed(record)),
+                section("Inputs", input(record, units)), section("Computation", origin(record, metrics))})};
 }
 
 } // namespace hygroloom

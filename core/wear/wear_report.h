@@ -2,7 +2,7 @@
 // What wearing a garment came to, on one page that needs nothing else: numbers, maps, curves, where the water is, what went in.
 #pragma once
 
-#include "core/analysis/report_parts.h"
+#include "core/analysis/page.h"
 #include "core/wear/wear_map.h"
 #include "core/wear/wear_metrics.h"
 
@@ -19,8 +19,8 @@ std::vector<ReportPicture> pictures_of_panels(const WearLayout& layout, const st
 std::vector<ReportPicture> pictures_of_panels(const WearRecording& recording, const std::vector<int>& frames,
                                               const WearMapOptions& options);
 
-/// HTML of one file, as report_html() is. finished: the run came to its end. units: of the inputs.
-std::string wear_report_html(const WearRecord& record, const WearMetrics& metrics, const std::vector<ReportPicture>& pictures,
-                             bool finished, const ReaderUnits& units = {});
+/// finished: the run came to its end. units: of the inputs.
+ReportPage wear_report(const WearRecord& record, const WearMetrics& metrics, const std::vector<ReportPicture>& pictures, bool finished,
+                       const ReaderUnits& units = {});
 
 } // namespace hygroloom

@@ -371,7 +371,7 @@ private Q_SLOTS:
         curve.data.quantity = "wick_height_mm";
         curve.data.numbers = {{"wick_height_mm", "mm", 4, 8, {}}};
         for (const auto& [of, words] : {std::pair(&metrics, "<th>wetted radius, top</th>"), std::pair(&curve, "<th>Height at 4 s</th>")}) {
-            const std::string page = calibration_report_html(*of);
+            const std::string page = html_of(calibration_report(*of));
             QVERIFY2(page.find(words) != std::string::npos, page.c_str());
             QVERIFY(page.find(of->data.numbers[0].key) == std::string::npos);
         }

@@ -218,7 +218,7 @@ private Q_SLOTS:
         QCOMPARE(order_of(c), std::string("a1= b1= c1= d4 e5"));
         c.candidates.pop_back();
         judge(c);
-        const std::string table = comparison_table(c), csv = comparison_csv(c), page = comparison_report_html(c, {});
+        const std::string table = comparison_table(c), csv = comparison_csv(c), page = html_of(comparison_report(c, {}));
         std::size_t in_table = 0, in_csv = 0, in_page = 0;
         const QJsonArray in_json = QJsonDocument::fromJson(QByteArray::fromStdString(comparison_json(c))).object()["candidates"].toArray();
         for (int i = 0; i < 4; ++i) { // all say it alike, in one order
@@ -246,7 +246,7 @@ private Q_SLOTS:
         }
         c.candidates[0].wall = c.candidates[1].wall = 1.5;
         c.candidates[0].timed = 1;
-        const auto page = [&c] { return comparison_report_html(c, {}); };
+        const auto page = [&c] { return html_of(comparison_report(c, {})); };
         QVERIFY2(page().find("<td>1.5 s for 1 run</td>") != std::string::npos, page().c_str());
         QVERIFY2(page().find("<td>not known</td>") != std::string::npos, page().c_str());
         QVERIFY(comparison_csv(c).find("# wall_s=") == std::string::npos);
@@ -283,7 +283,7 @@ private Q_SLOTS:
         c.candidates.push_back(candidate_of(jobs.at(0), std::move(finished)).candidate);
         QCOMPARE(c.candidates[0].run->textile.ends(), 0); // which is large
         QCOMPARE(c.candidates[0].run->textile.quantities.areal_density_g_m2, weight);
-        const std::string page = comparison_report_html(c, {});
+        const std::string page = html_of(comparison_report(c, {}));
         QVERIFY2(page.find("mass per area, g/m²") != std::string::npos, page.c_str());
     }
     /// Only two lengths of a size are a width and a height.
@@ -334,26 +334,26 @@ private Q_SLOTS:
         const auto has = [](const std::string& page, const char* name, const char* text) {
             return page.find(std::string("<th>") + name + "</th><td>" + text + "</td>") != std::string::npos;
         };
-        std::string page = comparison_report_html(c, {});
+        std::string page = html_of(comparison_report(c, {}));
         QVERIFY2(page.find("<h2>Experiment</h2>") < page.find("<h2>Results</h2>"), page.c_str());
         QVERIFY2(has(page, "type", "Droplets (AATCC 79)") && has(page, "drops", "2 × 12 µl, at 0, 3 s; 5 µl, at 4 s"), page.c_str());
         QVERIFY2(has(page, "climate", "20 °C, 50 % relative humidity, air at 0.3 m/s"), page.c_str());
         QVERIFY2(has(page, "sample", "30 mm × 25 mm") && has(page, "duration", "40 s") && has(page, "fidelity", "draft"), page.c_str());
         QVERIFY2(has(page, "liquid", "water: 72.74 mN/m, 1.002 mPa s at 20 °C"), page.c_str());
-        page = comparison_report_html(c, {}, [](const std::string& unit) {
+        page = html_of(comparison_report(c, {}, [](const std::string& unit) {
             return unit == "mm" ? ReaderUnit{"cm", 0.1} : unit == "°C" ? ReaderUnit{"°F", 1.8, 32} : ReaderUnit{unit};
-        });
+        }));
         QVERIFY2(has(page, "sample", "3 cm × 2.5 cm") && page.find("<td>68 °F, 50 %") != std::string::npos, page.c_str());
         design.experiments[0].duration_s = 14400;
         for (Candidate& candidate : c.candidates) give(candidate, Fidelity::draft);
-        page = comparison_report_html(c, {});
+        page = html_of(comparison_report(c, {}));
         QVERIFY2(has(page, "duration", "14400 s"), page.c_str());
-        page = comparison_report_html(c, {}, [](const std::string& unit) {
+        page = html_of(comparison_report(c, {}, [](const std::string& unit) {
             return unit == "s" ? ReaderUnit{"min", 1 / 60.0} : ReaderUnit{unit};
-        });
+        }));
         QVERIFY2(has(page, "duration", "240 min") && page.find("at 0, 0.05 min") != std::string::npos, page.c_str());
         give(c.candidates[1], Fidelity::standard);
-        page = comparison_report_html(c, {});
+        page = html_of(comparison_report(c, {}));
         QVERIFY2(page.find("<tr><th></th><th>a</th><th>b</th></tr>") != std::string::npos, page.c_str());
         QVERIFY2(has(page, "fidelity", "draft</td><td>standard"), page.c_str());
     }

@@ -286,13 +286,13 @@ private Q_SLOTS:
         }
         judge(comparison);
         const std::vector<ReportPicture> maps{{map_caption(comparison, "a", "top"), Image{1, 1, {0, 0, 0}}}};
-        const std::string report = comparison_report_html(comparison, maps);
+        const std::string report = html_of(comparison_report(comparison, maps));
         for (const char* part : {"Line: the middle of the replicates. Band: least to most of 3 replicates.", "fill-opacity",
                                  "The first run of each cloth", "a, as given, top"})
             QVERIFY2(report.find(part) != std::string::npos, part);
         comparison.replicates = 1;
         for (Candidate& each : comparison.candidates) each.replicates.resize(1);
-        QVERIFY(comparison_report_html(comparison, {}).find("fill-opacity") == std::string::npos);
+        QVERIFY(html_of(comparison_report(comparison, {})).find("fill-opacity") == std::string::npos);
         QCOMPARE(map_caption(comparison, "a", "top"), std::string("a, top"));
     }
 };

@@ -159,7 +159,7 @@ private Q_SLOTS:
         run.plan.knobs.particles_per_droplet = 123;
         run.plan.parts = {{"heat", false, true, "It was switched off by the user.", {}, false}};
         Image image{2, 1, {255, 0, 0, 0, 0, 255}};
-        const QString html = QString::fromStdString(report_html(run, metrics, {{"Top face", image}}, true));
+        const QString html = QString::fromStdString(html_of(report_of(run, metrics, {{"Top face", image}}, true)));
         for (const char* part :
              {"wetted radius, top", "absorbency time", "1 &lt; 2 &amp; &quot;so&quot;", "data:image/png;base64,iVBORw0KGgo",
               "water imbalance", "cover factor", "mass per area", "radius", "<th>droplets</th><td>volume ", " µl, time ", "surface tension",
@@ -172,11 +172,40 @@ private Q_SLOTS:
         words.remove(QRegularExpression("<style>.*</style>|base64,[^\"]*", QRegularExpression::DotMatchesEverythingOption));
         const auto key = QRegularExpression("[a-z]+_[a-z_]+").match(words);
         QVERIFY2(!key.hasMatch(), qPrintable(key.captured()));
-        QVERIFY(report_html(run, metrics, {}, false).find("was stopped at 0.3 s") != std::string::npos);
+        QVERIFY(html_of(report_of(run, metrics, {}, false)).find("was stopped at 0.3 s") != std::string::npos);
         const auto from = html.indexOf("base64,") + 7;
         const QByteArray png =
             QByteArray::fromBase64(html.mid(from, html.indexOf('"', from) - from).toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
         QCOMPARE(std::string(png.constData(), static_cast<std::size_t>(png.size())), png_bytes(image));
+    }
+    void aPageIsTheSameAfterItsJsonAndCanBeReadAsText()
+    {
+        PageCell verdict{"4.8", PageCell::Kind::number, {"better"}, "measured 5"};
+        verdict.columns = 2;
+        const ReportPage page{"Stain < 5 mm", joined({section("Results", table({row_of_headings({"fabric", "radius, mm"}),
+                                                                                row("Köper", "4.81", "mm", "grade 4 of 5"),
+                                                                                {{"Satin", PageCell::Kind::heading}, verdict}})),
+                                                      section("Notes", list({"One.", "Two."})),
+                                                      {PageText{"It is so.", "Mind:"}},
+                                                      {PageDrawing{"<svg/>", "a curve"}},
+                                                      {PagePicture{std::string("\x89PNG\0\xff", 6), "a map"}},
+                                                      section("Empty", {})})};
+        const ReportPage again = page_from_json(json_of(page));
+        QCOMPARE(json_of(again), json_of(page));
+        QCOMPARE(html_of(again), html_of(page));
+        QVERIFY(html_of(page).find("<td class=\"number\" colspan=\"2\">4.8<br><b>better</b><br>measured 5</td>") != std::string::npos);
+        QCOMPARE(text_of(page), std::string("Stain < 5 mm\n============\n"
+                                            "\nResults\n-------\n"
+                                            "fabric  radius, mm\n"
+                                            "Köper   4.81  mm  grade 4 of 5\n"
+                                            "Satin   4.8, better, measured 5\n"
+                                            "\nNotes\n-----\n- One.\n- Two.\n"
+                                            "Mind: It is so.\n[a curve]\n[a map]\n"));
+        QVERIFY(written_as(page, "a.HTML") == html_of(page) && written_as(page, "a.txt") == text_of(page) &&
+                written_as(page, "a.pdf").empty());
+        for (const char* wrong : {"", "{}", "[1]", R"({"title": "a", "blocks": [{"picture": "*", "caption": ""}]})",
+                                  R"({"title": "a", "blocks": [{"table": [[{"text": "a", "kind": "b"}]]}]})"})
+            QVERIFY_EXCEPTION_THROWN(page_from_json(wrong), Error);
     }
     void chartLeavesGapsAndSurvivesFlatCurves()
     {

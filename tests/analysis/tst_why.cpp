@@ -182,7 +182,7 @@ private Q_SLOTS:
         const Why why =
             explained(made_up(2), 1, 6, [](Mixture m, std::size_t) { return 300 - (m & 1U ? 0 : 120.0) - (m & 2U ? 0 : 60.0); });
         QVERIFY2(sentences_of(why)[0].find("120.0 ± 6.0 s shorter") != std::string::npos, sentences_of(why)[0].c_str());
-        for (const std::string& text : {sentences_of(why, minutes)[0], heading_of(why, minutes), why_html(why, minutes)})
+        for (const std::string& text : {sentences_of(why, minutes)[0], heading_of(why, minutes), html_of({"", why_blocks(why, minutes)})})
             QVERIFY2(text.find(" min") != std::string::npos && text.find(" s,") == std::string::npos, text.c_str());
         QVERIFY2(with_unit(why.metric, why.parts[0].compared, minutes).starts_with("-2.0"), sentences_of(why, minutes)[0].c_str());
         // A difference has no zero of its own: 1.8 °F for each °C, and no 32.

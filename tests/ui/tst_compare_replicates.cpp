@@ -116,7 +116,7 @@ private:
         QCOMPARE((*shown)->map().water, paired->cells.water); // of the replicates, not of the cloths as given
         std::map<std::string, QString> recordings;
         for (const KeptRun& run : place.history.runs()) { recordings[run.run->fabric] = run.path; }
-        const QString report = studyReport(view.comparison(), recordings);
+        const QString report = QString::fromStdString(html_of(studyReport(view.comparison(), recordings)));
         QVERIFY(report.contains("Band: least to most of 4 replicates.") && report.contains("as given, top"));
         maps->show(CompareMaps::Shown::maps);
         maps->setTime(1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Reports as PDF: they come out whole, in pages, or not at all.
 #include "core/analysis/line_chart.h"
-#include "core/analysis/report_parts.h"
+#include "core/analysis/page.h"
 #include "core/base/error.h"
 #include "ui/results/report_file.h"
 
@@ -13,13 +13,10 @@ using namespace hygroloom;
 
 namespace {
 
-QString pageOf(const std::string& body) { return QString::fromStdString(page("Cotton, one drop", body)); }
-
-std::string paragraphs(int count)
+ReportPage paragraphs(int count)
 {
-    std::string body;
-    for (int i = 0; i < count; ++i) body += "<p>Water moves along the yarns until the pores are full.</p>\n";
-    return body;
+    return {"Cotton, one drop",
+            PageBlocks(static_cast<std::size_t>(count), PageText{"Water moves along the yarns until the pores are full."})};
 }
 
 QByteArray contents(const QString& file)
@@ -36,41 +33,41 @@ class TestReportFile : public QObject {
     Q_OBJECT
     QTemporaryDir folder_;
 
-    QByteArray written(const QString& html)
+    QByteArray written(const ReportPage& page)
     {
         const QString file = folder_.filePath("report.pdf");
-        writeReport(html, file);
+        writeReport(page, file);
         return contents(file);
     }
 
 private Q_SLOTS:
     void aShortReportIsOnePage()
     {
-        const QByteArray pdf = written(pageOf(paragraphs(3)));
+        const QByteArray pdf = written(paragraphs(3));
         QVERIFY(pdf.startsWith("%PDF-") && pdf.trimmed().endsWith("%%EOF"));
         QCOMPARE(pages(pdf), 1);
     }
-    void aLongOneGoesOn() { QVERIFY(pages(written(pageOf(paragraphs(200)))) > 3); }
+    void aLongOneGoesOn() { QVERIFY(pages(written(paragraphs(200))) > 3); }
     void chartsAndMapsAreInIt()
     {
         const LineChart chart{"Radius", "time, s", "mm", {0, 1, 2}, {{"cotton", {0, 2, 3}}}};
         const ReportPicture map{"top", {64, 64, std::vector<std::uint8_t>(3 * 64 * 64, 128)}};
-        const QByteArray plain = written(pageOf(paragraphs(1))), with_chart = written(pageOf("<figure>" + svg_of(chart) + "</figure>"));
-        const QByteArray with_maps = written(pageOf(figures_of({map, map, map})));
+        const QByteArray plain = written(paragraphs(1)), with_chart = written({"Cotton", {PageDrawing{svg_of(chart)}}});
+        const QByteArray with_maps = written({"Cotton", blocks_of({map, map, map})});
         QVERIFY(!with_chart.contains("/Subtype /Image")); // lines stay lines
         QVERIFY(with_chart.size() > plain.size() + 500);
         QVERIFY(with_maps.contains("/Subtype /Image"));
     }
     void aWebPageIsWrittenAsItIs()
     {
-        const QString file = folder_.filePath("report.html"), html = pageOf(paragraphs(1));
-        writeReport(html, file);
-        QCOMPARE(QString::fromUtf8(contents(file)), html);
+        const QString file = folder_.filePath("report.html");
+        writeReport(paragraphs(1), file);
+        QCOMPARE(contents(file).toStdString(), html_of(paragraphs(1)));
     }
     void whatCannotBeWrittenIsNamed()
     {
         try {
-            writeReport(pageOf(""), "/nowhere/report.pdf");
+            writeReport(paragraphs(0), "/nowhere/report.pdf");
             QFAIL("It was written.");
         } catch (const FileError& error) {
             QVERIFY(std::string(error.what()).starts_with("/nowhere/report.pdf: "));

@@ -94,14 +94,14 @@ private Q_SLOTS:
     {
         QVERIFY(run("one-drop-on-cotton", 0.2));
         QVERIFY2(chart().title().contains("mm"), qPrintable(chart().title()));
-        const QString before = results().report();
+        const QString before = QString::fromStdString(html_of(results().report()));
         QVERIFY(before.contains("<th>thickness</th><td class=\"number\">") && before.contains("<td>mm</td>"));
         Preferences chosen = preferences();
         chosen.length = static_cast<int>(LengthUnit::inch);
         chosen.yarn = static_cast<int>(YarnUnit::ne);
         setPreferences(chosen);
         QTRY_VERIFY2(chart().title().endsWith("in"), qPrintable(chart().title()));
-        const QString after = results().report();
+        const QString after = QString::fromStdString(html_of(results().report()));
         QVERIFY(after.contains("<td>in</td>") && after.contains("<td>Ne</td>"));
         QVERIFY(!after.contains("<td>mm</td>") && !after.contains("<td>tex</td>"));
         // So do the inputs, in words.

@@ -238,7 +238,7 @@ private Q_SLOTS:
         CandidateTable table;
         table.setGrid(grid, {}, false);
         QVERIFY(table.item(0, CandidateTable::first_number)->text().contains("measured 7.25")); // b is the best
-        const QString report = studyReport(comparison, {});
+        const QString report = QString::fromStdString(html_of(studyReport(comparison, {})));
         QVERIFY(report.contains("measured 7.25") && report.contains("better"));
         write("c," + key + ",7.25,mm,\n");
         QVERIFY_EXCEPTION_THROWN(readMeasured(comparison.criteria, fabrics, file), Error); // there is no c

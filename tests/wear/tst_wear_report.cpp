@@ -130,7 +130,7 @@ private Q_SLOTS:
         WearMetrics metrics(recording.record().layout);
         for (int k = 0; k < recording.frames(); ++k) metrics.add(recording.frame(k));
         const QString html = QString::fromStdString(
-            wear_report_html(recording.record(), metrics, pictures_of_panels(recording, {1, 2}, {}), recording.finished()));
+            html_of(wear_report(recording.record(), metrics, pictures_of_panels(recording, {1, 2}, {}), recording.finished())));
         QCOMPARE(html.count("<img "), 4);
         QVERIFY(html.count("<svg ") >= 4);
         for (const char* words : {"tee, run", "<th>front</th>", "<th>sleeve</th>", "front, at 1 s", "sleeve, at 2 s", "35 g/m²", "0.3 mm",
@@ -141,7 +141,7 @@ private Q_SLOTS:
         for (const char* tag : {"table", "tr", "td", "th", "figure", "svg", "details", "ul", "li", "p"})
             QCOMPARE(html.count(QRegularExpression(QString("<%1[ >]").arg(tag))), html.count(QString("</%1>").arg(tag)));
         QVERIFY(!html.contains("The run was stopped"));
-        QVERIFY(wear_report_html(recording.record(), metrics, {}, false).find("The run was stopped at 2 s.") != std::string::npos);
+        QVERIFY(html_of(wear_report(recording.record(), metrics, {}, false)).find("The run was stopped at 2 s.") != std::string::npos);
     }
 
     void inputs_are_in_the_readers_units()
@@ -152,8 +152,8 @@ private Q_SLOTS:
         const ReaderUnits inches = [](const std::string& unit) {
             return unit == "/cm" ? ReaderUnit{"/in", 2.54} : unit == "mm" ? ReaderUnit{"in", 1 / 25.4} : ReaderUnit{unit};
         };
-        const QString metric = QString::fromStdString(wear_report_html(record, metrics, {}, true));
-        const QString imperial = QString::fromStdString(wear_report_html(record, metrics, {}, true, inches));
+        const QString metric = QString::fromStdString(html_of(wear_report(record, metrics, {}, true)));
+        const QString imperial = QString::fromStdString(html_of(wear_report(record, metrics, {}, true, inches)));
         QVERIFY(metric.contains(" /cm</td>") && !metric.contains(" /in</td>"));
         QVERIFY(!imperial.contains(" /cm</td>") && imperial.contains(" /in</td>"));
     }
@@ -170,7 +170,7 @@ private Q_SLOTS:
             frame.ledger.water_dripped = 2e-10;
             metrics.add(frame);
         }
-        const QString html = QString::fromStdString(wear_report_html(recording.record(), metrics, {}, true));
+        const QString html = QString::fromStdString(html_of(wear_report(recording.record(), metrics, {}, true)));
         QVERIFY(html.contains("<th>on the skin</th><td class=\"number\">0</td>"));
         QVERIFY(html.contains("<th>dripped</th><td class=\"number\">2e-07</td>"));
         QVERIFY(html.contains("of all water"));
@@ -203,7 +203,7 @@ private Q_SLOTS:
         record.layout.panels[0].name = "<script>";
         WearMetrics metrics(record.layout);
         for (int k = 0; k < 2; ++k) metrics.add(small_wear_frame(record.layout, k));
-        const std::string html = wear_report_html(record, metrics, {}, true);
+        const std::string html = html_of(wear_report(record, metrics, {}, true));
         QVERIFY(html.find("<script>") == std::string::npos);
         QVERIFY(html.find("&lt;script&gt;") != std::string::npos);
     }

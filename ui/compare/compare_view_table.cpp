@@ -386,7 +386,8 @@ void CompareView::saveReport()
     Comparison numbers = numbers_;
     numbers.why = why_->why();
     reporter_.run([this, file, recordings, comparison = std::move(numbers)](const NewestJob::Turn& turn) {
-        QString page, why;
+        ReportPage page;
+        QString why;
         try {
             page = studyReport(comparison, recordings);
         } catch (const std::exception& error) {

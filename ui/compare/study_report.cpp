@@ -22,7 +22,7 @@ QString keyOf(const QString& project, const std::string& experiment)
 
 } // namespace
 
-QString studyReport(const Comparison& comparison, const std::map<std::string, QString>& recordings)
+ReportPage studyReport(const Comparison& comparison, const std::map<std::string, QString>& recordings)
 {
     constexpr int crossings_per_cell = 2;
     std::vector<std::pair<std::string, MapPicture>> maps;
@@ -37,7 +37,7 @@ QString studyReport(const Comparison& comparison, const std::map<std::string, QS
                               map_picture(recording.run(), last, start, side, crossings_per_cell, unitsOfReader()));
         }
     }
-    return QString::fromStdString(comparison_report_html(comparison, pictures_on_one_scale(std::move(maps)), unitsOfReader()));
+    return comparison_report(comparison, pictures_on_one_scale(std::move(maps)), unitsOfReader());
 }
 
 LaboratoryTable readMeasured(const std::vector<OutcomeInfo>& criteria, const std::vector<std::string>& fabrics, const QString& file)

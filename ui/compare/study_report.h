@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/comparison.h"
+#include "core/analysis/page.h"
 
 #include <QString>
 
@@ -10,7 +11,7 @@ namespace hygroloom {
 
 /// HTML as the command line's compare writes it, with maps at the end of those runs that have a recording (by fabric). Reads the
 /// recordings, which takes a while. Throws Error.
-QString studyReport(const Comparison& comparison, const std::map<std::string, QString>& recordings);
+ReportPage studyReport(const Comparison& comparison, const std::map<std::string, QString>& recordings);
 
 /// A laboratory's numbers of the fabrics, also of those that have not been run; see read_laboratory_table(). Throws Error.
 LaboratoryTable readMeasured(const std::vector<OutcomeInfo>& criteria, const std::vector<std::string>& fabrics, const QString& file);

@@ -2,6 +2,7 @@
 // The report of a run that the window holds.
 #pragma once
 
+#include "core/wear/wear_report.h"
 #include "ui/garment/worn_run.h"
 
 namespace hygroloom {
@@ -16,6 +17,6 @@ struct WornState {
 WornState stateOf(const WornRun& run);
 
 /// The page that `garment map --report` writes, with maps at each quarter of the run. Precondition: there are frames. Takes seconds.
-QString reportOf(const WornState& run, WearMapOptions how);
+ReportPage reportOf(const WornState& run, WearMapOptions how);
 
 } // namespace hygroloom

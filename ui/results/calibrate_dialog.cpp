@@ -301,7 +301,7 @@ void CalibrateDialog::saveReport()
     const QString path = askForReportFile(this, {}, "calibration");
     if (path.isEmpty()) { return; }
     try {
-        writeReport(QString::fromStdString(calibration_report_html(*result_)), path);
+        writeReport(calibration_report(*result_), path);
         message_->setText(tr("Saved %1.").arg(path));
     } catch (const Error& error) {
         message_->setText(words(error.what()));

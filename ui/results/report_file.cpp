@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/report_file.h"
 
+#include "core/analysis/svg.h"
 #include "core/project/atomic_file.h"
 #include "ui/basics/quantity.h"
 
@@ -9,7 +10,6 @@
 #include <QFileDialog>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QRegularExpression>
 #include <QSvgRenderer>
 #include <QTextBlock>
 #include <QTextDocument>
@@ -19,6 +19,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <set>
 
 namespace hygroloom {
 namespace {
@@ -32,6 +33,7 @@ class Pictures : public QObject, public QTextObjectInterface {
     Q_OBJECT
     Q_INTERFACES(QTextObjectInterface)
 public:
+    void clear() { drawings_.clear(); }
     /// The name by which the text shows the picture.
     QString add(const QByteArray& svg)
     {
@@ -64,56 +66,88 @@ private:
     std::map<QString, std::unique_ptr<QSvgRenderer>> drawings_;
 };
 
-/// Maps that follow each other, two to a row.
-QString twoInARow(const QString& html)
-{
-    static const QRegularExpression maps("(?:<figure><img alt.*?</figure>\\s*)+", QRegularExpression::DotMatchesEverythingOption);
-    static const QRegularExpression one("<figure>(<img alt.*?)</figure>", QRegularExpression::DotMatchesEverythingOption);
-    QString done;
-    qsizetype end = 0;
-    for (const QRegularExpressionMatch& row : maps.globalMatch(html)) {
-        done += html.mid(end, row.capturedStart() - end) + "<table>";
-        int column = 0;
-        for (const QRegularExpressionMatch& map : one.globalMatch(row.captured())) {
-            if (column++ % 2 == 0) done += "<tr>";
-            done += "<td>" + map.captured(1) + "</td>";
+/// The page in the rich text of Qt, which knows no SVG, no figures and no captions. Headings in `broken`, counted from 0, begin a page.
+class RichText {
+public:
+    RichText(Pictures& pictures, QTextDocument& document, const std::set<int>& broken)
+        : pictures_(pictures), document_(document), broken_(broken)
+    {
+    }
+    QString of(const ReportPage& page)
+    {
+        heading(page.title, 1);
+        for (const PageBlock& block : page.blocks) {
+            if (!std::holds_alternative<PagePicture>(block)) { endPictures(); }
+            std::visit(*this, block);
         }
-        done += "</table>";
-        end = row.capturedEnd();
+        endPictures();
+        return html_;
     }
-    return done + html.mid(end);
-}
 
-/// Rich text of Qt knows no SVG, no figures and no captions.
-QString asRichText(QString html, Pictures& pictures, QTextDocument& document)
-{
-    static const QRegularExpression svg("<svg.*?</svg>", QRegularExpression::DotMatchesEverythingOption);
-    static const QRegularExpression png("src=\"data:image/png;base64,([^\"]*)\"");
-    for (QRegularExpressionMatch found; (found = svg.match(html)).hasMatch();)
-        html.replace(found.capturedStart(), found.capturedLength(),
-                     QString("<img src=\"%1\">").arg(pictures.add(found.captured().toUtf8())));
-    for (int number = 0;; ++number) {
-        const QRegularExpressionMatch found = png.match(html);
-        if (!found.hasMatch()) break;
-        const QString name = QString("map:%1").arg(number);
-        document.addResource(QTextDocument::ImageResource, QUrl(name),
-                             QImage::fromData(QByteArray::fromBase64(found.captured(1).toLatin1())));
-        html.replace(found.capturedStart(), found.capturedLength(), QString("src=\"%1\"").arg(name));
+    void operator()(const PageHeading& block) { heading(block.text, block.level); }
+    void operator()(const PageText& block)
+    {
+        html_ += "<p>" + (block.strong.empty() ? QString() : "<b>" + escaped(block.strong) + "</b> ") + escaped(block.text) + "</p>";
     }
-    html = twoInARow(html);
-    static const QRegularExpression style("<style>.*?</style>", QRegularExpression::DotMatchesEverythingOption);
-    static const QRegularExpression details("</?details[^>]*>");
-    html.remove(style).remove(details);
-    for (const auto& [tag, instead] : {std::pair("<figure>", "<p>"),
-                                       {"</figure>", "</p>"},
-                                       {"<figcaption>", "<br>"},
-                                       {"</figcaption>", ""},
-                                       {"<summary>", "<h3>"},
-                                       {"</summary>", "</h3>"},
-                                       {"<table>", "<table cellspacing=\"0\" cellpadding=\"3\">"}})
-        html.replace(tag, instead);
-    return html;
-}
+    void operator()(const PageList& block)
+    {
+        html_ += "<ul>";
+        for (const std::string& one : block.sentences) { html_ += "<li>" + escaped(one) + "</li>"; }
+        html_ += "</ul>";
+    }
+    void operator()(const PageTable& block)
+    {
+        html_ += "<table cellspacing=\"0\" cellpadding=\"3\">";
+        for (const PageRow& row : block.rows) {
+            html_ += "<tr>";
+            for (const PageCell& cell : row) { this->cell(cell); }
+            html_ += "</tr>";
+        }
+        html_ += "</table>";
+    }
+    void operator()(const PageDrawing& block)
+    {
+        html_ += QString("<p><img src=\"%1\">").arg(pictures_.add(QByteArray::fromStdString(block.svg)));
+        html_ += (block.caption.empty() ? QString() : "<br>" + escaped(block.caption)) + "</p>";
+    }
+    /// Two of those that follow each other stand in a row.
+    void operator()(const PagePicture& block)
+    {
+        const QString name = QString("map:%1").arg(maps_++);
+        document_.addResource(QTextDocument::ImageResource, QUrl(name), QImage::fromData(QByteArray::fromStdString(block.png)));
+        if (in_row_ == 0) { html_ += "<table cellspacing=\"0\" cellpadding=\"3\">"; }
+        if (in_row_++ % 2 == 0) { html_ += "<tr>"; }
+        html_ += QString("<td><img src=\"%1\"><br>%2</td>").arg(name, escaped(block.caption));
+    }
+
+private:
+    static QString escaped(const std::string& text) { return QString::fromStdString(escaped_markup(text)); }
+    void heading(const std::string& text, int level)
+    {
+        const char* style = broken_.contains(headings_++) ? " style=\"page-break-before: always\"" : "";
+        html_ += QString("<h%1%2>%3</h%1>").arg(QString::number(level), style, escaped(text));
+    }
+    void cell(const PageCell& cell)
+    {
+        const QString tag = cell.kind == PageCell::Kind::heading ? "th" : "td";
+        html_ +=
+            QString("<%1%2 colspan=\"%3\">").arg(tag, cell.kind == PageCell::Kind::number ? " class=\"number\"" : "").arg(cell.columns);
+        html_ += escaped(cell.text);
+        for (const std::string& line : cell.strong) { html_ += "<br><b>" + escaped(line) + "</b>"; }
+        html_ += (cell.below.empty() ? QString() : "<br>" + escaped(cell.below)) + QString("</%1>").arg(tag);
+    }
+    void endPictures()
+    {
+        if (in_row_ > 0) { html_ += "</table>"; }
+        in_row_ = 0;
+    }
+
+    Pictures& pictures_;
+    QTextDocument& document_;
+    const std::set<int>& broken_;
+    QString html_;
+    int headings_ = 0, maps_ = 0, in_row_ = 0;
+};
 
 /// The page on which a block's first line stands.
 int pageOf(const QTextDocument& document, const QTextBlock& block)
@@ -136,19 +170,15 @@ int lonelyHeading(const QTextDocument& document)
 }
 
 /// Lays the page out, each heading on the page of what follows it.
-void layOut(QTextDocument& document, QString html)
+void layOut(QTextDocument& document, const ReportPage& page, Pictures& pictures)
 {
-    static const QRegularExpression heading("<h[1-3][ >]");
-    for (;;) {
-        document.setHtml(html);
+    std::set<int> broken;
+    for (bool changed = true; changed;) {
+        pictures.clear();
+        document.setHtml(RichText(pictures, document, broken).of(page));
         document.setPageSize({text_width, text_height});
-        int lonely = lonelyHeading(document);
-        if (lonely < 0) return;
-        qsizetype at = -1;
-        for (const QRegularExpressionMatch& one : heading.globalMatch(html))
-            if (lonely-- == 0) at = one.capturedStart();
-        if (at < 0 || html.mid(at + 3).startsWith(" style")) return;
-        html.insert(at + 3, " style=\"page-break-before: always\"");
+        const int lonely = lonelyHeading(document);
+        changed = lonely >= 0 && broken.insert(lonely).second;
     }
 }
 
@@ -183,7 +213,7 @@ ReaderUnits unitsOfReader()
     };
 }
 
-std::string pdfOf(const QString& html)
+std::string pdfOf(const ReportPage& page)
 {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -200,15 +230,15 @@ std::string pdfOf(const QString& html)
     auto* pictures = new Pictures;
     pictures->setParent(&document);
     document.documentLayout()->registerHandler(QTextFormat::ImageObject, pictures);
-    layOut(document, asRichText(html, *pictures, document));
+    layOut(document, page, *pictures);
     drawPages(document, writer);
     return bytes.toStdString();
 }
 
-void writeReport(const QString& html, const QString& file)
+void writeReport(const ReportPage& page, const QString& file)
 {
     const bool pdf = file.endsWith(".pdf", Qt::CaseInsensitive);
-    write_file(file.toStdString(), pdf ? pdfOf(html) : html.toStdString());
+    write_file(file.toStdString(), pdf ? pdfOf(page) : written_as(page, file.toStdString()));
 }
 
 QString askForFile(QWidget* parent, const QString& title, const QString& folder, const QString& name, const FileKind& first,

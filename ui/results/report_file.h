@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Reports as PDF: the pages that core/analysis writes as HTML, set by Qt.
+// Reports as PDF: the pages of core/analysis, set by Qt.
 #pragma once
 
+#include "core/analysis/page.h"
 #include "core/analysis/reader_units.h"
 
 #include <QString>
@@ -15,12 +16,12 @@ namespace hygroloom {
 /// The units that the preferences choose.
 ReaderUnits unitsOfReader();
 
-/// A page of report_html(), comparison_report_html() or the like as PDF on A4, with its curves as vectors and numbered pages.
+/// A4, with curves as vectors and numbered pages.
 /// Precondition: there is a QGuiApplication, and this is its thread.
-std::string pdfOf(const QString& html);
+std::string pdfOf(const ReportPage& page);
 
-/// As PDF where the file's name ends so, else as it is. The file is whole or, where writing fails, as it was. Throws Error.
-void writeReport(const QString& html, const QString& file);
+/// As its ending asks: .pdf, or see written_as(). The file is whole or, where writing fails, as it was. Throws Error.
+void writeReport(const ReportPage& page, const QString& file);
 
 struct FileKind {
     QString words;  ///< "PDF"

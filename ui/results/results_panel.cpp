@@ -321,7 +321,7 @@ void ResultsPanel::showKept()
                              .arg(kept_runs_));
 }
 
-QString ResultsPanel::report() const
+ReportPage ResultsPanel::report() const
 {
     const auto run = playback_.run();
     const auto frame = playback_.frame(), first = playback_.firstFrame();
@@ -329,7 +329,7 @@ QString ResultsPanel::report() const
     if (!run || !frame || !first || !metrics) { return {}; }
     constexpr int crossings_per_cell = 2;
     const auto pictures = pictures_of_faces(*run, *frame, start_of_maps(*run, *first), crossings_per_cell, unitsOfReader());
-    return QString::fromStdString(report_html(*run, *metrics, pictures, playback_.whole() && run->wall > 0, unitsOfReader()));
+    return report_of(*run, *metrics, pictures, playback_.whole() && run->wall > 0, unitsOfReader());
 }
 
 void ResultsPanel::showPlan()

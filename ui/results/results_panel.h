@@ -2,6 +2,7 @@
 // The results of the shown run, as a laboratory reports its type of experiment.
 #pragma once
 
+#include "core/analysis/page.h"
 #include "ui/results/playback.h"
 
 #include <QScrollArea>
@@ -42,7 +43,7 @@ public:
     /// All that is shown, line by line, for the clipboard.
     QString text() const;
     /// The shown run as a page of HTML, with maps at the shown time; empty while there is nothing to show.
-    QString report() const;
+    ReportPage report() const;
     /// Opens the plan of the shown run, if there is one.
     void showPlan();
     /// How many runs are kept, which can be opened while none is shown.

@@ -254,10 +254,10 @@ void GarmentWorkspace::saveReport()
     if (file.isEmpty()) { return; }
     Q_EMIT messageShown(tr("Making the report."), 4000);
     reporter_.run([this, state = stateOf(*run), options = mapOptions(), file](const NewestJob::Turn& turn) {
-        const QString html = reportOf(state, options);
-        turn.deliver([this, html, file] {
+        const ReportPage page = reportOf(state, options);
+        turn.deliver([this, page, file] {
             try {
-                writeReport(html, file);
+                writeReport(page, file);
                 Q_EMIT messageShown(tr("Saved %1.").arg(file), 4000);
             } catch (const std::exception& error) {
                 Q_EMIT problemFound(QString::fromUtf8(error.what()));
