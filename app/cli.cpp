@@ -138,7 +138,8 @@ KnobSettings knob_settings(const ProjectOptions& options)
 
 std::string knob_help()
 {
-    std::string text = "Knobs that --fidelity sets; change one with --set fidelity.<knob>=value (live, draft, standard, reference):\n";
+    std::string text = "Knobs: numbers that --fidelity sets. Change one with --set fidelity.<knob>=value. At live, draft, standard and "
+                       "reference they are\n";
     for (const KnobInfo& knob : knob_table())
         text += fmt::format("  {:<22} {}{}{}; {}\n", knob.name, values_of(knob), *knob.unit ? " " : "", knob.unit, knob.meaning);
     return text;

@@ -121,8 +121,8 @@ void add_calibrate(CLI::App& app, Verb& chosen)
         "calibrated.hygro\n"
         "The measured file is a curve, with the columns time_s, a series such as wick_height_mm and, if known, spread (standard "
         "deviation); or a table of metrics, with fabric, metric, value, unit and spread.\n"
-        "Exit code 1 and a sentence when the data cannot tell the inputs; nothing is then written with -o.\n\n" +
-        knob_help());
+        "Exit code 1 and a sentence when the data cannot tell the inputs; nothing is then written with -o.\n"
+        "What a fidelity is made of, and how to change a part of it: hygroloom-cli plan --help");
     add_project_options(verb, *options, true);
     options->takes_knobs = true;
     verb.add_option("--measured", options->measured, "What was measured of the fabric on the experiment (CSV)")

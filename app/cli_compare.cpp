@@ -236,14 +236,14 @@ void add_compare(CLI::App& app, Verb& chosen)
     verb.footer(
         "Example: hygroloom-cli compare cloth.hygro --experiment \"one drop\" --fabrics \"Denim,Textile F\" -o compared\n"
         "The folder receives comparison.json, comparison.csv and a water map of each face of each fabric, all on one colour scale.\n"
-        "With --replicates the maps are of the first of each cloth, and the report's curves have bands.\n"
+        "With --replicates maps are of the first run of each cloth; the report's curves have bands.\n"
         "Ctrl-C keeps the finished runs.\n"
-        "Garments: with an experiment of the type wear the garment is cut from each fabric in turn; several projects are compared as "
+        "Garments: in an experiment of the type wear the garment is cut from each fabric in turn. Several projects are compared as "
         "they are.\n"
         "  hygroloom-cli compare tee.hygro --experiment wear --fabrics \"Denim,Textile F\" --replicates 4\n"
         "  hygroloom-cli compare tee.hygro singlet.hygro --experiment wear\n"
-        "Why is one better? hygroloom-cli compare cloth.hygro --why \"Textile E\" --baseline \"Textile F\" --by absorbency_time_s\n\n" +
-        knob_help());
+        "Why is one better? hygroloom-cli compare cloth.hygro --why \"Textile E\" --baseline \"Textile F\" --by absorbency_time_s\n"
+        "What a fidelity is made of, and how to change a part of it: hygroloom-cli plan --help");
     add_project_options(verb, *options, true);
     verb.remove_option(verb.get_option("--fabric"));
     verb.add_option("others", options->others, "Further projects, of which each has a garment with an experiment of that name")
@@ -255,8 +255,7 @@ void add_compare(CLI::App& app, Verb& chosen)
                     "Metric to rank by, such as absorbency_time_s or \"absorbency time\"; the first of the table when left out");
     verb.add_option("--baseline", options->baseline, "Fabric that the verdicts are against; the first when left out");
     add_replicates_option(verb, options->replicates, " of each fabric");
-    verb.add_option("--cell-mm", options->cell_mm, "Of worn garments: sides of cells, mm; by fidelity when left out")
-        ->check(CLI::Range(0.05, 100.0));
+    verb.add_option("--cell-mm", options->cell_mm, "Garments: cell size, mm. Default: by fidelity")->check(CLI::Range(0.05, 100.0));
     verb.add_option(
             "--why", options->why,
             "Fabric to explain: how much of its difference to the baseline in the metric of --by each input that differs makes. Runs "

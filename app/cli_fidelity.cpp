@@ -39,10 +39,10 @@ try {
 
 void add_fidelity_options(CLI::App& verb, FidelityOptions& options, const std::string& whose)
 {
-    verb.add_option("--fidelity", options.fidelity, "Resolution; auto with --error or --time")
+    verb.add_option("--fidelity", options.fidelity, "How finely to compute; auto: chosen by --error or --time")
         ->type_name("{live,draft,standard,reference,auto}");
     verb.add_option("--error", options.error,
-                    "With --fidelity auto: the fastest fidelity within this error (of all numbers but time_of_arrest_s), e.g. 5%" + whose);
+                    "With --fidelity auto: the fastest fidelity whose numbers (but time_of_arrest_s) err by less, e.g. 5%" + whose);
     verb.add_option("--time", options.time, "With --fidelity auto: the finest fidelity within this time, e.g. 10s or 2min" + whose);
 }
 

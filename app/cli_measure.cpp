@@ -251,7 +251,7 @@ void add_measure(CLI::App& app, Verb& verb)
     measure_verb.footer("Example: hygroloom-cli measure cloth.hygrorec --map top --cells 2 -o top.png");
     measure_verb.add_option("recording", options->recording, "Recording (.hygrorec)")->required()->type_name("FILE");
     measure_verb.add_option("--map", options->map, "Write a map of this side")->type_name("{top,bottom,total}");
-    measure_verb.add_option("--quantity", options->quantity, "What the map shows; humidity is the relative one in the yarns' pores")
+    measure_verb.add_option("--quantity", options->quantity, "What the map shows; humidity: relative humidity in the pores of the yarns")
         ->type_name("{water,temperature,humidity}");
     measure_verb.add_option("--cells", options->cells, "Map resolution: N x N crossings per cell")->check(CLI::Range(1, 1000));
     measure_verb.add_option("--time", options->time, "Time of the maps, s; the end when left out")

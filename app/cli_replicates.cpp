@@ -6,9 +6,9 @@ namespace hygroloom {
 void add_replicates_option(CLI::App& verb, int& replicates, const std::string& whose)
 {
     verb.add_option("--replicates", replicates,
-                    "Runs" + whose +
-                        "; 1: the cloth as given. Of more the first is that, and the others have inputs drawn within "
-                        "what is not known of them")
+                    "Number of runs" + whose +
+                        ". With 1, the cloth is computed as described. With more, inputs that are not known, such as the "
+                        "contact angle, are drawn at random in all runs but the first")
         ->check(CLI::Range(1, 1000));
 }
 

@@ -103,15 +103,14 @@ void add_machine_options(CLI::App& verb, RunVerbOptions& options)
     verb.add_option("--backend", options.backend, "Backend: auto, cpu or cuda")->check(CLI::IsMember({"auto", "cpu", "cuda"}));
     verb.add_option("--threads", options.threads, "CPU threads; 0: all. Results do not depend on it")->check(CLI::Range(0, 1024));
     verb.add_option("--seed", options.seed,
-                    "Seed of what is random: the unevenness of yarns and how the particles of a falling drop lie. "
-                    "Nothing else depends on it")
+                    "Seed of random numbers: the unevenness of yarns, the places of the particles in a falling drop")
         ->check(seed_validator());
     add_force_option(verb, options);
 }
 
 void add_force_option(CLI::App& verb, RunVerbOptions& options)
 {
-    verb.add_flag("--force", options.force, "Begin also what is expected to take more memory than is free");
+    verb.add_flag("--force", options.force, "Start even if the run is expected to need more memory than is free");
 }
 
 MemoryRule memory_rule(const RunVerbOptions& options, const char* smaller)

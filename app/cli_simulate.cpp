@@ -397,19 +397,18 @@ void add_simulate(CLI::App& app, Verb& verb)
     simulate_verb.footer(
         "Example: hygroloom-cli simulate cloth.hygro --fabric \"Textile F\" --experiment \"one drop\" --fidelity draft --set "
         "fabrics[1].contact_angle_deg=60 -o cloth.hygrorec\n"
-        "Ctrl-C stops the run and prints the metrics so far; the recording so far stays readable.\n\n" +
-        knob_help());
+        "Ctrl-C stops the run and prints the metrics so far; the recording so far stays readable.\n"
+        "What a fidelity is made of, and how to change a part of it: hygroloom-cli plan --help");
     add_run_options(simulate_verb, *options);
     add_machine_options(simulate_verb, *options);
-    simulate_verb.add_option("--cell-mm", options->cell_mm, "Of a worn garment: sides of cells, mm; by fidelity when left out")
+    simulate_verb.add_option("--cell-mm", options->cell_mm, "Garments: cell size, mm. Default: by fidelity")
         ->check(CLI::Range(0.05, 100.0));
     simulate_verb
         .add_option("--shown-mm", options->shown_mm,
-                    "Cell size of frames, maps and recordings, mm. Default: every crossing, of a worn garment every computed cell, "
-                    "coarsened to about 500 000 cells where there are more")
+                    "Cell size of maps and recordings, mm. Default: every crossing, or every computed cell of a garment, coarsened to "
+                    "about 500 000 cells on large cloth")
         ->check(CLI::Range(0.05, 100.0));
-    simulate_verb
-        .add_option("--detail", options->detail, "Of a worn garment: panels, separated by commas, of which each computed cell is recorded")
+    simulate_verb.add_option("--detail", options->detail, "Garments: panels, separated by commas, whose computed cells are all recorded")
         ->delimiter(',');
     simulate_verb.add_flag("--profile", options->profile, "Also print the time of each stage");
     simulate_verb
