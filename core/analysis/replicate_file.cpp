@@ -79,10 +79,17 @@ void read_run(const ProjectJson& value, const std::string& file, const std::stri
     if (!set.runs.emplace(number, std::move(run)).second) reader.refuse("number", "each may stand there once.");
 }
 
-/// The fabric and the experiment are those of the project inside, and nothing else is in it.
+/// The fabric and the experiment are those of the project inside, and nothing else is in it; beside a garment its linings may be.
 void require_parts(const ReplicateSet& set, const ObjectReader& reader)
 {
     const Design& design = set.key.design;
+    if (design.wears.size() == 1) {
+        if (design.wears.front().name != set.key.experiment || !design.experiments.empty())
+            reader.refuse("project", "it must have the experiment, and no other.");
+        if (!find_fabric(design, set.key.fabric) || !find_garment(design, design.wears.front().garment))
+            reader.refuse("project", "it must have the fabric and the garment.");
+        return;
+    }
     if (design.fabrics.size() != 1 || design.fabrics.front().name != set.key.fabric)
         reader.refuse("project", "it must have the fabric, and no other.");
     if (design.experiments.size() != 1 || design.experiments.front().name != set.key.experiment)
@@ -201,7 +208,8 @@ void drop_older_traces(std::vector<ReplicateSet>& sets)
 std::vector<ReplicateSet> without_leftovers(std::vector<ReplicateSet> sets, const Design& design)
 {
     std::erase_if(sets, [&design](const ReplicateSet& set) {
-        return !find_fabric(design, set.key.fabric) || !find_experiment(design, set.key.experiment);
+        return !find_fabric(design, set.key.fabric) ||
+               !(find_experiment(design, set.key.experiment) || find_wear(design, set.key.experiment));
     });
     std::size_t kept = 0, runs = 0;
     for (auto set = sets.rbegin(); set != sets.rend(); ++set, ++kept) {

@@ -11,7 +11,7 @@ namespace hygroloom {
 
 /// What the numbers of replicates follow from.
 struct ReplicateKey {
-    Design design; ///< what of the project the runs depend on, see part_of_run()
+    Design design; ///< what of the project the runs depend on, see part_of_run(); of a garment without the folders of its files
     std::string fabric, experiment;
     Fidelity fidelity = Fidelity::draft;
     std::uint64_t seed = 1;

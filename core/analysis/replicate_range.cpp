@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace hygroloom {
 namespace {
@@ -52,14 +53,17 @@ std::string range_words(int runs)
     return fmt::format("{} of {} replicates", runs >= fewest_for_percentiles ? "5th to 95th percentile" : "least to most", runs);
 }
 
-std::optional<CurveRange> curve_range(const Candidate& candidate, const Plot& plot, const Curve& curve)
+namespace {
+
+/// values_of: a replicate's curve; empty: it keeps none.
+std::optional<CurveRange> range_of_curves(const Candidate& candidate, const std::function<std::vector<double>(const RunTrace&)>& values_of)
 {
     std::vector<std::vector<double>> curves;
     CurveRange range;
     for (const auto& replicate : candidate.replicates) {
         if (!replicate || !replicate->trace) continue;
         const RunTrace& trace = *replicate->trace;
-        std::vector<double> values = plotted(plot, curve, trace.series, trace.water_initial);
+        std::vector<double> values = values_of(trace);
         if (values.empty() || values.size() != trace.series.time.size()) continue;
         if (range.time.empty()) range.time = trace.series.time;
         if (range.time == trace.series.time) curves.push_back(std::move(values));
@@ -76,6 +80,21 @@ std::optional<CurveRange> curve_range(const Candidate& candidate, const Plot& pl
         range.high.push_back(found.high);
     }
     return range;
+}
+
+} // namespace
+
+std::optional<CurveRange> curve_range(const Candidate& candidate, const Plot& plot, const Curve& curve)
+{
+    return range_of_curves(candidate, [&](const RunTrace& trace) { return plotted(plot, curve, trace.series, trace.water_initial); });
+}
+
+std::optional<CurveRange> curve_range(const Candidate& candidate, const std::string& key)
+{
+    return range_of_curves(candidate, [&](const RunTrace& trace) {
+        const auto found = trace.worn.find(key);
+        return found == trace.worn.end() ? std::vector<double>() : found->second;
+    });
 }
 
 std::optional<MapRange> map_range(const Candidate& candidate, MapSide side, std::size_t at)

@@ -18,6 +18,8 @@ struct CurveRange {
 };
 /// Of the replicates that keep the curve; none: fewer than two do.
 std::optional<CurveRange> curve_range(const Candidate& candidate, const Plot& plot, const Curve& curve);
+/// The same of a garment's number by its key.
+std::optional<CurveRange> curve_range(const Candidate& candidate, const std::string& key);
 /// "least to most of 4 replicates", "5th to 95th percentile of 12 replicates"
 std::string range_words(int runs);
 

@@ -6,6 +6,8 @@
 #include "core/analysis/cell_map.h"
 #include "core/run/recording.h"
 
+#include <map>
+
 namespace hygroloom {
 
 /// Both faces at one time.
@@ -19,6 +21,8 @@ struct RunTrace {
     Series series;               ///< at trace_times(); empty: what no plot on screen shows, or the experiment has not
     double water_initial = 0;    ///< kg
     std::vector<TracedMap> maps; ///< one for each of traced_shares that the run came to
+    /// Of a garment instead of these: its numbers over time by key, at the series' times.
+    std::map<std::string, std::vector<double>> worn{};
 };
 
 constexpr int trace_points = 81;

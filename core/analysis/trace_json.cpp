@@ -27,6 +27,8 @@ bool is_traced(const SeriesKey& key)
     return std::find(traced.begin(), traced.end(), key.values) != traced.end();
 }
 
+constexpr std::size_t most_worn = 2000; ///< an assumption: numbers of the panels and zones of a garment
+
 /// A curve that never changes is one number.
 ProjectJson curve_value(const std::vector<double>& values)
 {
@@ -75,15 +77,30 @@ ProjectJson map_value(const TracedMap& map)
     return value;
 }
 
+std::vector<double> curve_from(const ProjectJson& value, const std::string& key, ObjectReader& reader)
+{
+    const ProjectJson& numbers = array_in(value, reader.file(), reader.path_of(key));
+    if (numbers.size() != 1 && numbers.size() != trace_points)
+        reader.refuse(key, fmt::format("1 or {} numbers are allowed; given are {}.", trace_points, numbers.size()));
+    std::vector<double> values;
+    for (const ProjectJson& each : numbers) values.push_back(number_in(each, reader.file(), reader.path_of(key)));
+    values.resize(trace_points, values.front());
+    return values;
+}
+
 void read_curve(const ProjectJson& value, const SeriesKey& key, ObjectReader& reader, RunTrace& trace)
 {
-    const ProjectJson& numbers = array_in(value, reader.file(), reader.path_of(key.key));
-    if (numbers.size() != 1 && numbers.size() != trace_points)
-        reader.refuse(key.key, fmt::format("1 or {} numbers are allowed; given are {}.", trace_points, numbers.size()));
-    std::vector<double>& values = trace.series.*key.values;
-    for (const ProjectJson& each : numbers)
-        values.push_back((number_in(each, reader.file(), reader.path_of(key.key)) - key.offset) / key.factor);
-    values.resize(trace_points, values.front());
+    std::vector<double>& values = trace.series.*key.values = curve_from(value, key.key, reader);
+    for (double& each : values) each = (each - key.offset) / key.factor;
+}
+
+std::map<std::string, std::vector<double>> worn_from(const ProjectJson& value, const std::string& file, const std::string& path)
+{
+    ObjectReader reader(value, file, path);
+    std::map<std::string, std::vector<double>> worn;
+    for (const auto& [key, curve] : value.items())
+        if (const ProjectJson* found = reader.find(key)) worn[key] = curve_from(*found, key, reader);
+    return worn;
 }
 
 /// Two whole numbers, each between 0 and the grid's.
@@ -153,6 +170,7 @@ ProjectJson trace_value(const RunTrace& trace)
     value["curves"] = ProjectJson::object();
     for (const SeriesKey& key : series_keys())
         if (is_traced(key) && !(trace.series.*key.values).empty()) value["curves"][key.key] = curve_value(values_of(key, trace.series));
+    for (const auto& [key, values] : trace.worn) value["worn"][key] = curve_value(values);
     value["maps"] = ProjectJson::array();
     for (const TracedMap& map : trace.maps) value["maps"].push_back(map_value(map));
     return value;
@@ -173,6 +191,10 @@ RunTrace trace_from(const ProjectJson& value, const std::string& file, const std
         if (is_traced(key))
             if (const ProjectJson* found = curves.find(key.key)) read_curve(*found, key, curves, trace);
     curves.finish();
+    if (const ProjectJson* worn = reader.find("worn")) {
+        if (worn->size() > most_worn) reader.refuse("worn", fmt::format("at most {} curves are allowed.", most_worn));
+        trace.worn = worn_from(*worn, file, reader.path_of("worn"));
+    }
     const ProjectJson& maps = array_in(reader.require("maps"), file, reader.path_of("maps"));
     if (maps.size() > std::size(traced_shares)) reader.refuse("maps", fmt::format("at most {} are allowed.", std::size(traced_shares)));
     for (std::size_t i = 0; i < maps.size(); ++i)

@@ -96,6 +96,13 @@ std::vector<std::string> fabrics_of(const Garment& garment)
     return {names.begin(), names.end()};
 }
 
+std::string one_fabric_of(const Garment& garment)
+{
+    std::set<std::string> names;
+    for (const auto& [panel, cut] : garment.panels) names.insert(cut.fabric);
+    return names.size() == 1 ? *names.begin() : std::string();
+}
+
 void cut_all_from(Garment& garment, const std::string& fabric)
 {
     garment.panels["*"].fabric = fabric;

@@ -90,6 +90,8 @@ struct Garment {
 
 /// That its panels and linings are cut from, each once.
 std::vector<std::string> fabrics_of(const Garment& garment);
+/// The one fabric that all panels are cut from, whatever their linings; empty: they are cut from several.
+std::string one_fabric_of(const Garment& garment);
 /// Every panel from one fabric; linings stay.
 void cut_all_from(Garment& garment, const std::string& fabric);
 

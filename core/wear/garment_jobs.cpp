@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/wear/garment_jobs.h"
 
+#include "core/base/error.h"
 #include "core/wear/wear_outcomes.h"
 
 #include <fmt/format.h>
@@ -38,30 +39,15 @@ constexpr double error_of_cells = 0.02;
 /// first: what reports need is kept.
 CandidateRun candidate_of(const GarmentCandidate& candidate, const Drawn& drawn, const FinishedGarment& finished, bool first)
 {
-    const WearRecord& record = *finished.record;
-    const WearExperiment& wear = *find_wear(record.design, candidate.experiment);
     CandidateRun run;
     Candidate& made = run.candidate;
+    made = candidate_of(*finished.record, *finished.metrics, finished.wall);
     made.fabric = candidate.name;
-    made.outcomes = outcomes_of(*finished.metrics);
-    if (!drawn.names.empty()) // one run of each shows no scatter that it could be added to
-        for (const Outcome& outcome : made.outcomes)
-            if (outcome.value) made.numerical[outcome.key] = error_of_cells * std::abs(*outcome.value);
-    made.duration = wear.duration_s;
-    made.wall = finished.wall;
-    made.timed = 1;
+    if (!drawn.names.empty()) add_error_of_cells(made);
     made.unknowns = drawn.names;
-    ReplicateRun numbers;
-    for (const Outcome& outcome : made.outcomes)
-        if (outcome.value) numbers.numbers[outcome.key] = *outcome.value;
-    numbers.places = drawn.places;
-    made.replicates.emplace_back(std::move(numbers));
-    if (first) {
-        made.worn =
-            std::make_shared<const WornCandidate>(WornCandidate{wear_json(*finished.metrics), part_of_run(record.design, wear.name),
-                                                                fmt::format("{}, {}", record.fidelity, record.backend), record.device});
-        made.notes = finished.issues;
-    }
+    made.replicates.front()->places = drawn.places;
+    if (!first) made.worn.reset();
+    if (first) made.notes = finished.issues;
     run.device_failed = !finished.device_failure.empty();
     if (run.device_failed) made.notes.push_back(finished.device_failure);
     return run;
@@ -103,6 +89,39 @@ Design with_absolute_files(Design design, const std::filesystem::path& base)
     }
     for (WearExperiment& wear : design.wears) whole(wear.activity_file);
     return design;
+}
+
+Candidate candidate_of(const WearRecord& record, const WearMetrics& metrics, double wall)
+{
+    const WearExperiment* const found = find_wear(record.design, record.layout.experiment);
+    const Garment* const garment = found ? find_garment(record.design, found->garment) : nullptr;
+    if (!garment || metrics.all().course.empty())
+        throw Error(fmt::format("The run of \"{}\" has no frame, or its project lacks the experiment.", record.layout.experiment));
+    const WearExperiment& wear = *found;
+    Candidate made;
+    made.fabric = one_fabric_of(*garment);
+    if (made.fabric.empty()) made.fabric = wear.garment;
+    made.outcomes = outcomes_of(metrics);
+    made.duration = wear.duration_s;
+    made.wall = wall;
+    made.timed = 1;
+    ReplicateRun numbers;
+    for (const Outcome& outcome : made.outcomes)
+        if (outcome.value) numbers.numbers[outcome.key] = *outcome.value;
+    RunTrace trace;
+    trace.series.time = trace_times(wear.duration_s);
+    trace.worn = courses_of(metrics, trace.series.time);
+    numbers.trace = std::make_shared<const RunTrace>(std::move(trace));
+    made.replicates.emplace_back(std::move(numbers));
+    made.worn = std::make_shared<const WornCandidate>(WornCandidate{wear_json(metrics), part_of_run(record.design, wear.name),
+                                                                    fmt::format("{}, {}", record.fidelity, record.backend), record.device});
+    return made;
+}
+
+void add_error_of_cells(Candidate& candidate)
+{
+    for (const Outcome& outcome : candidate.outcomes)
+        if (outcome.value) candidate.numerical[outcome.key] = error_of_cells * std::abs(*outcome.value);
 }
 
 std::size_t bytes_of_largest(const std::vector<GarmentCandidate>& candidates, const WearOptions& how)

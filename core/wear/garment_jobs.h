@@ -2,6 +2,7 @@
 // Garments that are compared: candidates, and the runs of their replicates.
 #pragma once
 
+#include "core/analysis/run_trace.h"
 #include "core/analysis/sweep.h"
 #include "core/wear/garment_run.h"
 
@@ -23,6 +24,13 @@ GarmentCandidate cut_from(const Design& design, const std::string& experiment, c
 Design part_of_run(const Design& design, const std::string& experiment);
 /// The same design from another folder: the files of its garments by their whole paths.
 Design with_absolute_files(Design design, const std::filesystem::path& base);
+
+/// What a run of a garment gave, as the first replicate, with its curves; the name is that of the one fabric that it is cut from, else of
+/// the garment. Throws Error where the record's design lacks the experiment or the garment, or there is no frame.
+Candidate candidate_of(const WearRecord& record, const WearMetrics& metrics, double wall);
+/// The error of the numbers of several replicates, which their scatter is added to: that of the size of cells. One run of each shows no
+/// scatter, so there is no verdict.
+void add_error_of_cells(Candidate& candidate);
 
 /// The memory (bytes) that the largest of the runs takes. Throws FileError of what a garment names, NotEnoughMemory, Error.
 std::size_t bytes_of_largest(const std::vector<GarmentCandidate>& candidates, const WearOptions& how);

@@ -3,6 +3,7 @@
 #include "core/wear/wear_outcomes.h"
 
 #include "core/analysis/metrics_json.h"
+#include "core/analysis/run_trace.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 
@@ -58,6 +59,18 @@ struct Kind {
     const std::vector<WearPart>& (WearMetrics::*parts)() const;
 };
 constexpr Kind kinds[] = {{"panels", "panel ", &WearMetrics::panels}, {"zones", "zone ", &WearMetrics::zones}};
+
+WearPartName name_of(const Kind& kind, const WearPart& part)
+{
+    return {fmt::format("{}/{}/", kind.key, part.name), kind.title + part.name};
+}
+
+OutcomeInfo of_part(OutcomeInfo info, const WearPartName& part)
+{
+    info.key = part.prefix + info.key;
+    info.part = part.title;
+    return info;
+}
 
 Json numbers_of(const WearMetrics& metrics, const WearPart& part)
 {
@@ -174,18 +187,51 @@ std::vector<Outcome> outcomes_of(const WearMetrics& metrics)
     for (const Kind& kind : kinds)
         for (const WearPart& part : (metrics.*kind.parts)())
             for (Outcome& outcome : outcomes_of(metrics, part)) {
-                outcome.key = fmt::format("{}/{}/{}", kind.key, part.name, outcome.key);
-                outcome.part = kind.title + part.name;
+                static_cast<OutcomeInfo&>(outcome) = of_part(outcome, name_of(kind, part));
                 outcomes.push_back(std::move(outcome));
             }
     return outcomes;
 }
 
-std::vector<OutcomeInfo> compared_by_wear()
+std::vector<WearPartName> parts_in(const std::vector<Outcome>& outcomes)
+{
+    std::vector<WearPartName> parts{{}};
+    for (const Outcome& outcome : outcomes) {
+        const WearPartName part{outcome.key.substr(0, outcome.key.rfind('/') + 1), outcome.part};
+        if (part != parts.back() && !part.prefix.empty()) parts.push_back(part);
+    }
+    return parts;
+}
+
+std::vector<OutcomeInfo> compared_by_wear(const WearPartName& part)
 {
     std::vector<OutcomeInfo> infos;
-    for (const char* key : compared) infos.push_back(wear_number(key).info);
+    for (const char* key : compared) infos.push_back(of_part(wear_number(key).info, part));
     return infos;
+}
+
+std::vector<OutcomeInfo> worn_curves(const WearPartName& part)
+{
+    std::vector<OutcomeInfo> infos;
+    for (const WearNumber& number : wear_numbers())
+        if (number.over_time) infos.push_back(of_part(number.info, part));
+    return infos;
+}
+
+std::map<std::string, std::vector<double>> courses_of(const WearMetrics& metrics, const std::vector<double>& times)
+{
+    std::map<std::string, std::vector<double>> courses;
+    const auto add = [&](const WearPart& part, const WearPartName& name) {
+        std::vector<double> time;
+        for (const WearNow& now : part.course) time.push_back(now.time);
+        for (const WearNumber& number : wear_numbers())
+            if (number.over_time)
+                courses[name.prefix + number.info.key] = values_at(times, time, course_of(metrics, part, number.info.key));
+    };
+    add(metrics.all(), {});
+    for (const Kind& kind : kinds)
+        for (const WearPart& part : (metrics.*kind.parts)()) add(part, name_of(kind, part));
+    return courses;
 }
 
 std::string wear_json(const WearMetrics& metrics, const std::map<std::string, Interval>& intervals)

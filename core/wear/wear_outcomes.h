@@ -38,8 +38,19 @@ std::vector<Outcome> outcomes_of(const WearMetrics& metrics);
 /// Of one part, with keys as they are.
 std::vector<Outcome> outcomes_of(const WearMetrics& metrics, const WearPart& part);
 
-/// The numbers by which garments are compared. The first ranks by default.
-std::vector<OutcomeInfo> compared_by_wear();
+/// Keys and curves of a part begin with its prefix: "" of the whole garment, "panels/front/", "zones/chest/".
+struct WearPartName {
+    std::string prefix, title; ///< title: "panel front"; of the whole garment empty
+    bool operator==(const WearPartName&) const = default;
+};
+/// Of what a run of a garment gave, the whole first.
+std::vector<WearPartName> parts_in(const std::vector<Outcome>& outcomes);
+/// The numbers by which garments are compared, of the whole or of a part. The first ranks by default.
+std::vector<OutcomeInfo> compared_by_wear(const WearPartName& part = {});
+/// The numbers of which curves are kept, of the whole or of a part.
+std::vector<OutcomeInfo> worn_curves(const WearPartName& part = {});
+/// All of these of all parts, by key, at the times (s). Precondition: there is a frame.
+std::map<std::string, std::vector<double>> courses_of(const WearMetrics& metrics, const std::vector<double>& times);
 
 /// As `simulate --json` prints it. intervals: of replicates, by key; none: of one run, whose error is not known.
 std::string wear_json(const WearMetrics& metrics, const std::map<std::string, Interval>& intervals = {});

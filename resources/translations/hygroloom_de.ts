@@ -2096,6 +2096,14 @@
         <source>The study cuts the garment from its own list of fabrics, so this changes nothing.</source>
         <translation>Die Studie schneidet das Kleidungsstück aus ihrer eigenen Liste von Geweben, daher ändert das nichts.</translation>
     </message>
+    <message>
+        <source>panel %1</source>
+        <translation>Schnittteil %1</translation>
+    </message>
+    <message>
+        <source>zone %1</source>
+        <translation>Zone %1</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>
@@ -3186,6 +3194,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>Runs of each fabric. With more than one, all but the first have inputs drawn within what is not known of the cloth; intervals then hold this scatter.</source>
         <translation>Läufe jedes Stoffes. Bei mehreren werden in allen bis auf den ersten die Eingaben in den Grenzen dessen gezogen, was man vom Stoff nicht weiß; die Intervalle enthalten dann diese Streuung.</translation>
     </message>
+    <message>
+        <source>Part of the garment</source>
+        <translation>Teil des Kleidungsstücks</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CompareMaps</name>
@@ -3467,6 +3479,18 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>The verdicts rest on the numerical error of one run of each cloth. Other pieces of the same cloths may come in another order: choose 8 replicates to judge by them.</source>
         <translation>Die Urteile beruhen auf dem numerischen Fehler eines Laufs je Gewebe. Andere Stücke derselben Gewebe können in anderer Reihenfolge liegen: Wählen Sie 8 Wiederholungen, um danach zu urteilen.</translation>
+    </message>
+    <message>
+        <source>whole garment</source>
+        <translation>ganzes Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Maps are of the first replicate; curves are of all of them.</source>
+        <translation>Karten gelten für die erste Wiederholung, Kurven für alle.</translation>
+    </message>
+    <message>
+        <source>One run of each garment shows no scatter, so there is no verdict: choose 4 replicates or more to judge by them.</source>
+        <translation>Ein Lauf je Kleidungsstück zeigt keine Streuung, deshalb gibt es kein Urteil: Wählen Sie 4 oder mehr Wiederholungen, um nach ihnen zu urteilen.</translation>
     </message>
 </context>
 <context>
@@ -4956,6 +4980,69 @@ Klicken zeigt diese Zeit.</translation>
     </message>
 </context>
 <context>
+    <name>hygroloom::GarmentMaps</name>
+    <message>
+        <source>3D and flat</source>
+        <translation>3D, flach</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>What is drawn of the garments</source>
+        <translation>Was von den Kleidungsstücken gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>Water, g/m²</source>
+        <translation>Wasser, g/m²</translation>
+    </message>
+    <message>
+        <source>Share of capacity</source>
+        <translation>Füllgrad</translation>
+    </message>
+    <message>
+        <source>Difference of water</source>
+        <translation>Unterschied des Wassers</translation>
+    </message>
+    <message>
+        <source>Difference of shares</source>
+        <translation>Unterschied des Füllgrads</translation>
+    </message>
+    <message>
+        <source>What the colours show</source>
+        <translation>Was die Farben zeigen</translation>
+    </message>
+    <message>
+        <source>Time of all garments</source>
+        <translation>Zeit aller Kleidungsstücke</translation>
+    </message>
+    <message>
+        <source>Place under the pointer</source>
+        <translation>Ort unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Water on %1</source>
+        <translation>Wasser auf %1</translation>
+    </message>
+    <message>
+        <source>Tick a second fabric to see how it differs.</source>
+        <translation>Kreuzen Sie ein zweites Gewebe an, um zu sehen, wie es sich unterscheidet.</translation>
+    </message>
+    <message>
+        <source>%1: %2 g/m², %3 % of capacity</source>
+        <translation>%1: %2 g/m², Füllgrad %3 %</translation>
+    </message>
+    <message>
+        <source>%1, zone %2: %3</source>
+        <translation>%1, Zone %2: %3</translation>
+    </message>
+</context>
+<context>
     <name>hygroloom::GarmentPanel</name>
     <message>
         <source>Fabrics to drag onto panels</source>
@@ -5306,6 +5393,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Where the eight steps of the colours end. Empty: at a round number over the most that the runs hold; while a run goes on, over the most that it is expected to hold.</source>
         <translation>Wo die acht Stufen der Farben enden. Leer: bei einer runden Zahl über dem Höchsten, das die Läufe enthalten; während ein Lauf rechnet, über dem Höchsten, das von ihm zu erwarten ist.</translation>
+    </message>
+    <message>
+        <source>. Cut from another fabric than the project&apos;s garment, as Compare does.</source>
+        <translation>. Aus einem anderen Gewebe geschnitten als das Kleidungsstück des Projekts, wie im Vergleich.</translation>
     </message>
 </context>
 <context>
@@ -8458,10 +8549,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>%1: %2, %3, %4</translation>
     </message>
     <message>
-        <source>Runs of garments are compared in the workspace Garment.</source>
-        <translation>Läufe von Kleidungsstücken werden im Arbeitsbereich Kleidung verglichen.</translation>
-    </message>
-    <message>
         <source>Only completed runs can be compared.</source>
         <translation>Nur vollständige Läufe lassen sich vergleichen.</translation>
     </message>
@@ -8500,6 +8587,14 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>fibres</source>
         <translation>Fasern</translation>
+    </message>
+    <message>
+        <source>garment is gone</source>
+        <translation>Kleidungsstück fehlt</translation>
+    </message>
+    <message>
+        <source>garment</source>
+        <translation>Kleidungsstück</translation>
     </message>
 </context>
 <context>
@@ -8575,6 +8670,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>stopped</source>
         <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 aus %2</translation>
     </message>
 </context>
 <context>
@@ -10760,6 +10859,10 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>Ca&amp;ncel Runs</source>
         <translation>&amp;Läufe abbrechen</translation>
+    </message>
+    <message>
+        <source>Mixtures of fabrics are run on samples alone. Choose an experiment on a sample above.</source>
+        <translation>Mischungen von Geweben werden nur als Proben simuliert. Wählen Sie oben einen Versuch an einer Probe.</translation>
     </message>
 </context>
 <context>

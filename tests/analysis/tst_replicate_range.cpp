@@ -132,6 +132,39 @@ private Q_SLOTS:
         }
         QVERIFY(std::abs(read.maps[0].top.cell_width - 1e-3) < 1e-12);
     }
+    void curvesOfAGarmentAreReadAsTheyWereWritten()
+    {
+        ReplicateSet set = one_set(replicate(3)).front();
+        WearExperiment wear;
+        wear.name = set.key.experiment;
+        wear.garment = "tee";
+        Garment tee;
+        tee.name = "tee";
+        cut_all_from(tee, set.key.fabric);
+        set.key.design.experiments.clear();
+        set.key.design.wears = {wear};
+        set.key.design.garments = {tee};
+        Candidate garment;
+        for (const double factor : {1.0, 2.0, 3.0}) {
+            RunTrace trace;
+            trace.series.time = trace_times(8);
+            for (const double time : trace.series.time) trace.worn["panels/front/water_g"].push_back(factor * time);
+            ReplicateRun run;
+            run.trace = std::make_shared<const RunTrace>(std::move(trace));
+            garment.replicates.emplace_back(std::move(run));
+        }
+        set.runs = {{2, *garment.replicates.front()}};
+        set.runs[2].places.assign(set.unknowns.size(), 0.5);
+        const auto back = parse_replicates(format_replicates({set}), "file");
+        QVERIFY(back.at(0).key == set.key);
+        const std::vector<double>& read = back.at(0).runs.at(2).trace->worn.at("panels/front/water_g");
+        for (std::size_t i = 0; i < read.size(); ++i) QVERIFY(std::abs(read[i] - trace_times(8)[i]) <= 6e-4 * trace_times(8)[i]);
+        const auto range = curve_range(garment, "panels/front/water_g");
+        QVERIFY(range && range->runs == 3 && range->low.back() == 8 && range->middle.back() == 16 && range->high.back() == 24);
+        QVERIFY(!curve_range(garment, "panels/back/water_g"));
+        set.key.design.garments.clear();
+        QVERIFY_EXCEPTION_THROWN(parse_replicates(format_replicates({set}), "file"), FileError);
+    }
     void filesOfAnOlderProgramStayReadable()
     {
         ReplicateRun run = replicate(3);

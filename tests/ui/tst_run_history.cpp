@@ -94,6 +94,42 @@ private Q_SLOTS:
         QVERIFY(holds([](Design& now) { now.liquids.push_back({}), now.liquids.back().name = "unused"; }));
     }
 
+    void aGarmentOfOneFabricIsComparedHoweverTheProjectCutsIt()
+    {
+        RunRecord run;
+        run.design = drop_design();
+        run.design.fabrics.push_back(run.design.fabrics[0]);
+        run.design.fabrics[1].name = "other";
+        Garment tee;
+        tee.name = "tee";
+        cut_all_from(tee, "other");
+        run.design.garments = {tee};
+        WearExperiment wear;
+        wear.name = "wear";
+        wear.garment = "tee";
+        run.design.wears = {wear};
+        run.fabric = "tee";
+        run.experiment = "wear";
+        Design now = run.design;
+        cut_all_from(now.garments[0], now.fabrics[0].name);
+        QVERIFY(!garmentHoldsFor(run.design, "tee", "wear", now));
+        QVERIFY(holdsFor(run, now));
+        RunRecord recut = run;
+        recut.design = now;
+        QVERIFY(conditionsOf(recut) == conditionsOf(run));
+        now.fabrics[1].contact_angle_deg = 12;
+        now.garments[0].wearer.skin_temperature_c += 1;
+        QCOMPARE(differencesOf(run, now), (QStringList{"garment", "fabric"}));
+        now.garments.clear();
+        now.wears.clear();
+        QCOMPARE(differencesOf(run, now), (QStringList{"experiment is gone", "garment is gone", "fabric"}));
+        run.design.garments[0].panels["front"].fabric = run.design.fabrics[0].name; // of two: as it is cut, and no other
+        KeptRun kept{"a", std::make_shared<const RunRecord>(run), nullptr};
+        kept.worn = true;
+        QVERIFY(kept.cloth().empty());
+        QVERIFY(!holdsFor(run, recut.design));
+    }
+
     void whatDiffersIsNamed()
     {
         RunRecord run;

@@ -68,7 +68,7 @@ private Q_SLOTS:
         const StudyRow row = studyRows(design_, runs, sets, four)[0];
         QVERIFY(row.missing.empty());
         QCOMPARE(row.runs, 4);
-        Comparison comparison = comparisonOf(ExperimentType::droplet, four, {row}, "");
+        Comparison comparison = comparisonOf(compared_by(ExperimentType::droplet), four, {row}, "");
         judge(comparison);
         QCOMPARE(comparison.candidates.front().intervals.at(radius).runs, 4);
         QCOMPARE(comparison.candidates.front().intervals.at(radius).centre, 5.0); // the run's own 5 in place of the set's 3

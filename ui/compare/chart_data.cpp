@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace hygroloom {
@@ -78,7 +79,7 @@ std::vector<const Candidate*> named(const Comparison& comparison, const std::vec
     std::vector<const Candidate*> found;
     for (const std::string& name : names) {
         for (const Candidate& each : comparison.candidates) {
-            if (each.fabric == name && each.run && each.metrics) { found.push_back(&each); }
+            if (each.fabric == name && ((each.run && each.metrics) || each.worn)) { found.push_back(&each); }
         }
     }
     return found;
@@ -120,10 +121,50 @@ std::vector<CurveChoice> curvesOf(ExperimentType type, const std::vector<std::sh
             if (std::none_of(runs.begin(), runs.end(), is_seen)) { continue; }
             const QString name = plot->curves.size() == 1 ? coreWord(plot->title) : coreTitle(plot->title, curve.name);
             const UserUnit unit = userUnit(plot->unit);
-            choices.push_back({plot, curve, QString("%1 (%2)").arg(name, coreWord(unit.unit)), unit});
+            choices.push_back({plot, curve, {}, QString("%1 (%2)").arg(name, coreWord(unit.unit)), unit});
         }
     }
     return choices;
+}
+
+std::vector<CurveChoice> curvesOf(const WearPartName& part)
+{
+    std::vector<CurveChoice> choices;
+    for (const OutcomeInfo& number : worn_curves(part)) {
+        const UserUnit unit = userUnit(QString::fromStdString(number.unit));
+        const QString title = QString("%1 (%2)").arg(capital(coreTitle(number.title, number.part)), coreWord(unit.unit));
+        choices.push_back({nullptr, {}, number, title, unit});
+    }
+    return choices;
+}
+
+namespace {
+
+/// seen: a value as people read it.
+CurvePoints pointsOf(const CurveRange& range, const std::function<double(double)>& seen)
+{
+    CurvePoints points;
+    points.replicates = range.runs;
+    for (std::size_t i = 0; i < range.time.size(); ++i) {
+        points.values.emplace_back(range.time[i], seen(range.middle[i]));
+        points.low.push_back(seen(range.low[i]));
+        points.high.push_back(seen(range.high[i]));
+    }
+    return points;
+}
+
+} // namespace
+
+CurvePoints pointsOf(const Candidate& garment, const CurveChoice& choice)
+{
+    const auto seen = [&](double value) { return choice.unit.of(value); };
+    if (const auto range = curve_range(garment, choice.worn.key)) { return pointsOf(*range, seen); }
+    CurvePoints points;
+    const auto& first = garment.replicates.front();
+    if (!first || !first->trace || !first->trace->worn.contains(choice.worn.key)) { return points; }
+    const std::vector<double>& values = first->trace->worn.at(choice.worn.key);
+    for (std::size_t i = 0; i < values.size(); ++i) { points.values.emplace_back(first->trace->series.time[i], seen(values[i])); }
+    return points;
 }
 
 CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveChoice& choice, const Candidate* candidate)
@@ -132,13 +173,7 @@ CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveCh
     const auto cut = [&choice](double value) { return choice.plot->from_zero ? std::max(0.0, value) : value; };
     const auto seen = [&](double value) { return choice.unit.of(cut(value)); };
     if (const auto range = candidate ? curve_range(*candidate, *choice.plot, choice.curve) : std::nullopt) {
-        points.replicates = range->runs;
-        for (std::size_t i = 0; i < range->time.size(); ++i) {
-            points.values.emplace_back(range->time[i], seen(range->middle[i]));
-            points.low.push_back(seen(range->low[i]));
-            points.high.push_back(seen(range->high[i]));
-        }
-        return points;
+        return pointsOf(*range, seen);
     }
     const std::vector<double> values = plotted(*choice.plot, choice.curve, metrics);
     const CurveError* error = errorOf(choice.curve);
@@ -167,7 +202,7 @@ Fingerprint fingerprintOf(const Comparison& comparison, const std::vector<std::s
     made.runs.resize(all.size());
     made.numbers.resize(all.size());
     if (all.empty()) { return made; }
-    made.grades = all.front()->metrics->management.has_value();
+    made.grades = all.front()->metrics && all.front()->metrics->management.has_value();
     if (made.grades) {
         made.most = 5;
         for (const Outcome& outcome : outcomes_of(*all.front()->run, *all.front()->metrics)) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/analysis/replicate_range.h"
+#include "core/wear/wear_outcomes.h"
 #include "ui/basics/quantity.h"
 
 #include <QPointF>
@@ -18,13 +19,18 @@ std::vector<std::size_t> paretoFront(const std::vector<QPointF>& points, Better 
 
 /// A curve that runs have in common.
 struct CurveChoice {
-    const Plot* plot = nullptr;
+    const Plot* plot = nullptr; ///< nullptr: of a garment
     Curve curve{};
-    QString title; ///< "Wetted radius, top (mm)"
+    OutcomeInfo worn{}; ///< of a garment, the number
+    QString title;      ///< "Wetted radius, top (mm)"
     UserUnit unit{};
+    bool fromZero() const { return plot ? plot->from_zero : !worn.may_be_negative; }
 };
 /// Those of which there is something to see in any of the runs; the experiment's own first.
 std::vector<CurveChoice> curvesOf(ExperimentType type, const std::vector<std::shared_ptr<const Metrics>>& runs);
+
+/// Of garments, those of the whole or of a part.
+std::vector<CurveChoice> curvesOf(const WearPartName& part);
 
 struct CurvePoints {
     std::vector<QPointF> values;   ///< of several replicates their middle
@@ -33,6 +39,8 @@ struct CurvePoints {
 };
 /// candidate: with the run's replicates; fewer than two that keep the curve do not count.
 CurvePoints pointsOf(const RunRecord& run, const Metrics& metrics, const CurveChoice& choice, const Candidate* candidate = nullptr);
+/// The same of a garment.
+CurvePoints pointsOf(const Candidate& garment, const CurveChoice& choice);
 /// The number whose error the band of a run alone is; empty: none is measured.
 QString bandText(const CurveChoice& choice);
 

@@ -25,6 +25,19 @@ void keepRoom(QWidget* widget)
     widget->setSizePolicy(policy);
 }
 
+void fillBox(QComboBox& box, const QStringList& texts, int chosen)
+{
+    const QSignalBlocker quiet(&box);
+    QStringList old;
+    for (int i = 0; i < box.count(); ++i) { old << box.itemText(i); }
+    if (old != texts) {
+        box.clear();
+        box.addItems(texts);
+    }
+    box.setCurrentIndex(chosen);
+    box.setToolTip(box.currentText());
+}
+
 void addField(QHBoxLayout* row, const QString& name, QWidget* field)
 {
     auto* label = new QLabel(name);
@@ -38,7 +51,7 @@ void addField(QHBoxLayout* row, const QString& name, QWidget* field)
 } // namespace
 
 CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
-    : QWidget(parent), experiment_(new QComboBox), fidelity_(new QComboBox), replicates_(new QComboBox),
+    : QWidget(parent), experiment_(new QComboBox), fidelity_(new QComboBox), part_(new QComboBox), replicates_(new QComboBox),
       run_(new QPushButton(themedIcon("run"), tr("&Run All Missing"))), state_(new QLabel), progress_(new QProgressBar),
       cancel_(new QPushButton(themedIcon("stop"), tr("&Cancel"))), filter_(new QLineEdit), measured_(new QPushButton(tr("&Measured…"))),
       save_(new QPushButton(tr("Save &Table…"))), report_(new QPushButton(tr("Save Re&port…"))), runs_(runs)
@@ -77,6 +90,7 @@ CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
 
     connect(experiment_, &QComboBox::activated, this, &CompareBar::experimentChosen);
     connect(fidelity_, &QComboBox::activated, this, &CompareBar::fidelityChosen);
+    connect(part_, &QComboBox::activated, this, &CompareBar::partChosen);
     connect(replicates_, &QComboBox::currentIndexChanged, this, &CompareBar::replicatesChosen);
     connect(run_, &QPushButton::clicked, this, &CompareBar::runAllRequested);
     connect(cancel_, &QPushButton::clicked, this, &CompareBar::cancelRequested);
@@ -96,24 +110,26 @@ QHBoxLayout* CompareBar::toolRow()
     filter_->setMaximumWidth(220);
     offerFiles(0);
     auto* tools = new QHBoxLayout;
+    part_->setAccessibleName(tr("Part of the garment"));
+    part_->setMinimumContentsLength(14);
+    part_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    part_->setVisible(false);
     tools->addWidget(filter_, 1);
+    tools->addWidget(part_);
     tools->addStretch(1);
     for (QPushButton* button : {measured_, save_, report_}) { tools->addWidget(button); }
     return tools;
 }
 
-void CompareBar::setExperiments(const QStringList& names, int chosen)
+void CompareBar::setExperiments(const QStringList& names, int chosen) { fillBox(*experiment_, names, chosen); }
+
+void CompareBar::setParts(const QStringList& titles, int chosen)
 {
-    const QSignalBlocker quiet(experiment_);
-    QStringList old;
-    for (int i = 0; i < experiment_->count(); ++i) { old << experiment_->itemText(i); }
-    if (old != names) {
-        experiment_->clear();
-        experiment_->addItems(names);
-    }
-    experiment_->setCurrentIndex(chosen);
-    experiment_->setToolTip(experiment_->currentText());
+    fillBox(*part_, titles, chosen);
+    part_->setVisible(!titles.isEmpty());
 }
+
+int CompareBar::part() const { return part_->currentIndex(); }
 
 int CompareBar::experiment() const { return experiment_->currentIndex(); }
 

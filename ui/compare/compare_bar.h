@@ -30,6 +30,9 @@ public:
     int experiment() const;
     void setFidelity(Fidelity fidelity);
     Fidelity fidelity() const;
+    /// Panels and zones of a garment, the whole first; none of samples, and the field is hidden.
+    void setParts(const QStringList& titles, int chosen);
+    int part() const;
     /// While it is not known at which fidelity the kept runs are, the field names none.
     void setReading(bool reading);
     int replicates() const;
@@ -51,6 +54,7 @@ public:
 Q_SIGNALS:
     void experimentChosen();
     void fidelityChosen();
+    void partChosen();
     void replicatesChosen();
     void runAllRequested();
     void cancelRequested();
@@ -68,6 +72,7 @@ private:
 
     QComboBox* experiment_;
     QComboBox* fidelity_;
+    QComboBox* part_;
     int unnamed_ = 0; ///< its place in the field, while that names none
     QComboBox* replicates_;
     QPushButton* run_;

@@ -2,6 +2,7 @@
 // What is compared. The table and what is missing: compare_view_table.cpp.
 #include "ui/compare/compare_view.h"
 
+#include "ui/basics/core_words.h"
 #include "ui/basics/preferences.h"
 #include "ui/compare/candidate_table.h"
 #include "ui/compare/cloths_view.h"
@@ -9,6 +10,7 @@
 #include "ui/compare/compare_maps.h"
 #include "ui/compare/curves_view.h"
 #include "ui/compare/fingerprint_view.h"
+#include "ui/compare/garment_maps.h"
 #include "ui/compare/run_list.h"
 #include "ui/compare/scatter_view.h"
 #include "ui/compare/why_view.h"
@@ -27,8 +29,8 @@ namespace hygroloom {
 CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& runs, QWidget* parent)
     : QWidget(parent), document_(document), history_(history), runs_(runs), bar_(new CompareBar(runs)), upper_(new QTabWidget),
       table_(new CandidateTable), list_(new RunList(history, [this](const KeptRun& run) { return whyNot(run); })), lower_(new QTabWidget),
-      maps_(new CompareMaps), curves_(new CurvesView), fingerprint_(new FingerprintView), scatter_(new ScatterView),
-      why_(new WhyView(runs)), cloths_(new ClothsView), note_(new QLabel)
+      maps_(new CompareMaps), garment_maps_(new GarmentMaps), curves_(new CurvesView), fingerprint_(new FingerprintView),
+      scatter_(new ScatterView), why_(new WhyView(runs)), cloths_(new ClothsView), note_(new QLabel)
 {
     note_->setWordWrap(true);
     note_->setTextFormat(Qt::PlainText);
@@ -44,6 +46,7 @@ CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& run
     upper_->addTab(numbers, tr("Candidates"));
     upper_->addTab(list_, tr("All Runs"));
     lower_->addTab(maps_, tr("Maps"));
+    lower_->addTab(garment_maps_, tr("Maps"));
     lower_->addTab(curves_, tr("Curves"));
     lower_->addTab(fingerprint_, tr("Fingerprint"));
     lower_->addTab(scatter_, tr("Scatter"));
@@ -59,6 +62,7 @@ CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& run
     layout->setSpacing(0);
     layout->addWidget(bar_);
     layout->addWidget(parts, 1);
+    lower_->setTabVisible(lower_->indexOf(garment_maps_), false);
     connectParts();
     refresh();
 }
@@ -122,6 +126,14 @@ void CompareView::connectBar()
     });
     connect(bar_, &CompareBar::replicatesChosen, this, [this] {
         replicates_follow_ = false;
+        refresh();
+    });
+    connect(bar_, &CompareBar::partChosen, this, [this] {
+        for (const StudyRow& row : rows_) {
+            const auto parts = row.candidate ? parts_in(row.candidate->outcomes) : std::vector<WearPartName>();
+            if (const auto at = static_cast<std::size_t>(bar_->part()); at < parts.size()) { part_ = parts[at]; }
+            if (!parts.empty()) { break; }
+        }
         refresh();
     });
     connect(bar_, &CompareBar::filterChanged, table_, &CandidateTable::setFilter);
@@ -206,7 +218,11 @@ void CompareView::shareRanges(ColorRanges& ranges) { maps_->shareRanges(ranges);
 
 const std::vector<WaterMap*>& CompareView::maps() const { return maps_->maps(); }
 
-QImage CompareView::picture() const { return maps_->maps().empty() ? QImage() : lower_->currentWidget()->grab().toImage(); }
+QImage CompareView::picture() const
+{
+    if (maps_->maps().empty() && garment_maps_->panes().empty()) { return {}; }
+    return lower_->currentWidget() == garment_maps_ ? garment_maps_->picture() : lower_->currentWidget()->grab().toImage();
+}
 
 /// The project's experiments, and those of completed runs that are of none of them.
 void CompareView::findEntries()
@@ -217,15 +233,19 @@ void CompareView::findEntries()
     const bool overview = selected_ < 0;
     entries_.clear();
     const Design& design = *document_.design();
-    for (const Experiment& experiment : design.experiments) {
-        RunRecord run;
-        run.design.experiments = {experiment};
-        run.design.liquids = design.liquids;
-        run.experiment = experiment.name;
-        entries_.push_back({experiment.name, true, conditionsOf(run)});
-    }
+    RunRecord as_it_is;
+    as_it_is.design.experiments = design.experiments;
+    as_it_is.design.wears = design.wears;
+    as_it_is.design.garments = design.garments;
+    as_it_is.design.liquids = design.liquids;
+    const auto add = [&](const std::string& experiment) {
+        as_it_is.experiment = experiment;
+        entries_.push_back({experiment, true, conditionsOf(as_it_is)});
+    };
+    for (const Experiment& experiment : design.experiments) { add(experiment.name); }
+    for (const WearExperiment& wear : design.wears) { add(wear.name); }
     for (const KeptRun& run : history_.runs()) {
-        if (!run.worn && run.problem.isEmpty() && run.complete() && entryOf(run) < 0) {
+        if (run.problem.isEmpty() && run.complete() && entryOf(run) < 0) {
             entries_.push_back({run.run->experiment, false, conditionsOf(*run.run)});
         }
     }
@@ -268,7 +288,7 @@ void CompareView::propose()
     chosen_.clear();
     const auto& runs = history_.runs();
     const auto newest = std::find_if(runs.rbegin(), runs.rend(), [](const KeptRun& run) { // though its numbers are still being read
-        return !run.worn && run.problem.isEmpty() && run.complete();
+        return run.problem.isEmpty() && run.complete();
     });
     if (selecting_ && newest != runs.rend()) {
         selected_ = homeOf(*newest);
@@ -279,7 +299,7 @@ void CompareView::propose()
     const KeptRun* first = nullptr;
     for (auto run = runs.rbegin(); run != runs.rend() && chosen_.size() < most_runs; ++run) {
         if (!whyNotCompared(*run, first ? *first : *run).isEmpty() || !isOnScreen(*run)) { continue; }
-        const QString fabric = QString::fromStdString(run->run->fabric);
+        const QString fabric = QString::fromStdString(run->cloth());
         if (fabrics.contains(fabric)) { continue; }
         if (!first) { first = &*run; }
         chosen_ << run->path;
@@ -328,10 +348,46 @@ void CompareView::refresh()
     bar_->setExperiments(names, selected_ + 1);
     rows_.clear();
     if (const Entry* shown = entry()) { rows_ = rowsOf(*shown); }
+    refreshParts();
+    refreshTabs();
     refreshTable();
     list_->refresh(chosen_);
     refreshLower();
     refreshMissing();
+}
+
+/// Panels and zones of the garment, once a run has named them.
+void CompareView::refreshParts()
+{
+    std::vector<WearPartName> parts;
+    for (const StudyRow& row : rows_) {
+        if (parts.empty() && entry()->worn() && row.candidate) { parts = parts_in(row.candidate->outcomes); }
+    }
+    const auto at = std::find(parts.begin(), parts.end(), part_);
+    if (at == parts.end()) { part_ = {}; }
+    QStringList titles;
+    for (const WearPartName& part : parts) { titles << (part.title.empty() ? tr("whole garment") : coreWord(part.title)); }
+    bar_->setParts(titles, at == parts.end() ? 0 : static_cast<int>(at - parts.begin()));
+}
+
+/// Maps of garments have their 3D in them; where nothing is chosen, the maps of samples say what to do.
+void CompareView::refreshTabs()
+{
+    const bool worn = entry() && entry()->worn(), was = lower_->isTabVisible(lower_->indexOf(garment_maps_));
+    if (worn == was) { return; }
+    const QWidget* shown = lower_->currentWidget();
+    for (QWidget* tab : {static_cast<QWidget*>(maps_), static_cast<QWidget*>(cloths_)}) {
+        lower_->setTabVisible(lower_->indexOf(tab), !worn);
+    }
+    lower_->setTabVisible(lower_->indexOf(garment_maps_), worn);
+    if (shown == maps_ || shown == cloths_ || shown == garment_maps_) {
+        lower_->setCurrentWidget(worn ? static_cast<QWidget*>(garment_maps_) : maps_);
+    }
+}
+
+std::vector<OutcomeInfo> CompareView::criteriaOf(const Entry& entry) const
+{
+    return entry.worn() ? compared_by_wear(part_) : compared_by(entry.conditions.experiments.front().type);
 }
 
 StudyChoice CompareView::choiceOf(const Entry& entry) const
@@ -359,7 +415,7 @@ std::vector<StudyRow> CompareView::rowsOf(const Entry& entry) const
     if (entry.own) { rows = ownRowsOf(entry); }
     for (const KeptRun& run : compared()) {
         const bool known = std::any_of(rows.begin(), rows.end(), [&run](const StudyRow& row) { return row.path == run.path; });
-        if (known || conditionsOf(*run.run) != entry.conditions || !run.metrics) { continue; }
+        if (known || conditionsOf(*run.run) != entry.conditions || !run.measured()) { continue; }
         StudyRow row;
         row.fabric = nameOfRun(history_, run).toStdString();
         const auto is_taken = [&row](const StudyRow& other) { return other.fabric == row.fabric; };
@@ -368,7 +424,7 @@ std::vector<StudyRow> CompareView::rowsOf(const Entry& entry) const
         }
         row.path = run.path;
         row.runs = 1;
-        row.candidate = candidate_of(run.run, run.metrics);
+        row.candidate = candidateOf(run);
         rows.push_back(std::move(row));
     }
     return rows;

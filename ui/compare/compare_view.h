@@ -3,6 +3,7 @@
 // two to four of them in maps and charts.
 #pragma once
 
+#include "core/wear/wear_outcomes.h"
 #include "ui/basics/newest_job.h"
 #include "ui/compare/candidate_grid.h"
 #include "ui/compare/study_runs.h"
@@ -26,6 +27,7 @@ class ColorRanges;
 class CompareMaps;
 class CurvesView;
 class FingerprintView;
+class GarmentMaps;
 class ScatterView;
 class WhyView;
 class RunList;
@@ -46,6 +48,8 @@ public:
     /// Shows an experiment of the project; empty: the overview of all.
     void showExperiment(const std::string& name);
     const std::vector<WaterMap*>& maps() const;
+    GarmentMaps& garmentMaps() { return *garment_maps_; }
+    CurvesView& curves() { return *curves_; }
     CandidateTable* table() { return table_; }
     CompareBar* bar() { return bar_; }
     /// The maps or the chart as it is seen; null while nothing is compared.
@@ -76,6 +80,7 @@ private:
         std::string name;
         bool own = true;
         Design conditions; ///< see conditionsOf()
+        bool worn() const { return !conditions.wears.empty(); }
     };
     void connectParts();
     void connectBar();
@@ -101,11 +106,15 @@ private:
     QString noteOf(const QString& path) const;
     /// The newest run of it on an older design; nullptr: there is none.
     const KeptRun* outdatedRun(const std::string& fabric, const std::string& experiment) const;
-    QString outdatedText() const;
     void refreshMissing();
     void refreshLower();
-    void refreshHint();
+    void refreshTabs();
+    void refreshParts();
+    std::vector<OutcomeInfo> criteriaOf(const Entry& entry) const;
     std::vector<GridEntry> gridEntries(const std::vector<StudyRow>& rows) const;
+    // compare_view_notes.cpp
+    void refreshHint();
+    QString outdatedText() const;
     std::vector<StudyJob> missing() const;
     QString whyNoRun() const;
     /// None: not known yet. 0: it cannot be known.
@@ -133,6 +142,7 @@ private:
     std::map<std::string, LaboratoryTable> measured_; ///< by experiment
     QStringList chosen_;
     std::string baseline_;                 ///< as named in the table
+    WearPartName part_;                    ///< of garments, whose numbers are shown
     bool proposing_ = true;                ///< until the user chooses
     bool selecting_ = true;                ///< the same of the experiment
     bool fidelity_follows_ = true;         ///< the same of the fidelity
@@ -146,6 +156,7 @@ private:
     RunList* list_;
     QTabWidget* lower_;
     CompareMaps* maps_;
+    GarmentMaps* garment_maps_;
     CurvesView* curves_;
     FingerprintView* fingerprint_;
     ScatterView* scatter_;

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // The table of candidates, and running what is missing in it.
 #include "core/base/error.h"
-#include "core/design/unknowns.h"
-#include "core/plan/frame_times.h"
 #include "core/project/atomic_file.h"
-#include "core/run/plan_run.h"
-#include "gpu/backends.h"
 #include "ui/basics/issue_text.h"
 #include "ui/basics/quantity.h"
 #include "ui/compare/candidate_table.h"
@@ -15,11 +11,11 @@
 #include "ui/compare/compare_view.h"
 #include "ui/compare/curves_view.h"
 #include "ui/compare/fingerprint_view.h"
+#include "ui/compare/garment_maps.h"
 #include "ui/compare/scatter_view.h"
 #include "ui/compare/study_report.h"
 #include "ui/compare/why_view.h"
 #include "ui/document/document.h"
-#include "ui/results/device_choice.h"
 #include "ui/results/plan_dialog.h"
 #include "ui/results/report_file.h"
 
@@ -48,7 +44,7 @@ void CompareView::refreshTable()
     all_rows_.clear();
     Grid grid;
     if (const Entry* shown = entry()) {
-        numbers_ = comparisonOf(shown->conditions.experiments.front().type, choiceOf(*shown), rows_, baseline_);
+        numbers_ = comparisonOf(criteriaOf(*shown), choiceOf(*shown), rows_, baseline_);
         const auto ranked = static_cast<std::size_t>(table_->rankedBy()); // less than 0: none, beyond all
         if (ranked < numbers_.criteria.size()) { numbers_.ranked_by = numbers_.criteria[ranked]; }
         judge(numbers_);
@@ -85,8 +81,7 @@ Grid CompareView::overview()
     for (const Entry& each : entries_) {
         if (!each.own) { continue; }
         all_rows_.push_back(ownRowsOf(each));
-        parts.push_back({comparisonOf(each.conditions.experiments.front().type, choiceOf(each), all_rows_.back(), baseline_),
-                         gridEntries(all_rows_.back())});
+        parts.push_back({comparisonOf(criteriaOf(each), choiceOf(each), all_rows_.back(), baseline_), gridEntries(all_rows_.back())});
         judge(parts.back().comparison);
     }
     return overviewOf(parts);
@@ -127,96 +122,10 @@ const KeptRun* CompareView::outdatedRun(const std::string& fabric, const std::st
 {
     const auto& runs = history_.runs();
     const auto found = std::find_if(runs.rbegin(), runs.rend(), [&](const KeptRun& run) {
-        return run.own && !run.worn && run.problem.isEmpty() && run.complete() && !run.current && run.run->fabric == fabric &&
+        return run.own && run.problem.isEmpty() && run.complete() && !run.current && run.cloth() == fabric &&
                run.run->experiment == experiment;
     });
     return found == runs.rend() ? nullptr : &*found;
-}
-
-/// Which fabrics have only runs of an older design; empty: none.
-QString CompareView::outdatedText() const
-{
-    QStringList fabrics;
-    for (const StudyRow& row : rows_) {
-        if (entry()->own && row.path.isEmpty() && !row.missing.empty() && outdatedRun(row.fabric, entry()->name)) {
-            fabrics << QString::fromStdString(row.fabric);
-        }
-    }
-    return fabrics.isEmpty() ? QString()
-                             : tr("Outdated, as the design has changed since they were run: %1. “Run All Missing” runs them again. The "
-                                  "older runs stand under All Runs.")
-                                   .arg(fabrics.join(", "));
-}
-
-namespace {
-
-/// How uneven the yarns of a fabric are, warp and weft: "Poplin 14 % as is typical".
-QString unevennessOf(const Design& design, const Fabric& fabric)
-{
-    QStringList all;
-    for (const Yarn* yarn : {&fabric.warp, &fabric.weft}) {
-        const bool given = yarn->irregularity_cv.has_value();
-        const QString share = valueText(100 * (yarn->irregularity_cv.value_or(typical_unevenness(design, *yarn).cv)), "%");
-        all << (given ? CompareView::tr("%1 as given").arg(share) : CompareView::tr("%1 as is typical").arg(share));
-    }
-    all.removeDuplicates();
-    return QString::fromStdString(fabric.name) + ' ' + all.join(CompareView::tr(" and "));
-}
-
-} // namespace
-
-/// Under the table, what keeps its numbers from being compared.
-void CompareView::refreshHint()
-{
-    QStringList notes;
-    const Design& design = *document_.design();
-    if (design.fabrics.empty() && rows_.empty()) { notes << tr("This project has no fabric. Add one with Fabric ▸ Add Fabric."); }
-    if (design.experiments.empty() && rows_.empty()) {
-        notes << tr("This project has no experiment. Add one with Experiment ▸ Add Experiment.");
-    }
-    if (rows_.size() == 1) {
-        notes << tr("A comparison needs a second fabric: add one with Fabric ▸ Add Fabric, or tick an older run under All Runs.");
-    }
-    std::optional<Fidelity> fidelity;
-    bool differ = false;
-    int kept = 0;
-    QStringList atEdge, uneven;
-    for (const StudyRow& row : rows_) {
-        kept = std::max(kept, row.kept);
-        if (row.candidate && std::any_of(row.candidate->replicates.begin(), row.candidate->replicates.end(),
-                                         [](const std::optional<ReplicateRun>& run) { return run && run->edge_time; })) {
-            atEdge << QString::fromStdString(row.fabric);
-        }
-        if (!row.candidate || !row.candidate->run) { continue; }
-        const RunRecord& run = *row.candidate->run;
-        if (const Fabric* fabric = find_fabric(run.design, run.fabric)) { uneven << unevennessOf(run.design, *fabric); }
-        const Fidelity own = run.plan.fidelity;
-        differ = differ || (fidelity && *fidelity != own);
-        fidelity = own;
-    }
-    if (entry() && choiceOf(*entry()).replicates > 1) {
-        notes << tr("Maps and 3D are of the first replicate; curves and difference maps are of all of them, whose yarns are uneven: "
-                    "%1.")
-                     .arg(uneven.join("; "));
-        if (const std::string few = few_replicates_text(choiceOf(*entry()).replicates); !few.empty()) {
-            notes.prepend(QString::fromStdString(few));
-        }
-    }
-    if (entry() && choiceOf(*entry()).replicates == 1 && kept <= 1 && uneven.size() > 1) {
-        notes << tr(
-            "The verdicts rest on the numerical error of one run of each cloth. Other pieces of the same cloths may come in another "
-            "order: choose 8 replicates to judge by them.");
-    }
-    if (!atEdge.isEmpty()) {
-        notes.prepend(tr("Water reached the edge of the sample in: %1. A larger sample changes these numbers.").arg(atEdge.join(", ")));
-    }
-    if (kept > 1 && entry() && choiceOf(*entry()).replicates == 1) {
-        notes << tr("%1 replicates of these runs are kept. Choose more than one under Replicates to judge by them.").arg(kept);
-    }
-    if (const QString outdated = entry() ? outdatedText() : QString(); !outdated.isEmpty()) { notes.prepend(outdated); }
-    if (differ) { notes << tr("These runs have different fidelities, which is part of their difference."); }
-    note_->setText(notes.join(' '));
-    note_->setVisible(!notes.isEmpty());
 }
 
 void CompareView::refreshLower()
@@ -245,9 +154,13 @@ void CompareView::refreshLower()
         const KeptRun* run = row.fabric == base ? history_.find(row.path) : nullptr;
         if (run) { baseline = *run; }
     }
-    maps_->setRuns(runs, titles, hint, baseline, QString::fromStdString(base), numbers_);
-    cloths_->setRuns(runs, titles, hint);
-    curves_->setRuns(runs, titles, numbers_);
+    const bool worn = entry() && entry()->worn();
+    const std::vector<KeptRun> none;
+    maps_->setRuns(worn ? none : runs, worn ? QStringList() : titles, hint, worn ? std::nullopt : baseline, QString::fromStdString(base),
+                   numbers_);
+    cloths_->setRuns(worn ? none : runs, worn ? QStringList() : titles, hint);
+    garment_maps_->setRuns(worn ? runs : none, worn ? titles : QStringList(), hint, worn ? baseline : std::nullopt);
+    curves_->setRuns(runs, titles, numbers_, part_);
     std::vector<std::string> names;
     for (const QString& title : titles) { names.push_back(title.toStdString()); }
     fingerprint_->setCandidates(numbers_, names);
@@ -318,20 +231,13 @@ void CompareView::plan(const std::vector<StudyJob>& jobs)
     if (planned_ == document_.design() && planner_.busy()) { return; }
     if (planned_ != document_.design()) { expected_.clear(); }
     planned_ = document_.design();
-    planner_.run([this, jobs, design = document_.design()](const NewestJob::Turn& turn) {
+    planner_.run([this, jobs, design = document_.design(), base = document_.folder().toStdString()](const NewestJob::Turn& turn) {
         std::map<KindOfJob, double> found;
         for (const StudyJob& job : jobs) {
             const KindOfJob key = kindOf(job);
             if (turn.outdated()) { return; }
             if (found.contains(key)) { continue; }
-            double seconds = 0;
-            try {
-                const ModelPlan plan = plan_run(*design, *find_fabric(*design, job.fabric), *find_experiment(*design, job.experiment),
-                                                job.fidelity, {}, {}, expected_backend(backendOfMany()));
-                seconds = seconds_to_wait(plan, job.recorded);
-            } catch (const Error&) { // its run will say why
-            }
-            found[key] = seconds;
+            found[key] = secondsToRun(*design, base, job);
         }
         turn.deliver([this, design, found] {
             if (design != document_.design()) { return; }

@@ -99,13 +99,16 @@ const Candidate* CurvesView::candidateOf(std::size_t run) const
     return found == comparison_.candidates.end() ? nullptr : &*found;
 }
 
-void CurvesView::setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const Comparison& comparison)
+void CurvesView::setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const Comparison& comparison,
+                         const WearPartName& part)
 {
     comparison_ = comparison;
     runs_ = runs;
     titles_ = titles;
     choices_.clear();
-    if (!runs.empty()) {
+    if (!runs.empty() && runs.front().worn) {
+        choices_ = curvesOf(part);
+    } else if (!runs.empty()) {
         std::vector<std::shared_ptr<const Metrics>> metrics;
         metrics.reserve(runs.size());
         for (const KeptRun& run : runs) { metrics.push_back(run.metrics); }
@@ -123,9 +126,17 @@ void CurvesView::setRuns(const std::vector<KeptRun>& runs, const QStringList& ti
     draw();
 }
 
+CurvePoints CurvesView::pointsOfRun(std::size_t run, const CurveChoice& choice) const
+{
+    const Candidate* candidate = candidateOf(run);
+    if (runs_[run].worn) { return pointsOf(candidate ? *candidate : *runs_[run].numbers, choice); }
+    return pointsOf(*runs_[run].run, *runs_[run].metrics, choice, candidate);
+}
+
 std::optional<int> CurvesView::addRun(std::size_t run, const CurveChoice& choice)
 {
-    const CurvePoints points = pointsOf(*runs_[run].run, *runs_[run].metrics, choice, candidateOf(run));
+    const CurvePoints points = pointsOfRun(run, choice);
+    if (!points.values.empty()) { end_ = std::max(end_, points.values.back().x()); }
     const bool banded = !points.low.empty();
     const QPen pen = strokeOf(run, palette());
     auto* line = new QLineSeries;
@@ -212,7 +223,7 @@ void CurvesView::draw()
     std::vector<CurveLegend::Entry> entries;
     lowest_ = std::numeric_limits<double>::infinity();
     highest_ = -lowest_;
-    double end = 0;
+    end_ = 0;
     if (at >= 0) {
         const CurveChoice& choice = choices_[static_cast<std::size_t>(at)];
         std::vector<std::optional<int>> bands;
@@ -224,18 +235,16 @@ void CurvesView::draw()
                 band_names_ << (*bands.back() > 0 ? replicateRange(*bands.back()) : tr("numerical error"));
                 entries.push_back({band_names_.back(), QPen(bandOf(pen), band_height)});
             }
-            const auto& time = runs_[i].metrics->series.time;
-            if (!time.empty()) { end = std::max(end, time.back()); }
         }
         axis_->setTitleText(choice.title);
-        if (choice.plot->from_zero) { lowest_ = 0; }
+        if (choice.fromZero()) { lowest_ = 0; }
         note_->setText(noteOf(choice, bands));
     } else {
         note_->setText(tr("Tick two to four fabrics above to see their curves over each other."));
     }
     view_->setVisible(at >= 0);
     legend_->setEntries(entries);
-    time_->setRange(0, end > 0 ? end : 1);
+    time_->setRange(0, end_ > 0 ? end_ : 1);
     const double room = highest_ > lowest_ ? 0.06 * (highest_ - lowest_) : 1;
     if (lowest_ <= highest_) {
         axis_->setRange(lowest_ == 0 ? 0 : lowest_ - room, highest_ + room);

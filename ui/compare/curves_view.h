@@ -23,8 +23,9 @@ class CurvesView : public QWidget {
 public:
     explicit CurvesView(QWidget* parent = nullptr);
 
-    /// Of the same experiment, with their titles; those whose titles are names of candidates have their replicates.
-    void setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const Comparison& comparison = {});
+    /// Of the same experiment, with their titles; those whose titles are names of candidates have their replicates. part: of garments.
+    void setRuns(const std::vector<KeptRun>& runs, const QStringList& titles, const Comparison& comparison = {},
+                 const WearPartName& part = {});
     int lines() const { return lines_; }
     int bands() const { return bands_; }
     /// What the legend says of the bands, and the line below it.
@@ -38,6 +39,7 @@ protected:
 private:
     void draw();
     /// What its band is of: a number of replicates, 0: the numerical error; none: it has no band.
+    CurvePoints pointsOfRun(std::size_t run, const CurveChoice& choice) const;
     std::optional<int> addRun(std::size_t run, const CurveChoice& choice);
     QString noteOf(const CurveChoice& choice, const std::vector<std::optional<int>>& bands) const;
     const Candidate* candidateOf(std::size_t run) const;
@@ -56,7 +58,7 @@ private:
     QLabel* note_;
     QStringList band_names_;
     int lines_ = 0, bands_ = 0;
-    double lowest_ = 0, highest_ = 0;
+    double lowest_ = 0, highest_ = 0, end_ = 0;
 };
 
 } // namespace hygroloom

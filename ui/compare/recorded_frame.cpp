@@ -37,7 +37,8 @@ int frameIndexAt(const Recording& recording, double time)
 double durationOf(const KeptRun& run)
 {
     const Experiment* experiment = find_experiment(run.run->design, run.run->experiment);
-    return experiment ? experiment->duration_s : 0;
+    const WearExperiment* wear = find_wear(run.run->design, run.run->experiment);
+    return experiment ? experiment->duration_s : wear ? wear->duration_s : 0;
 }
 
 } // namespace hygroloom

@@ -25,7 +25,7 @@ QString stateOf(const KeptRun& run, const Design& design)
     QStringList words;
     if (run.marked) { words << RunList::tr("kept"); }
     if (!run.current) {
-        const QString differs = run.worn ? QString() : differencesOf(*run.run, design).join(", ");
+        const QString differs = differencesOf(*run.run, design).join(", ");
         const QString of = run.own ? RunList::tr("older design") : RunList::tr("other design");
         words << (differs.isEmpty() ? of : RunList::tr("%1: %2").arg(of, differs));
     }
@@ -38,10 +38,14 @@ QString stateOf(const KeptRun& run, const Design& design)
 QString nameOfRun(const RunHistory& history, const KeptRun& run)
 {
     const auto& runs = history.runs();
-    const auto same = std::count_if(
-        runs.begin(), runs.end(), [&run](const KeptRun& other) { return other.worn == run.worn && other.run->fabric == run.run->fabric; });
-    const QString fabric = QString::fromStdString(run.run->fabric);
-    return same > 1 ? RunList::tr("%1: %2").arg(run.number).arg(fabric) : fabric;
+    const auto same = std::count_if(runs.begin(), runs.end(), [&run](const KeptRun& other) {
+        return other.worn == run.worn && other.run->fabric == run.run->fabric && other.cloth() == run.cloth();
+    });
+    QString name = QString::fromStdString(run.run->fabric);
+    if (const std::string cloth = run.cloth(); run.worn && !cloth.empty()) {
+        name = RunList::tr("%1 of %2").arg(name, QString::fromStdString(cloth));
+    }
+    return same > 1 ? RunList::tr("%1: %2").arg(run.number).arg(name) : name;
 }
 
 RunList::RunList(RunHistory& history, std::function<QString(const KeptRun&)> why_not, QWidget* parent)
@@ -60,14 +64,15 @@ RunList::RunList(RunHistory& history, QWidget* parent)
 
 void RunList::build()
 {
-    list_->setAccessibleName(worn() ? tr("Runs of garments") : tr("Runs to compare"));
-    list_->setHeaderLabels({worn() ? tr("Garment") : tr("Fabric"), tr("Experiment"), tr("Fidelity"), tr("Took"), tr("Size"), tr("State")});
+    list_->setAccessibleName(ofGarments() ? tr("Runs of garments") : tr("Runs to compare"));
+    list_->setHeaderLabels(
+        {ofGarments() ? tr("Garment") : tr("Fabric"), tr("Experiment"), tr("Fidelity"), tr("Took"), tr("Size"), tr("State")});
     list_->setRootIsDecorated(false);
     list_->setTextElideMode(Qt::ElideMiddle); // names often differ at their end
     list_->setFrameShape(QFrame::NoFrame);
     list_->setMinimumSize(240, 80);
-    list_->setToolTip(worn() ? tr("Double-click a run, or press Enter, to show it.")
-                             : tr("Tick two to four runs of the same experiment. Double-click one to open it."));
+    list_->setToolTip(ofGarments() ? tr("Double-click a run, or press Enter, to show it.")
+                                   : tr("Tick two to four runs of the same experiment. Double-click one to open it."));
     connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
         const QString path = item->data(0, Qt::UserRole).toString();
         const bool on = item->checkState(0) == Qt::Checked;
@@ -95,7 +100,7 @@ void RunList::refresh(const QStringList& ticked)
     const QString at = current ? current->data(0, Qt::UserRole).toString() : QString();
     list_->clear();
     for (const KeptRun& run : history_.runs()) {
-        if (run.worn != worn()) { continue; }
+        if (ofGarments() && !run.worn) { continue; }
         auto* item = new QTreeWidgetItem(list_);
         fill(item, run, ticked.contains(run.path));
         if (run.path == at) { list_->setCurrentItem(item); }
@@ -115,11 +120,11 @@ void RunList::fill(QTreeWidgetItem* item, const KeptRun& run, bool ticked)
     item->setText(3, run.complete() ? tr("%1 s").arg(shownNumber(run.run->wall, decimals_for(run.run->wall, 2))) : tr("stopped"));
     item->setText(4, bytesText(run.bytes));
     item->setText(5, stateOf(run, *history_.design()));
-    const QString why = worn() ? run.problem : why_not_(run);
-    const QString origin = worn() ? QString::fromStdString(run.run->date + ", " + run.run->device) : originOf(*run.run, false);
+    const QString why = ofGarments() ? run.problem : why_not_(run);
+    const QString origin = run.worn ? QString::fromStdString(run.run->date + ", " + run.run->device) : originOf(*run.run, false);
     const QString name = item->text(0) + ", " + item->text(1);
     const QString tip = name + ". " + (why.isEmpty() ? origin : why) + ". " + QDir::toNativeSeparators(run.path);
-    if (!worn()) { item->setCheckState(0, ticked ? Qt::Checked : Qt::Unchecked); }
+    if (!ofGarments()) { item->setCheckState(0, ticked ? Qt::Checked : Qt::Unchecked); }
     if (!why.isEmpty()) { item->setFlags(item->flags() & ~Qt::ItemIsUserCheckable); }
     for (int column = 0; column < list_->columnCount(); ++column) {
         item->setToolTip(column, "<p>" + tip.toHtmlEscaped() + "</p>");

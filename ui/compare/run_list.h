@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// All runs of cloths, or of garments, of the project, also those of older designs, and recordings that were opened; to be opened, kept and
-// forgotten, and those of cloths to be ticked.
+// All runs of the project, or those of garments, also of older designs, and recordings that were opened; to be opened, kept, forgotten and
+// ticked.
 #pragma once
 
 #include "ui/results/run_history.h"
@@ -19,9 +19,9 @@ class RunActions;
 class RunList : public QWidget {
     Q_OBJECT
 public:
-    /// why_not: why a run cannot be ticked now; empty when it can.
+    /// Of all. why_not: why a run cannot be ticked now; empty when it can.
     RunList(RunHistory& history, std::function<QString(const KeptRun&)> why_not, QWidget* parent = nullptr);
-    /// Of garments, which follows the history.
+    /// Of garments alone, which follows the history and has nothing to tick.
     explicit RunList(RunHistory& history, QWidget* parent = nullptr);
 
     void refresh(const QStringList& ticked);
@@ -35,7 +35,7 @@ Q_SIGNALS:
 private:
     void build();
     void fill(QTreeWidgetItem* item, const KeptRun& run, bool ticked);
-    bool worn() const { return !why_not_; }
+    bool ofGarments() const { return !why_not_; }
 
     RunHistory& history_;
     std::function<QString(const KeptRun&)> why_not_;
@@ -43,7 +43,7 @@ private:
     RunActions* actions_;
 };
 
-/// The fabric, with the run's number where the history has more runs of it.
+/// The fabric, or the garment and what it is cut from, with the run's number where the history has more runs of it.
 QString nameOfRun(const RunHistory& history, const KeptRun& run);
 
 } // namespace hygroloom

@@ -2,8 +2,10 @@
 #include "ui/compare/study.h"
 
 #include "core/design/unknowns.h"
+#include "core/wear/garment_jobs.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hygroloom {
 
@@ -13,7 +15,7 @@ namespace {
 const KeptRun* runOf(const Design& design, const std::vector<KeptRun>& runs, const std::string& fabric, const StudyChoice& choice)
 {
     const auto counts = [&](const KeptRun& run) {
-        return run.problem.isEmpty() && run.complete() && run.run->fabric == fabric && run.run->experiment == choice.experiment &&
+        return run.problem.isEmpty() && run.complete() && run.cloth() == fabric && run.run->experiment == choice.experiment &&
                run.run->plan.fidelity == choice.fidelity && holdsFor(*run.run, design);
     };
     const auto found = std::find_if(runs.rbegin(), runs.rend(), counts);
@@ -42,6 +44,7 @@ void takeReplicates(StudyRow& row, const Design& design, const std::vector<Repli
     }
     row.runs = static_cast<int>(std::count_if(replicates.begin(), replicates.end(), [](const auto& run) { return run.has_value(); }));
     if (!row.candidate) { return; }
+    if (row.candidate->worn) { add_error_of_cells(*row.candidate); }
     if (set) { row.candidate->unknowns = set->unknowns; }
     if (replicates.front()) { replicates.front()->places.assign(row.candidate->unknowns.size(), 0.5); }
     row.candidate->replicates = std::move(replicates);
@@ -51,7 +54,16 @@ void takeReplicates(StudyRow& row, const Design& design, const std::vector<Repli
 
 ReplicateKey keyOf(const Design& design, const StudyJob& job)
 {
-    return {part_of_run(design, job.fabric, job.experiment), job.fabric, job.experiment, job.fidelity, 1, job.of};
+    Design part = find_wear(design, job.experiment)
+                      ? anywhere(part_of_run(cut_from(design, job.experiment, {}, job.fabric).design, job.experiment))
+                      : part_of_run(design, job.fabric, job.experiment);
+    return {std::move(part), job.fabric, job.experiment, job.fidelity, 1, job.of};
+}
+
+std::optional<Candidate> candidateOf(const KeptRun& run)
+{
+    if (run.worn) { return run.numbers ? std::optional(*run.numbers) : std::nullopt; }
+    return run.metrics ? std::optional(candidate_of(run.run, run.metrics)) : std::nullopt;
 }
 
 std::vector<StudyRow> studyRows(const Design& design, const std::vector<KeptRun>& runs, const std::vector<ReplicateSet>& sets,
@@ -64,10 +76,10 @@ std::vector<StudyRow> studyRows(const Design& design, const std::vector<KeptRun>
         const StudyJob job{fabric.name, choice.experiment, choice.fidelity, true, 0, 1};
         if (const KeptRun* run = runOf(design, runs, fabric.name, choice)) {
             row.path = run->path;
-            row.reading = !run->metrics;
+            row.reading = !run->measured();
             row.wall = run->run->wall;
             row.runs = 1;
-            if (run->metrics) { row.candidate = candidate_of(run->run, run->metrics); }
+            row.candidate = candidateOf(*run);
         } else {
             row.missing.push_back(job);
         }
@@ -89,7 +101,7 @@ int keptReplicates(const Design& design, std::vector<KeptRun> runs, const std::v
 {
     int most = 1;
     if (sets.empty() || design.fabrics.empty()) { return most; }
-    for (KeptRun& run : runs) { run.metrics = nullptr; } // nothing is to be computed from them
+    for (KeptRun& run : runs) { run.metrics = nullptr, run.numbers = nullptr; } // nothing is to be computed from them
     for (const int count : counts) {
         choice.replicates = count;
         const std::vector<StudyRow> rows = count > most ? studyRows(design, runs, sets, choice) : std::vector<StudyRow>();
@@ -99,18 +111,20 @@ int keptReplicates(const Design& design, std::vector<KeptRun> runs, const std::v
     return most;
 }
 
-Comparison comparisonOf(ExperimentType type, const StudyChoice& choice, const std::vector<StudyRow>& rows, const std::string& baseline)
+Comparison comparisonOf(const std::vector<OutcomeInfo>& criteria, const StudyChoice& choice, const std::vector<StudyRow>& rows,
+                        const std::string& baseline)
 {
     Comparison made;
     made.experiment = choice.experiment;
     made.replicates = choice.replicates;
-    made.criteria = compared_by(type);
+    made.criteria = criteria;
     if (made.criteria.empty()) { return made; }
     made.ranked_by = made.criteria.front();
     made.complete = true;
     for (const StudyRow& row : rows) {
         made.complete = made.complete && row.candidate && row.missing.empty();
         if (!row.candidate) { continue; }
+        made.of_garments = row.candidate->worn != nullptr;
         made.candidates.push_back(*row.candidate);
         made.candidates.back().fabric = row.fabric;
         if (made.baseline.empty() || row.fabric == baseline) { made.baseline = row.fabric; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// All fabrics of a project on an experiment: which runs there are, which are missing, and what the numbers so far give.
+// All fabrics of a project on an experiment, as samples or as the garment that is worn in it: which runs there are, which are missing, and
+// what the numbers so far give.
 #pragma once
 
 #include "core/analysis/replicate_file.h"
@@ -29,7 +30,7 @@ struct StudyJob {
 
 /// A fabric on the experiment.
 struct StudyRow {
-    std::string fabric;
+    std::string fabric;                 ///< of a garment, that all its panels are cut from
     QString path;                       ///< of its run; empty: there is none
     bool reading = false;               ///< its frames are still being read
     double wall = 0;                    ///< s, of its run; 0: there is none
@@ -38,6 +39,9 @@ struct StudyRow {
     int kept = 0;                       ///< replicates that there are, however many are chosen
     std::vector<StudyJob> missing;
 };
+
+/// What a run gave, as the first replicate; none: its frames have not been read.
+std::optional<Candidate> candidateOf(const KeptRun& run);
 
 /// One row for each fabric. Of several runs the last counts; those of an older design do not. With one replicate a row has the run of the
 /// project; with more it has those that were drawn, see drawn(), the first of which is the run of the project where nothing about the cloth
@@ -53,6 +57,7 @@ int keptReplicates(const Design& design, std::vector<KeptRun> runs, const std::v
 ReplicateKey keyOf(const Design& design, const StudyJob& job);
 
 /// The rows' candidates, not yet judged. The baseline is the first where there is none of that name.
-Comparison comparisonOf(ExperimentType type, const StudyChoice& choice, const std::vector<StudyRow>& rows, const std::string& baseline);
+Comparison comparisonOf(const std::vector<OutcomeInfo>& criteria, const StudyChoice& choice, const std::vector<StudyRow>& rows,
+                        const std::string& baseline);
 
 } // namespace hygroloom

@@ -6,10 +6,13 @@
 #include "core/analysis/map_picture.h"
 #include "core/project/atomic_file.h"
 #include "core/run/recording.h"
+#include "core/wear/wear_report.h"
 #include "ui/results/report_file.h"
 
 #include <QCoreApplication>
 #include <QSettings>
+
+#include <algorithm>
 
 namespace hygroloom {
 
@@ -20,6 +23,36 @@ QString keyOf(const QString& project, const std::string& experiment)
     return "measured/" + (project + '\n' + QString::fromStdString(experiment)).toUtf8().toHex();
 }
 
+/// All panels at the end, on one scale.
+std::vector<ReportPicture> picturesOfGarments(const Comparison& comparison, const std::map<std::string, QString>& recordings)
+{
+    WearMapOptions how;
+    how.crossings = 1; // as computed
+    how.units = unitsOfReader();
+    double most = 0;
+    std::vector<std::pair<std::string, WearRecording>> all;
+    for (const Candidate& candidate : comparison.candidates) {
+        const auto found = recordings.find(candidate.fabric);
+        if (found == recordings.end()) { continue; }
+        all.emplace_back(candidate.fabric, WearRecording(found->second.toStdString()));
+        const WearRecording& recording = all.back().second;
+        if (recording.frames() == 0) {
+            all.pop_back();
+            continue;
+        }
+        most = std::max(most, wear_map(recording.record().layout, recording.frame(recording.frames() - 1), how).most());
+    }
+    how.most = most;
+    std::vector<ReportPicture> pictures;
+    for (const auto& [name, recording] : all) {
+        for (ReportPicture& picture : pictures_of_panels(recording, {recording.frames() - 1}, how)) {
+            picture.caption = name + ": " + picture.caption;
+            pictures.push_back(std::move(picture));
+        }
+    }
+    return pictures;
+}
+
 } // namespace
 
 ReportPage studyReport(const Comparison& comparison, const std::map<std::string, QString>& recordings)
@@ -28,7 +61,7 @@ ReportPage studyReport(const Comparison& comparison, const std::map<std::string,
     std::vector<std::pair<std::string, MapPicture>> maps;
     for (const Candidate& candidate : comparison.candidates) {
         const auto found = recordings.find(candidate.fabric);
-        if (found == recordings.end()) { continue; }
+        if (found == recordings.end() || candidate.worn) { continue; }
         const Recording recording(found->second.toStdString());
         if (recording.frames() == 0) { continue; }
         const Frame start = start_of_maps(recording.run(), recording.frame(0)), last = recording.frame(recording.frames() - 1);
@@ -37,7 +70,9 @@ ReportPage studyReport(const Comparison& comparison, const std::map<std::string,
                               map_picture(recording.run(), last, start, side, crossings_per_cell, unitsOfReader()));
         }
     }
-    return comparison_report(comparison, pictures_on_one_scale(std::move(maps)), unitsOfReader());
+    std::vector<ReportPicture> pictures = pictures_on_one_scale(std::move(maps));
+    if (comparison.of_garments) { pictures = picturesOfGarments(comparison, recordings); }
+    return comparison_report(comparison, pictures, unitsOfReader());
 }
 
 LaboratoryTable readMeasured(const std::vector<OutcomeInfo>& criteria, const std::vector<std::string>& fabrics, const QString& file)

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/plan/frame_times.h"
 #include "core/run/learned_times.h"
 #include "core/run/plan_run.h"
 #include "core/run/recording.h"
@@ -74,7 +75,7 @@ bool StudyRuns::start(const std::vector<Expected>& jobs)
     for (const Expected& each : jobs) {
         if (stateOf(each.job) != State::none) { continue; }
         failures_.erase(kindOf(each.job));
-        queue_.push_back({each, each.design ? each.design : document_.design()});
+        queue_.push_back({each, each.design ? each.design : document_.design(), document_.folder().toStdString()});
         all_seconds_ += weightOf(each);
         ++all_;
     }
@@ -109,45 +110,13 @@ void StudyRuns::startNext()
 
 StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, Slot* slot)
 {
-    const StudyJob& job = work.expected.job;
     Result result;
     try {
-        result.drawn = drawn(*work.design, job.fabric, job.experiment, {1, job.number, job.of});
-        RunOptions how;
-        how.fidelity = job.fidelity;
-        how.seed = result.drawn.seed;
-        how.may_go_on_on_cpu = true;
-        how.threads = preferences().threads;
-        how.one_on_cpu = &one_on_cpu_;
-        how.recording = recording.toStdString();
-        RunCallbacks callbacks;
-        callbacks.progress = [this, slot](const RunProgress& progress) {
-            postOf(slot, [this, slot, share = progress.duration > 0 ? progress.simulated / progress.duration : 0] {
-                slot->share = share;
-                slot->course.emplace_back(share, slot->seconds());
-                Q_EMIT progressed();
-            });
-        };
-        MapTracer tracer;
-        const bool traced = !job.recorded && job.mixture == 0;
-        if (traced) {
-            callbacks.started = [&tracer](const RunRecord& record) { tracer.start(record); };
-            callbacks.frame = [&tracer](const std::shared_ptr<const Frame>& frame) { tracer.add(*frame); };
+        if (find_wear(*work.design, work.expected.job.experiment)) {
+            runGarment(work, recording, slot, result);
+        } else {
+            runSample(work, recording, slot, result);
         }
-        const Design& own = result.drawn.design;
-        const Experiment& experiment = *find_experiment(own, job.experiment);
-        std::optional<MemoryGate::Pass> pass;
-        if (expected_backend(backendOfMany()) != "cpu") {
-            const std::vector<Textile> textile{textile_of_run(own, *find_fabric(own, job.fabric), experiment)};
-            pass.emplace(gate_, static_cast<double>(bytes_of_largest(own, experiment, textile, how)), control_.cancel);
-        }
-        QElapsedTimer clock; // waiting for memory is no part of what a run takes
-        clock.start();
-        postOf(slot, [slot, clock] { slot->clock = clock; });
-        const std::unique_ptr<Backend> machine = make_backend(backendOfMany());
-        result.finished = run_and_measure(result.drawn.design, job.fabric, job.experiment, how, *machine, control_, callbacks);
-        if (traced) { result.maps = tracer.take(); }
-        if (result.finished->device_failure.empty()) { learn_time(result.finished->run); }
     } catch (const Cancelled&) {
     } catch (const std::bad_alloc&) {
         result.failure = tr("Not enough memory for this run. Choose a smaller sample or a lower fidelity.");
@@ -155,6 +124,76 @@ StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, 
         result.failure = QString::fromStdString(error.what());
     }
     return result;
+}
+
+void StudyRuns::showProgress(Slot* slot, const RunProgress& progress)
+{
+    postOf(slot, [this, slot, share = progress.duration > 0 ? progress.simulated / progress.duration : 0] {
+        slot->share = share;
+        slot->course.emplace_back(share, slot->seconds());
+        Q_EMIT progressed();
+    });
+}
+
+void StudyRuns::waitForRoom(Slot* slot, std::optional<MemoryGate::Pass>& pass, const std::function<std::size_t()>& bytes)
+{
+    if (expected_backend(backendOfMany()) != "cpu") { pass.emplace(gate_, static_cast<double>(bytes()), control_.cancel); }
+    QElapsedTimer clock; // waiting for memory is no part of what a run takes
+    clock.start();
+    postOf(slot, [slot, clock] { slot->clock = clock; });
+}
+
+void StudyRuns::runSample(const Waiting& work, const QString& recording, Slot* slot, Result& result)
+{
+    const StudyJob& job = work.expected.job;
+    result.drawn = drawn(*work.design, job.fabric, job.experiment, {1, job.number, job.of});
+    RunOptions how;
+    how.fidelity = job.fidelity;
+    how.seed = result.drawn.seed;
+    how.may_go_on_on_cpu = true;
+    how.threads = preferences().threads;
+    how.one_on_cpu = &one_on_cpu_;
+    how.recording = recording.toStdString();
+    RunCallbacks callbacks;
+    callbacks.progress = [this, slot](const RunProgress& progress) { showProgress(slot, progress); };
+    MapTracer tracer;
+    const bool traced = !job.recorded && job.mixture == 0;
+    if (traced) {
+        callbacks.started = [&tracer](const RunRecord& record) { tracer.start(record); };
+        callbacks.frame = [&tracer](const std::shared_ptr<const Frame>& frame) { tracer.add(*frame); };
+    }
+    const Design& own = result.drawn.design;
+    const Experiment& experiment = *find_experiment(own, job.experiment);
+    std::optional<MemoryGate::Pass> pass;
+    waitForRoom(slot, pass,
+                [&] { return bytes_of_largest(own, experiment, {textile_of_run(own, *find_fabric(own, job.fabric), experiment)}, how); });
+    const std::unique_ptr<Backend> machine = make_backend(backendOfMany());
+    result.finished = run_and_measure(own, job.fabric, job.experiment, how, *machine, control_, callbacks);
+    if (traced) { result.maps = tracer.take(); }
+    if (result.finished->device_failure.empty()) { learn_time(result.finished->run); }
+}
+
+void StudyRuns::runGarment(const Waiting& work, const QString& recording, Slot* slot, Result& result)
+{
+    const StudyJob& job = work.expected.job;
+    const GarmentCandidate cut = cut_from(*work.design, job.experiment, work.base, job.fabric);
+    const WearExperiment& wear = *find_wear(cut.design, job.experiment);
+    result.drawn = drawn(cut.design, fabrics_of(*find_garment(cut.design, wear.garment)), {1, job.number, job.of});
+    GarmentRunOptions how;
+    how.how.fidelity = job.fidelity;
+    how.may_go_on_on_cpu = true;
+    how.threads = preferences().threads;
+    how.one_on_cpu = &one_on_cpu_;
+    how.recording = recording.toStdString();
+    GarmentRunCallbacks callbacks;
+    callbacks.progress = [this, slot](const RunProgress& progress) { showProgress(slot, progress); };
+    std::optional<MemoryGate::Pass> pass;
+    waitForRoom(slot, pass, [&] { return bytes_of_largest({cut}, how.how); });
+    const Design& own = result.drawn.design;
+    const GarmentParts parts = garment_parts(own, *find_wear(own, job.experiment), work.base, [this] { return control_.cancel.load(); });
+    const std::unique_ptr<Backend> machine = make_backend(backendOfMany());
+    result.worn = run_garment(parts, how, *machine, control_, callbacks);
+    learn_time(*result.worn);
 }
 
 void StudyRuns::end(Slot* slot, const std::shared_ptr<Result>& result)
@@ -165,13 +204,13 @@ void StudyRuns::end(Slot* slot, const std::shared_ptr<Result>& result)
     own->thread.join(); // it has posted its last
     const StudyJob& job = own->work.expected.job;
     done_seconds_ += weightOf(own->work.expected);
-    if (result->finished) { times_.add(own->work.expected.seconds, own->seconds(), own->course); }
+    if (result->ended()) { times_.add(own->work.expected.seconds, own->seconds(), own->course); }
     ++done_;
     if (job.mixture != 0) {
         handOver(job, *result);
     } else if (job.recorded) {
         keepRecorded(*own, *result);
-    } else if (result->finished) {
+    } else if (result->ended()) {
         keepNumbers(*own, *result);
     }
     if (!result->failure.isEmpty() && job.mixture == 0) { failures_[kindOf(job)] = result->failure; }
@@ -180,19 +219,31 @@ void StudyRuns::end(Slot* slot, const std::shared_ptr<Result>& result)
     if (!running()) { Q_EMIT ended(); }
 }
 
+Candidate StudyRuns::candidateOf(const Result& result)
+{
+    if (result.worn) { return candidate_of(*result.worn->record, *result.worn->metrics, result.worn->wall); }
+    return candidate_of(std::make_shared<const RunRecord>(result.finished->run), std::make_shared<const Metrics>(result.finished->metrics));
+}
+
 /// Of a run that was stopped nothing is kept: it has no numbers to compare.
 void StudyRuns::keepRecorded(Slot& slot, const Result& result)
 {
     const QString path = runs_.settle(slot.recording);
     if (path.isEmpty()) { return; }
-    if (!result.finished && result.failure.isEmpty()) { return runs_.forget(path); }
+    if (!result.ended() && result.failure.isEmpty()) { return runs_.forget(path); }
     KeptRun kept{path, nullptr, nullptr};
     try {
-        if (result.finished) {
-            kept.run = std::make_shared<const RunRecord>(result.finished->run);
-            kept.metrics = std::make_shared<const Metrics>(result.finished->metrics);
+        if (result.ended()) {
+            const Candidate candidate = candidateOf(result);
+            kept.run = candidate.run;
+            kept.metrics = candidate.metrics;
+            if (result.worn) {
+                kept.worn = true;
+                kept.run = runOfGarment(*result.worn->record, result.worn->wall);
+                kept.numbers = std::make_shared<const Candidate>(candidate);
+            }
         } else {
-            kept.run = std::make_shared<const RunRecord>(Recording(path.toStdString()).run());
+            kept = listedRun(path);
         }
     } catch (const Error&) { // the project lists it with its reason when it is opened again
         return;
@@ -205,10 +256,8 @@ void StudyRuns::keepRecorded(Slot& slot, const Result& result)
 
 void StudyRuns::keepNumbers(const Slot& slot, const Result& result)
 {
-    const Candidate candidate =
-        candidate_of(std::make_shared<const RunRecord>(result.finished->run), std::make_shared<const Metrics>(result.finished->metrics));
     ReplicateSet set{keyOf(*slot.work.design, slot.work.expected.job), result.drawn.names, {}};
-    ReplicateRun run = *candidate.replicates.front();
+    ReplicateRun run = *candidateOf(result).replicates.front();
     run.places = result.drawn.places;
     RunTrace trace = *run.trace;
     trace.maps = result.maps;
@@ -224,8 +273,7 @@ void StudyRuns::handOver(const StudyJob& job, const Result& result)
     candidate.fabric = job.fabric;
     candidate.failure = result.failure.toStdString();
     if (result.finished) {
-        candidate = candidate_of(std::make_shared<const RunRecord>(result.finished->run),
-                                 std::make_shared<const Metrics>(result.finished->metrics));
+        candidate = candidateOf(result);
         candidate.replicates.front()->places = result.drawn.places;
         candidate.unknowns = result.drawn.names;
         candidate.run.reset(); // large, and nobody reads them
@@ -275,6 +323,26 @@ QString StudyRuns::failureOf(const StudyJob& job) const
 {
     const auto found = failures_.find(kindOf(job));
     return found == failures_.end() ? QString() : found->second;
+}
+
+double secondsToRun(const Design& design, const std::filesystem::path& base, const StudyJob& job)
+{
+    const std::string backend = expected_backend(backendOfMany());
+    try {
+        if (find_wear(design, job.experiment)) {
+            const GarmentCandidate cut = cut_from(design, job.experiment, base, job.fabric);
+            const WearExperiment& wear = *find_wear(cut.design, job.experiment);
+            WearOptions how;
+            how.fidelity = job.fidelity;
+            const GarmentScene scene = garment_scene(garment_parts(cut.design, wear, base), resolution_of(how));
+            return plan_wear(scene, wear, job.fidelity, backend).time.seconds;
+        }
+        const ModelPlan plan =
+            plan_run(design, *find_fabric(design, job.fabric), *find_experiment(design, job.experiment), job.fidelity, {}, {}, backend);
+        return seconds_to_wait(plan, job.recorded);
+    } catch (const Error&) { // its run will say why
+        return 0;
+    }
 }
 
 } // namespace hygroloom

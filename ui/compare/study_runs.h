@@ -5,6 +5,7 @@
 #include "core/analysis/run_trace.h"
 #include "core/analysis/sweep.h"
 #include "core/run/memory_gate.h"
+#include "core/wear/garment_jobs.h"
 #include "ui/compare/replicate_store.h"
 #include "ui/compare/study.h"
 #include "ui/compare/time_of_runs.h"
@@ -65,6 +66,7 @@ private:
     struct Waiting {
         Expected expected;
         std::shared_ptr<const Design> design;
+        std::filesystem::path base; ///< the project's folder, which files of garments are named from
     };
     struct Slot {
         Waiting work;
@@ -76,16 +78,24 @@ private:
         double seconds() const { return clock.isValid() ? 1e-3 * static_cast<double>(clock.elapsed()) : 0; }
     };
     struct Result {
-        std::optional<FinishedRun> finished;
+        std::optional<FinishedRun> finished;   ///< of a sample
+        std::optional<FinishedGarment> worn{}; ///< of a garment
         Drawn drawn;
         std::vector<TracedMap> maps; ///< of a run that is not recorded
         QString failure;
+        bool ended() const { return finished || worn; }
     };
     void startNext();
     void post(std::function<void()> work);
     /// The same, unless the slot's end comes first.
     void postOf(Slot* slot, std::function<void()> work);
     Result run(const Waiting& work, const QString& recording, Slot* slot);
+    void runSample(const Waiting& work, const QString& recording, Slot* slot, Result& result);
+    void runGarment(const Waiting& work, const QString& recording, Slot* slot, Result& result);
+    /// Starts the slot's clock once a GPU has room for so many bytes.
+    void waitForRoom(Slot* slot, std::optional<MemoryGate::Pass>& pass, const std::function<std::size_t()>& bytes);
+    void showProgress(Slot* slot, const RunProgress& progress);
+    static Candidate candidateOf(const Result& result);
     void end(Slot* slot, const std::shared_ptr<Result>& result);
     void keepRecorded(Slot& slot, const Result& result);
     void keepNumbers(const Slot& slot, const Result& result);
@@ -108,5 +118,8 @@ private:
     int all_ = 0, done_ = 0;
     std::vector<std::unique_ptr<Slot>> slots_; // last: their threads are joined before the rest goes
 };
+
+/// s, that a run of the project in that folder is expected to take; 0: it cannot be known.
+double secondsToRun(const Design& design, const std::filesystem::path& base, const StudyJob& job);
 
 } // namespace hygroloom

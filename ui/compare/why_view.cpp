@@ -173,6 +173,9 @@ bool WhyView::complete(const Candidate& candidate) const
 QString WhyView::whyNot() const
 {
     if (study_.comparison.criteria.empty() || !study_.own) { return tr("Choose an experiment of the project above."); }
+    if (find_wear(*study_.design, study_.choice.experiment)) {
+        return tr("Mixtures of fabrics are run on samples alone. Choose an experiment on a sample above.");
+    }
     const Candidate *fabric = candidateOf(fabric_), *against = candidateOf(against_);
     if (!fabric || fabric_->count() < 2) { return tr("Run the experiment on two fabrics of the project first (Run All Missing)."); }
     if (!against || fabric == against) { return tr("Choose two different fabrics."); }

@@ -250,8 +250,10 @@ QString GarmentView::whyStale() const
     const Design &now = *choice_.document().design(), &then = playback_.run()->record->design;
     const WearLayout& layout = playback_.run()->layout();
     if (isForeign()) { return tr(". Not an experiment of this project."); }
-    return garmentHoldsFor(then, layout.garment, layout.experiment, now) ? QString()
-                                                                         : tr(". Out of date: the design has changed. Run again.");
+    if (garmentHoldsFor(then, layout.garment, layout.experiment, now)) { return {}; }
+    return holdsFor(*runOfGarment(*playback_.run()->record, 0), now)
+               ? tr(". Cut from another fabric than the project's garment, as Compare does.")
+               : tr(". Out of date: the design has changed. Run again.");
 }
 
 void GarmentView::refreshRun()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/garment/worn_run.h"
 
+#include "core/base/error.h"
 #include "ui/basics/color_map.h"
 #include "ui/basics/quantity.h"
 #include "ui/basics/words.h"
@@ -59,6 +60,15 @@ std::shared_ptr<const GarmentPaint> paintOf(const WornRun& run, const std::vecto
 }
 
 } // namespace
+
+std::shared_ptr<const Candidate> numbersOf(const WornRun& run)
+{
+    try {
+        return run.metrics ? std::make_shared<const Candidate>(candidate_of(*run.record, *run.metrics, run.wall)) : nullptr;
+    } catch (const Error&) { // a damaged recording
+        return nullptr;
+    }
+}
 
 CellLookup::CellLookup(const WearLayout& layout) : layout_(layout), pixels_(layout.panels.size())
 {

@@ -2,6 +2,7 @@
 // A run of a worn garment as the window keeps it: what stays the same, its frames, its numbers.
 #pragma once
 
+#include "core/wear/garment_jobs.h"
 #include "core/wear/wear_map.h"
 #include "core/wear/wear_metrics.h"
 #include "core/wear/wear_recording.h"
@@ -49,6 +50,9 @@ struct WornRun {
     /// The last frame at or before a time; -1: none, or the run has ended before it.
     int frameAt(double time) const;
 };
+
+/// What it came to, for comparisons; nullptr where there is nothing.
+std::shared_ptr<const Candidate> numbersOf(const WornRun& run);
 
 /// From a run's record. The drawing and the lookup take a while.
 std::shared_ptr<WornRun> newWornRun(std::shared_ptr<const WearRecord> record);

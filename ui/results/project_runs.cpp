@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/run/recording.h"
 #include "core/run/recording_target.h"
+#include "core/wear/garment_jobs.h"
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 #include "ui/document/run_folder.h"
@@ -20,7 +21,8 @@ namespace {
 
 QString folderOf(const QString& recording) { return oneSpelling(QFileInfo(recording).absolutePath()); }
 
-/// A run of the project without its frames; of one that cannot be read the reason.
+} // namespace
+
 KeptRun listedRun(const QString& path)
 {
     KeptRun kept{path, nullptr, nullptr};
@@ -45,6 +47,8 @@ KeptRun listedRun(const QString& path)
     return kept;
 }
 
+namespace {
+
 /// Of all frames; nullptr when the job is outdated. Throws Error.
 std::shared_ptr<const Metrics> readMetrics(const QString& path, const NewestJob::Turn& turn)
 {
@@ -56,6 +60,15 @@ std::shared_ptr<const Metrics> readMetrics(const QString& path, const NewestJob:
         return !turn.outdated();
     });
     return turn.outdated() ? nullptr : std::make_shared<const Metrics>(collector.metrics());
+}
+
+/// The same of a garment's run.
+std::shared_ptr<const Candidate> readNumbers(const QString& path, const NewestJob::Turn& turn)
+{
+    const WearRecording recording(path.toStdString());
+    WearMetrics metrics(recording.record().layout);
+    for (int k = 0; k < recording.frames() && !turn.outdated(); ++k) { metrics.add(recording.frame(k)); }
+    return turn.outdated() ? nullptr : std::make_shared<const Candidate>(candidate_of(recording.record(), metrics, recording.wall()));
 }
 
 bool isBeingWritten(const QString& recording)
@@ -322,16 +335,22 @@ void ProjectRuns::readNumbers()
 {
     QStringList paths;
     for (const KeptRun& run : history_.runs()) {
-        if (run.own && !run.worn && run.problem.isEmpty() && run.complete() && !run.metrics) { paths.prepend(run.path); }
+        if (run.own && run.problem.isEmpty() && run.complete() && !run.measured()) { paths.prepend(run.path); }
     }
     if (!compared_ || paths.isEmpty()) { return; }
     numbers_.run([this, paths](const NewestJob::Turn& turn) {
         QStringList problems;
         for (const QString& path : paths) {
             try {
-                const auto metrics = readMetrics(path, turn);
-                if (!metrics) { return; }
-                turn.deliver([this, path, metrics] { history_.setMetrics(path, metrics); });
+                if (WearRecording::is_one(path.toStdString())) {
+                    const auto numbers = hygroloom::readNumbers(path, turn);
+                    if (!numbers) { return; }
+                    turn.deliver([this, path, numbers] { history_.setNumbers(path, numbers); });
+                } else {
+                    const auto metrics = readMetrics(path, turn);
+                    if (!metrics) { return; }
+                    turn.deliver([this, path, metrics] { history_.setMetrics(path, metrics); });
+                }
             } catch (const Error& error) {
                 problems << QString::fromStdString(error.what());
             }

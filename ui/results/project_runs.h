@@ -20,6 +20,9 @@ struct KeptRun;
 /// What a killed run left beside its recording goes into it, before that is copied or moved.
 void makeOneFile(const QString& recording);
 
+/// A run of the project without its frames; of one that cannot be read the reason.
+KeptRun listedRun(const QString& path);
+
 /// Finds the runs of a project when it is opened, and takes them along when it is saved elsewhere: at once where they can share their
 /// bytes, else copied in the background. Deletes none but by forget() and leave().
 class ProjectRuns : public QObject {

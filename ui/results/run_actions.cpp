@@ -57,7 +57,7 @@ void RunActions::refresh()
     double bytes = 0;
     int own = 0;
     for (const KeptRun& each : history_.runs()) {
-        const bool counts = each.own && each.worn == worn_;
+        const bool counts = each.own && (each.worn || !worn_);
         bytes += counts ? each.bytes : 0;
         own += counts;
     }
@@ -72,7 +72,7 @@ std::vector<KeptRun> RunActions::older() const
     std::vector<KeptRun> found;
     const auto& runs = history_.runs();
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(found),
-                 [this](const KeptRun& run) { return run.own && run.worn == worn_ && !run.current && !run.marked; });
+                 [this](const KeptRun& run) { return run.own && (run.worn || !worn_) && !run.current && !run.marked; });
     return found;
 }
 

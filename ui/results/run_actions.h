@@ -14,7 +14,7 @@ namespace hygroloom {
 class RunActions : public QWidget {
     Q_OBJECT
 public:
-    /// worn: of garments' runs, else of all others.
+    /// worn: of garments' runs alone.
     explicit RunActions(const RunHistory& history, bool worn = false, QWidget* parent = nullptr);
 
     /// The selected run; empty: none.

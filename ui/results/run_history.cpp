@@ -23,15 +23,10 @@ void lookAtFile(KeptRun& run)
 }
 
 /// One that cannot be read may be of any design: it is never among the older ones.
-bool isCurrent(const KeptRun& run, const Design& design)
-{
-    if (!run.problem.isEmpty()) { return true; }
-    return run.worn ? garmentHoldsFor(run.run->design, run.run->fabric, run.run->experiment, design) : holdsFor(*run.run, design);
-}
+bool isCurrent(const KeptRun& run, const Design& design) { return !run.problem.isEmpty() || holdsFor(*run.run, design); }
 
 std::string nameOf(const std::string& file) { return std::filesystem::path(file).filename().string(); }
 
-/// Without the folders of its files, which change as the project is saved elsewhere.
 Garment anywhere(Garment garment)
 {
     garment.source = nameOf(garment.source);
@@ -58,7 +53,53 @@ bool haveEqualFibres(const Design& one, const Design& other, const Fabric& fabri
     return equal(fabric.warp) && equal(fabric.weft) && std::all_of(fabric.extra_yarns.begin(), fabric.extra_yarns.end(), equal);
 }
 
+/// As in a comparison, where each garment is cut from one fabric.
+Design cutFrom(Design design, const std::string& garment, const std::string& fabric)
+{
+    for (Garment& each : design.garments) {
+        if (each.name == garment) { cut_all_from(each, fabric); }
+    }
+    return design;
+}
+
+QStringList differencesOfGarment(const Design& then, const std::string& garment, const std::string& experiment, const Design& now)
+{
+    QStringList words;
+    const Garment *worn = find_garment(now, garment), *before = find_garment(then, garment);
+    const WearExperiment *wear = find_wear(now, experiment), *wear_before = find_wear(then, experiment);
+    if (!wear) {
+        words << RunHistory::tr("experiment is gone");
+    } else if (!wear_before || anywhere(*wear) != anywhere(*wear_before)) {
+        words << RunHistory::tr("experiment");
+    }
+    if (wear && wear_before && !areEqual(find_liquid(now, wear->liquid), find_liquid(then, wear_before->liquid))) {
+        words << RunHistory::tr("liquid");
+    }
+    if (!worn) {
+        words << RunHistory::tr("garment is gone");
+    } else if (!before || anywhere(*worn) != anywhere(*before)) {
+        words << RunHistory::tr("garment");
+    }
+    bool gone = false, fabrics = false, fibres = false;
+    for (const std::string& name : before ? fabrics_of(*before) : std::vector<std::string>()) {
+        const Fabric *fabric = find_fabric(now, name), *was = find_fabric(then, name);
+        gone = gone || (was && !fabric);
+        fabrics = fabrics || (fabric && !areEqual(fabric, was));
+        fibres = fibres || (fabric && !haveEqualFibres(now, then, *fabric));
+    }
+    if (gone) { words << RunHistory::tr("fabric is gone"); }
+    if (fabrics) { words << RunHistory::tr("fabric"); }
+    if (fibres) { words << RunHistory::tr("fibres"); }
+    return words;
+}
+
 } // namespace
+
+std::string KeptRun::cloth() const
+{
+    const Garment* garment = worn ? find_garment(run->design, run->fabric) : nullptr;
+    return garment ? one_fabric_of(*garment) : worn ? std::string() : run->fabric;
+}
 
 RunHistory::RunHistory(QObject* parent) : QObject(parent), design_(std::make_shared<const Design>()) {}
 
@@ -118,6 +159,14 @@ void RunHistory::setMetrics(const QString& path, const std::shared_ptr<const Met
     Q_EMIT changed();
 }
 
+void RunHistory::setNumbers(const QString& path, const std::shared_ptr<const Candidate>& numbers)
+{
+    for (KeptRun& run : runs_) {
+        if (run.path == path) { run.numbers = numbers; }
+    }
+    Q_EMIT changed();
+}
+
 void RunHistory::move(const QString& from, const QString& to, bool saved)
 {
     if (from != to) {
@@ -157,7 +206,7 @@ void RunHistory::setDesign(const std::shared_ptr<const Design>& design)
 {
     const auto before = std::exchange(design_, design);
     const auto shows_otherwise = [&](const KeptRun& run) {
-        return !run.worn && !run.current && differencesOf(*run.run, *before) != differencesOf(*run.run, *design_);
+        return !run.current && differencesOf(*run.run, *before) != differencesOf(*run.run, *design_);
     };
     bool differs = false;
     for (KeptRun& run : runs_) {
@@ -179,13 +228,35 @@ Design conditionsOf(const RunRecord& run)
         part.experiments.push_back(*experiment);
         part.experiments.front().name = "experiment";
         if (const Liquid* liquid = find_liquid(run.design, experiment->liquid)) { part.liquids.push_back(*liquid); }
+    } else if (const WearExperiment* wear = find_wear(run.design, run.experiment)) {
+        part.wears.push_back(*wear);
+        part.wears.front().name = "experiment";
+        if (const Liquid* liquid = find_liquid(run.design, wear->liquid)) { part.liquids.push_back(*liquid); }
+        if (const Garment* garment = find_garment(run.design, wear->garment)) {
+            part.garments.push_back(*garment);
+            cut_all_from(part.garments.front(), {});
+        }
     }
-    return part;
+    return anywhere(part);
+}
+
+Design anywhere(Design design)
+{
+    for (Garment& garment : design.garments) { garment = anywhere(std::move(garment)); }
+    for (WearExperiment& wear : design.wears) { wear = anywhere(std::move(wear)); }
+    return design;
 }
 
 QStringList differencesOf(const RunRecord& run, const Design& design)
 {
     QStringList words;
+    if (find_wear(run.design, run.experiment)) {
+        const Garment* worn = find_garment(run.design, run.fabric);
+        const std::string cloth = worn ? one_fabric_of(*worn) : std::string();
+        return cloth.empty() ? differencesOfGarment(run.design, run.fabric, run.experiment, design)
+                             : differencesOfGarment(cutFrom(run.design, run.fabric, cloth), run.fabric, run.experiment,
+                                                    cutFrom(design, run.fabric, cloth));
+    }
     const Experiment *now = find_experiment(design, run.experiment), *then = find_experiment(run.design, run.experiment);
     if (!now) {
         words << RunHistory::tr("experiment is gone");
@@ -227,20 +298,7 @@ std::shared_ptr<const RunRecord> runOfGarment(const WearRecord& record, double w
 
 bool garmentHoldsFor(const Design& then, const std::string& garment, const std::string& experiment, const Design& now)
 {
-    const Garment *worn = find_garment(now, garment), *before = find_garment(then, garment);
-    const WearExperiment *wear = find_wear(now, experiment), *wear_before = find_wear(then, experiment);
-    if (!worn || !before || anywhere(*worn) != anywhere(*before) || !wear || !wear_before || anywhere(*wear) != anywhere(*wear_before)) {
-        return false;
-    }
-    const auto stays = [&](const std::string& name) {
-        const Fabric *fabric = find_fabric(now, name), *was = find_fabric(then, name);
-        return areEqual(fabric, was) && (!fabric || haveEqualFibres(now, then, *fabric));
-    };
-    return areEqual(find_liquid(now, wear->liquid), find_liquid(then, wear->liquid)) &&
-           std::all_of(worn->panels.begin(), worn->panels.end(), [&](const auto& panel) {
-               const PanelCut& cut = panel.second;
-               return stays(cut.fabric) && (cut.lining.empty() || stays(cut.lining));
-           });
+    return find_garment(then, garment) && find_wear(then, experiment) && differencesOfGarment(then, garment, experiment, now).isEmpty();
 }
 
 bool isSaved(const KeptRun& run)
@@ -265,9 +323,8 @@ QString runInWords(const KeptRun& run)
 QString whyNotCompared(const KeptRun& one, const KeptRun& other)
 {
     if (!one.problem.isEmpty()) { return one.problem; }
-    if (one.worn || other.worn) { return RunHistory::tr("Runs of garments are compared in the workspace Garment."); }
     if (!one.complete() || !other.complete()) { return RunHistory::tr("Only completed runs can be compared."); }
-    if (!one.metrics || !other.metrics) { return RunHistory::tr("The frames of this run are being read."); }
+    if (!one.measured() || !other.measured()) { return RunHistory::tr("The frames of this run are being read."); }
     if (conditionsOf(*one.run) != conditionsOf(*other.run)) {
         return RunHistory::tr("This run is of another experiment. Only runs of the same experiment can be compared.");
     }

@@ -2,6 +2,7 @@
 // The runs of the open project and the recordings that were opened, to be shown again and compared.
 #pragma once
 
+#include "core/analysis/comparison.h"
 #include "core/analysis/metrics.h"
 #include "core/wear/wear_recording.h"
 
@@ -18,8 +19,8 @@ namespace hygroloom {
 struct KeptRun {
     QString path;                           ///< of its recording
     std::shared_ptr<const RunRecord> run;   ///< of a garment: what a record of cloth has, too; its fabric is the garment's name
-    std::shared_ptr<const Metrics> metrics; ///< nullptr until its frames have been read
-    bool worn = false;                      ///< of a garment, which has no metrics here
+    std::shared_ptr<const Metrics> metrics; ///< nullptr until its frames have been read, and of a garment
+    bool worn = false;                      ///< of a garment
     bool own = false;                       ///< a run of the open project
     bool saved = false;                     ///< it lies in a file that outlives the window
     bool marked = false;                    ///< with "keep"
@@ -29,8 +30,13 @@ struct KeptRun {
     int number = 0;                         ///< the history counts those without
     QString copy{};                         ///< where it was saved; that file may have changed since
     QString problem{};                      ///< why it cannot be read, in a sentence; empty: it can
+    /// Of a garment, what it gave; nullptr until its frames have been read.
+    std::shared_ptr<const Candidate> numbers{};
 
     bool complete() const { return run->wall > 0; }
+    bool measured() const { return worn ? numbers != nullptr : metrics != nullptr; }
+    /// What it is of in a comparison: its fabric; of a garment the one that it is cut from, empty where that are several.
+    std::string cloth() const;
 };
 
 class RunHistory : public QObject {
@@ -48,6 +54,7 @@ public:
     void markCopied(const QString& path, const QString& copy);
     void setMarked(const QString& path, bool marked);
     void setMetrics(const QString& path, const std::shared_ptr<const Metrics>& metrics);
+    void setNumbers(const QString& path, const std::shared_ptr<const Candidate>& numbers);
     /// The recording lies at another path from now on, with the project or not; a run of the project has the number that it has there.
     void move(const QString& from, const QString& to, bool saved);
     /// The recording at this path has been replaced or deleted.
@@ -73,10 +80,11 @@ private:
     bool listing_ = false;
 };
 
-/// A run's experiment and its liquid, whatever it is called.
+/// A run's experiment and its liquid, whatever it is called; of a garment also that, whatever it is cut from.
 Design conditionsOf(const RunRecord& run);
 
-/// What a run depends on that differs in a design, in words: "sample", "fibres", "fabric is gone". Empty: its results hold for it.
+/// What a run depends on that differs in a design, in words: "sample", "fibres", "fabric is gone". Empty: its results hold for it. A
+/// garment that was cut from one fabric is taken to be cut from that in the design, too, as comparisons cut it.
 QStringList differencesOf(const RunRecord& run, const Design& design);
 
 /// Whether the results of a run hold for a design: nothing that they depend on differs from what was run.
@@ -85,9 +93,11 @@ bool holdsFor(const RunRecord& run, const Design& design);
 /// What a list of runs needs of a worn garment's. wall: s; 0: it did not come to its end.
 std::shared_ptr<const RunRecord> runOfGarment(const WearRecord& record, double wall);
 
-/// The same of a garment's run of this design: nothing that it depends on differs in the design as it is now. Files are
-/// known by name.
+/// The same of a garment's run, with the garment as the design cuts it. Files are known by name.
 bool garmentHoldsFor(const Design& then, const std::string& garment, const std::string& experiment, const Design& now);
+
+/// Without the folders of files, which change as a project is saved elsewhere.
+Design anywhere(Design design);
 
 /// Whether it lies in a file that outlives the window, or its copy does: still there and of its size.
 bool isSaved(const KeptRun& run);

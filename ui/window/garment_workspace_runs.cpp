@@ -58,6 +58,12 @@ QString folderOfSources(const Design& recorded, const QString& recording)
     return {};
 }
 
+/// Whether it is of the design as it is now, its garment cut alike.
+bool isAsDesigned(const KeptRun& kept, const Design& design)
+{
+    return garmentHoldsFor(kept.run->design, kept.run->fabric, kept.run->experiment, design);
+}
+
 bool isRecordedWhole(const QString& file, std::size_t frames)
 {
     try {
@@ -100,11 +106,12 @@ void GarmentWorkspace::connectRun()
 const KeptRun* GarmentWorkspace::keptOfChosen() const
 {
     const KeptRun* found = nullptr;
+    const auto isOfDesign = [this](const KeptRun& kept) { return isAsDesigned(kept, *document_.design()); };
     if (!choice_.garment() || !choice_.wear()) { return found; }
     for (const KeptRun& kept : history_.runs()) {
         const bool fits = kept.worn && kept.own && kept.problem.isEmpty() && kept.run->fabric == choice_.garment()->name &&
                           kept.run->experiment == choice_.wear()->name;
-        if (fits && (!found || kept.current || !found->current)) { found = &kept; }
+        if (fits && (!found || isOfDesign(kept) || !isOfDesign(*found))) { found = &kept; }
     }
     return found;
 }
@@ -120,8 +127,9 @@ void GarmentWorkspace::refreshOffer()
     }
     const QDateTime made = QDateTime::fromString(QString::fromStdString(kept->run->date), Qt::ISODate).toLocalTime();
     const QString when = shortMoment(made);
-    view_->setOffer(kept->current ? tr("A run of this garment is kept with the project.")
-                                  : tr("A run of this garment is kept with the project; it is of an older design."),
+    view_->setOffer(isAsDesigned(*kept, *document_.design())
+                        ? tr("A run of this garment is kept with the project.")
+                        : tr("A run of this garment is kept with the project; it is of an older design."),
                     tr("Open the kept run of %1").arg(when));
 }
 
@@ -167,6 +175,7 @@ void GarmentWorkspace::keepRun()
     if (!run || run->frames.empty() || !QFileInfo::exists(run->file)) { return; }
     KeptRun kept{run->file, runOfGarment(*run->record, run->wall), nullptr};
     kept.worn = true;
+    kept.numbers = numbersOf(*run);
     kept.own = runs_.owns(run->file);
     kept.saved = !kept.own || runs_.isFiled(run->file);
     kept.number = kept.own ? runNumber(run->file) : 0;

@@ -332,7 +332,14 @@ void MainWindow::connectParts()
     connect(garment_.get(), &GarmentWorkspace::designRequested, this, [this] {
         if (garment_->playback().run() && mayLeave()) { garment_->takeDesign(); }
     });
-    connect(&compare_->view(), &CompareView::runRequested, simulate_.get(), &SimulateWorkspace::showEarlierRun);
+    connect(&compare_->view(), &CompareView::runRequested, this, [this](const QString& path) {
+        const KeptRun* run = compare_->runs().find(path);
+        if (run && run->worn) {
+            garment_->showEarlierRun(path);
+        } else {
+            simulate_->showEarlierRun(path);
+        }
+    });
     connect(&compare_->study(), &StudyRuns::ended, &simulate_->panel(), &SimulationPanel::refreshPlans);
     connect(&compare_->view(), &CompareView::failed, this, &MainWindow::showProblem);
     connect(&compare_->view(), &CompareView::saved, this,
