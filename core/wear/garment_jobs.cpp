@@ -79,7 +79,7 @@ Design part_of_run(const Design& design, const std::string& experiment)
 
 Design with_absolute_files(Design design, const std::filesystem::path& base)
 {
-    const std::filesystem::path from = std::filesystem::absolute(base);
+    const std::filesystem::path from = std::filesystem::absolute(base.empty() ? "." : base);
     const auto whole = [&](std::string& file) {
         if (!file.empty()) file = (from / file).lexically_normal().string();
     };
@@ -124,15 +124,17 @@ void add_error_of_cells(Candidate& candidate)
         if (outcome.value) candidate.numerical[outcome.key] = error_of_cells * std::abs(*outcome.value);
 }
 
+WearPlan plan_of(const GarmentCandidate& candidate, const WearOptions& how, const std::string& backend)
+{
+    const WearExperiment& wear = *find_wear(candidate.design, candidate.experiment);
+    const GarmentScene scene = garment_scene(garment_parts(candidate.design, wear, candidate.base), resolution_of(how));
+    return plan_wear(scene, wear, how.fidelity, backend);
+}
+
 std::size_t bytes_of_largest(const std::vector<GarmentCandidate>& candidates, const WearOptions& how)
 {
     double most = 0;
-    for (const GarmentCandidate& candidate : candidates) {
-        const WearExperiment& wear = *find_wear(candidate.design, candidate.experiment);
-        most = std::max(
-            most,
-            plan_wear(garment_scene(garment_parts(candidate.design, wear, candidate.base), resolution_of(how)), wear, how.fidelity).bytes);
-    }
+    for (const GarmentCandidate& candidate : candidates) most = std::max(most, plan_of(candidate, how, "cpu").bytes);
     return static_cast<std::size_t>(most);
 }
 

@@ -32,6 +32,8 @@ Candidate candidate_of(const WearRecord& record, const WearMetrics& metrics, dou
 /// scatter, so there is no verdict.
 void add_error_of_cells(Candidate& candidate);
 
+/// What its run takes on the backend, as learned. Cuts the garment into cells, which takes a while. Throws as bytes_of_largest().
+WearPlan plan_of(const GarmentCandidate& candidate, const WearOptions& how, const std::string& backend);
 /// The memory (bytes) that the largest of the runs takes. Throws FileError of what a garment names, NotEnoughMemory, Error.
 std::size_t bytes_of_largest(const std::vector<GarmentCandidate>& candidates, const WearOptions& how);
 

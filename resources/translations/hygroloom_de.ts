@@ -2104,6 +2104,46 @@
         <source>zone %1</source>
         <translation>Zone %1</translation>
     </message>
+    <message>
+        <source>capacity</source>
+        <translation>Fassungsvermögen</translation>
+    </message>
+    <message>
+        <source>dripped</source>
+        <translation>abgetropft</translation>
+    </message>
+    <message>
+        <source>heat from the skin</source>
+        <translation>Wärme von der Haut</translation>
+    </message>
+    <message>
+        <source>heat that evaporating took</source>
+        <translation>Wärme, die das Verdunsten nahm</translation>
+    </message>
+    <message>
+        <source>it is not left to dry, or more than 5 % of the most water is left</source>
+        <translation>es bleibt keine Zeit zum Trocknen, oder mehr als 5 % des meisten Wassers sind noch da</translation>
+    </message>
+    <message>
+        <source>it never holds 90 % of what it can</source>
+        <translation>es hält nie 90 % dessen, was es kann</translation>
+    </message>
+    <message>
+        <source>largest wet area</source>
+        <translation>größte nasse Fläche</translation>
+    </message>
+    <message>
+        <source>most water</source>
+        <translation>meistes Wasser</translation>
+    </message>
+    <message>
+        <source>there is no water</source>
+        <translation>es ist kein Wasser da</translation>
+    </message>
+    <message>
+        <source>water at the skin&apos;s face</source>
+        <translation>Wasser auf der Hautseite</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>
@@ -2502,6 +2542,10 @@
     <message>
         <source>The recording takes %1 on the disk. If you discard it, its results leave the screen.</source>
         <translation>Die Aufzeichnung belegt %1 auf dem Datenträger. Wenn Sie sie verwerfen, gehen ihre Ergebnisse vom Bildschirm.</translation>
+    </message>
+    <message>
+        <source>The study leaves the garment as it is cut, so that no one fabric made this row. Tick fabrics in the study to take one along.</source>
+        <translation>Die Studie lässt das Kleidungsstück, wie es geschnitten ist; diese Zeile hat deshalb nicht ein Gewebe. Kreuzen Sie in der Studie Gewebe an, um eines zu übernehmen.</translation>
     </message>
 </context>
 <context>
@@ -9782,6 +9826,10 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>The project has an error; the Issues panel says which.</source>
         <translation>Das Projekt hat einen Fehler; das Feld Meldungen nennt ihn.</translation>
+    </message>
+    <message>
+        <source>Each ticked fabric takes the place of all panels&apos; own. Tick none to leave the garment as it is cut.</source>
+        <translation>Jedes angekreuzte Gewebe ersetzt die aller Schnittteile. Ohne ein angekreuztes bleibt das Kleidungsstück, wie es geschnitten ist.</translation>
     </message>
 </context>
 <context>

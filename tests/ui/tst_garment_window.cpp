@@ -192,7 +192,7 @@ private Q_SLOTS:
         window_->setWorkspace(Workspace::garment);
         auto* list = window_->garment().list().findChild<QTreeWidget*>();
         QTRY_COMPARE_WITH_TIMEOUT(list->topLevelItemCount(), 2, 20000);
-        QCOMPARE(list->topLevelItem(1)->text(0), QString("2: tee"));
+        QCOMPARE(list->topLevelItem(1)->text(0), QString("2: tee of Cotton plain"));
         QCOMPARE(list->topLevelItem(1)->text(1), QString("wear"));
         QVERIFY2(!list->topLevelItem(1)->text(5).contains("older"), qPrintable(list->topLevelItem(1)->text(5)));
         QVERIFY(!window_->garment().playback().run());

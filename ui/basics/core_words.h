@@ -9,7 +9,7 @@
 
 namespace hygroloom {
 
-/// In the language of the window; what is not in the table, as names that somebody gave, comes back as it is.
+/// In the language of the window, as of "zone chest"; what is not in the table, as names that somebody gave, comes back as it is.
 QString coreWord(const QString& english);
 QString coreWord(const std::string& english);
 QString coreWord(const char* english);

@@ -330,12 +330,9 @@ double secondsToRun(const Design& design, const std::filesystem::path& base, con
     const std::string backend = expected_backend(backendOfMany());
     try {
         if (find_wear(design, job.experiment)) {
-            const GarmentCandidate cut = cut_from(design, job.experiment, base, job.fabric);
-            const WearExperiment& wear = *find_wear(cut.design, job.experiment);
             WearOptions how;
             how.fidelity = job.fidelity;
-            const GarmentScene scene = garment_scene(garment_parts(cut.design, wear, base), resolution_of(how));
-            return plan_wear(scene, wear, job.fidelity, backend).time.seconds;
+            return plan_of(cut_from(design, job.experiment, base, job.fabric), how, backend).time.seconds;
         }
         const ModelPlan plan =
             plan_run(design, *find_fabric(design, job.fabric), *find_experiment(design, job.experiment), job.fidelity, {}, {}, backend);

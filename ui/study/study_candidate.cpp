@@ -22,7 +22,14 @@ using Role = StudyColumnRole;
 std::string fabricOf(const StudyData& data, const Design& design, const Document& document, std::size_t row)
 {
     if (const StudyColumn* column = data.table.find(Role::fabric)) { return column->word(row); }
-    if (data.of) { return fabrics_of(data.of->study, design).front(); }
+    if (data.of) {
+        const std::string own = fabrics_of(data.of->study, design).front();
+        if (!own.empty()) { return own; }
+        throw Error(QCoreApplication::translate("hygroloom",
+                                                "The study leaves the garment as it is cut, so that no one fabric made this row. Tick "
+                                                "fabrics in the study to take one along.")
+                        .toStdString());
+    }
     if (!document.fabric()) {
         throw Error(QCoreApplication::translate("hygroloom", "The project has no fabric to begin with; add one.").toStdString());
     }

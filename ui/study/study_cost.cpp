@@ -5,6 +5,7 @@
 #include "core/plan/expectation.h"
 #include "core/run/plan_run.h"
 #include "core/study/points.h"
+#include "core/wear/garment_jobs.h"
 #include "gpu/backends.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
@@ -22,7 +23,12 @@ namespace {
 constexpr int runs_on_gpu = 16;
 constexpr double gain_on_gpu = 3; // of that many drops side by side, against one after the other
 
-/// Plans of each fabric on each experiment; those that cannot be planned fail when they are run.
+/// What a run is expected to take.
+struct RunCost {
+    double seconds = 0, bytes = 0;
+};
+
+/// Of each fabric on each experiment; those that cannot be planned fail when they are run.
 std::vector<ModelPlan> plansOf(const Design& design, const Study& study, Fidelity fidelity, const std::string& backend,
                                const std::function<bool()>& outdated)
 {
@@ -30,15 +36,60 @@ std::vector<ModelPlan> plansOf(const Design& design, const Study& study, Fidelit
     for (const std::string& fabric : fabrics_of(study, design)) {
         for (const std::string& experiment : experiments_of(study, design)) {
             if (outdated()) { return {}; }
-            const Experiment* sample = find_experiment(design, experiment); // none: it is on a garment
-            if (!sample) { continue; }
             try {
-                plans.push_back(plan_run(design, *find_fabric(design, fabric), *sample, fidelity, {}, study.knobs, backend));
+                plans.push_back(plan_run(design, *find_fabric(design, fabric), *find_experiment(design, experiment), fidelity, {},
+                                         study.knobs, backend));
             } catch (const Error&) {
             }
         }
     }
     return plans;
+}
+
+/// The same of garments.
+std::vector<RunCost> costsOfGarments(const Design& design, const Study& study, const std::string& backend,
+                                     const std::function<bool()>& outdated)
+{
+    WearOptions how;
+    how.fidelity = *study.fidelity;
+    how.knobs = study.knobs;
+    std::vector<RunCost> costs;
+    for (const std::string& fabric : fabrics_of(study, design)) {
+        for (const std::string& experiment : experiments_of(study, design)) {
+            if (outdated()) { return {}; }
+            try {
+                const GarmentCandidate own =
+                    fabric.empty() ? GarmentCandidate{fabric, design, experiment, {}} : cut_from(design, experiment, {}, fabric);
+                const WearPlan plan = plan_of(own, how, backend);
+                costs.push_back({plan.time.seconds, plan.bytes});
+            } catch (const Error&) {
+            }
+        }
+    }
+    return costs;
+}
+
+std::vector<RunCost> costsOfSamples(const Design& design, const Study& study, const std::string& backend,
+                                    const std::function<bool()>& outdated)
+{
+    std::vector<ModelPlan> plans;
+    if (study.fidelity) {
+        plans = plansOf(design, study, *study.fidelity, backend, outdated);
+    } else {
+        FidelityTarget target;
+        target.error = study.error;
+        std::vector<std::vector<ModelPlan>> all;
+        std::vector<ModelPlan> ladder;
+        for (const Fidelity fidelity : all_fidelities) {
+            all.push_back(plansOf(design, study, fidelity, backend, outdated));
+            if (all.back().empty()) { break; }
+            ladder.push_back(expected_of_all(all.back()));
+        }
+        if (ladder.size() == all_fidelities.size()) { plans = all[static_cast<std::size_t>(choose_fidelity(ladder, target).fidelity)]; }
+    }
+    std::vector<RunCost> costs;
+    for (const ModelPlan& plan : plans) { costs.push_back({plan.expected_seconds, plan.expected_bytes}); }
+    return costs;
 }
 
 } // namespace
@@ -59,30 +110,17 @@ StudyCost foretellCost(const Design& design, const Study& study, const std::func
     const std::size_t pairs = fabrics_of(study, design).size() * experiments_of(study, design).size();
     cost.runs = cost.points * pairs * static_cast<std::size_t>(study.replicates);
     const std::string backend = expected_backend(backend_for(backendOfMany(), study.knobs));
-    std::vector<ModelPlan> plans;
-    if (study.fidelity) {
-        plans = plansOf(design, study, *study.fidelity, backend, outdated);
-    } else {
-        FidelityTarget target;
-        target.error = study.error;
-        std::vector<std::vector<ModelPlan>> all;
-        std::vector<ModelPlan> ladder;
-        for (const Fidelity fidelity : all_fidelities) {
-            all.push_back(plansOf(design, study, fidelity, backend, outdated));
-            if (all.back().empty()) { break; }
-            ladder.push_back(expected_of_all(all.back()));
-        }
-        if (ladder.size() == all_fidelities.size()) { plans = all[static_cast<std::size_t>(choose_fidelity(ladder, target).fidelity)]; }
-    }
-    if (plans.empty()) {
+    const std::vector<RunCost> costs = is_of_garments(study, design) ? costsOfGarments(design, study, backend, outdated)
+                                                                     : costsOfSamples(design, study, backend, outdated);
+    if (costs.empty()) {
         cost.missing = QCoreApplication::translate("hygroloom", "no run can be planned");
         return cost;
     }
-    for (const ModelPlan& plan : plans) {
-        cost.seconds += plan.expected_seconds;
-        cost.bytes_each = std::max(cost.bytes_each, plan.expected_bytes);
+    for (const RunCost& each : costs) {
+        cost.seconds += each.seconds;
+        cost.bytes_each = std::max(cost.bytes_each, each.bytes);
     }
-    cost.seconds *= static_cast<double>(cost.runs) / static_cast<double>(plans.size());
+    cost.seconds *= static_cast<double>(cost.runs) / static_cast<double>(costs.size());
     const StudyShares shares = sharesOf(study, cost.runs, cost.bytes_each);
     cost.at_once =
         static_cast<int>(std::min<std::size_t>(cost.runs, static_cast<std::size_t>(shares.jobs > 0 ? shares.jobs : runs_on_gpu)));

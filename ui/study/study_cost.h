@@ -18,7 +18,8 @@ struct StudyCost {
     QString missing;       ///< why time and memory are not known; empty: they are
 };
 
-/// Takes a moment for each fabric and experiment. outdated: ends it early. Precondition: validate() found no error in both.
+/// Takes a moment for each fabric and experiment. outdated: ends it early. Preconditions: validate() found no error in both; files of
+/// garments are named in full.
 StudyCost foretellCost(const Design& design, const Study& study, const std::function<bool()>& outdated);
 
 /// "96 runs (96 points), about 3 min, 2 at a time with 40 MB each."

@@ -8,6 +8,7 @@
 #include "core/plan/fidelity.h"
 #include "core/project/project_json.h"
 #include "core/project/project_value.h"
+#include "core/wear/wear_outcomes.h"
 
 #include "ui/basics/core_words.h"
 #include "ui/basics/language.h"
@@ -29,7 +30,7 @@ constexpr const char* optional_fields[] = {"contact_angle_deg",   "thickness_mm"
 /// Objects and lists in which nothing is for a study.
 bool isPassedOver(const std::string& key)
 {
-    for (const char* each : {"weave", "uncertainty", "calibrated", "warp_order", "weft_order", "color"}) {
+    for (const char* each : {"weave", "uncertainty", "calibrated", "warp_order", "weft_order", "color", "outline_mm"}) {
         if (key == each) { return true; }
     }
     return false;
@@ -76,11 +77,10 @@ public:
 
     std::vector<StudyField> make()
     {
-        for (const char* list : {"fabrics", "experiments", "materials", "liquids"}) {
+        for (const char* list : {"fabrics", "experiments", "garments", "materials", "liquids"}) {
             if (!project_.contains(list)) { continue; }
             const ProjectJson& members = project_[list];
             for (std::size_t i = 0; i < members.size(); ++i) {
-                if (std::string_view(list) == "experiments" && is_wear(members[i])) { continue; }
                 start_ = std::string(list) + "[" + std::to_string(i) + "]";
                 group_ = QString::fromStdString(members[i].value("name", start_));
                 add(members[i], "");
@@ -133,6 +133,14 @@ private:
     std::vector<StudyField> fields_;
 };
 
+/// "panels/front/" -> "panel front", as outcomes name it.
+std::string partOf(const std::string& prefix)
+{
+    const std::size_t kind = prefix.find('/');
+    return kind == std::string::npos || kind < 2 ? std::string()
+                                                 : prefix.substr(0, kind - 1) + " " + prefix.substr(kind + 1, prefix.size() - kind - 2);
+}
+
 /// The name of the member of a list that a path leads into.
 QString groupOf(const Design& design, const QString& list, std::size_t index)
 {
@@ -140,7 +148,13 @@ QString groupOf(const Design& design, const QString& list, std::size_t index)
         return index < members.size() ? QString::fromStdString(members[index].name) : QString();
     };
     if (list == "fabrics") { return name(design.fabrics); }
-    if (list == "experiments") { return name(design.experiments); }
+    if (list == "experiments") { // garments follow the samples
+        const std::size_t samples = design.experiments.size();
+        return index < samples                         ? name(design.experiments)
+               : index - samples < design.wears.size() ? QString::fromStdString(design.wears[index - samples].name)
+                                                       : QString();
+    }
+    if (list == "garments") { return name(design.garments); }
     if (list == "materials") { return name(design.materials); }
     return list == "liquids" ? name(design.liquids) : QString();
 }
@@ -204,6 +218,12 @@ MetricName metricName(const std::string& key)
         for (const OutcomeInfo& info : reported_by(static_cast<ExperimentType>(type))) {
             if (info.key != key) { continue; }
             return {coreTitle(info.title, info.part), QString::fromStdString(info.unit)};
+        }
+    }
+    const std::size_t at = key.rfind('/') + 1; // behind its part, "panels/front/water_g"
+    for (const WearNumber& number : wear_numbers()) {
+        if (number.info.key == key.substr(at)) {
+            return {coreTitle(number.info.title, partOf(key.substr(0, at))), QString::fromStdString(number.info.unit)};
         }
     }
     return {wordOf(key), unitOf(key)};

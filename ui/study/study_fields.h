@@ -20,7 +20,7 @@ struct StudyField {
     std::optional<double> value; ///< none: the project leaves it out
 };
 
-/// Fabrics first, then experiments, materials, liquids and the knobs of the fidelity.
+/// Fabrics first, then experiments, garments, materials, liquids and the knobs of the fidelity.
 std::vector<StudyField> studyFields(const Design& design);
 
 /// Of any path; where the project has no such member the group is the path's own.
@@ -32,7 +32,7 @@ StudyField inReadersUnit(StudyField field);
 /// "ends (/cm)"; with the group before it where a study has factors of several.
 QString fieldTitle(const StudyField& field, bool with_group);
 
-/// "maximum wetted radius, top (mm)".
+/// "maximum wetted radius, top (mm)"; of a garment's part "most water, panel front (g)".
 QString metricTitle(const std::string& key);
 /// The same apart.
 struct MetricName {

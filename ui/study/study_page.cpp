@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/study/study_folder.h"
+#include "core/wear/garment_jobs.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/ask.h"
 #include "ui/document/document.h"
@@ -113,11 +114,16 @@ void StudyPage::refreshSetup()
     }
 }
 
+std::shared_ptr<const Design> StudyPage::design() const
+{
+    if (document_.design()->garments.empty()) { return document_.design(); }
+    return std::make_shared<const Design>(with_absolute_files(*document_.design(), document_.folder().toStdString()));
+}
+
 void StudyPage::foretell()
 {
     if (!setup_->problems().isEmpty() || !isVisible()) { return; }
-    const auto design = document_.design();
-    foreteller_.run([this, design, study = setup_->study()](const NewestJob::Turn& turn) {
+    foreteller_.run([this, design = this->design(), study = setup_->study()](const NewestJob::Turn& turn) {
         QString text;
         try {
             text = costText(foretellCost(*design, study, [&turn] { return turn.outdated(); }));
@@ -272,7 +278,7 @@ void StudyPage::remember(const QString& folder)
 
 void StudyPage::showCluster()
 {
-    ClusterDialog dialog(document_.design(), setup_->study(), folder(), this);
+    ClusterDialog dialog(design(), setup_->study(), folder(), this);
     dialog.exec();
 }
 

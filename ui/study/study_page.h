@@ -87,6 +87,8 @@ private:
     QWidget* buildTable();
     void connectParts();
     // study_page.cpp
+    /// The project, with files of garments named in full: a study runs in another folder.
+    std::shared_ptr<const Design> design() const;
     void refreshSetup();
     void foretell();
     void newStudy();

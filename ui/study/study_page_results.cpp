@@ -41,7 +41,7 @@ void StudyPage::run(bool retry_failed)
     if (shown) {
         job_.start(std::make_shared<const Design>(data_->of->design), data_->of->study, into, true);
     } else {
-        job_.start(document_.design(), setup_->study(), into, retry_failed);
+        job_.start(design(), setup_->study(), into, retry_failed);
     }
     remember(into);
     following_.start();

@@ -55,6 +55,8 @@ private:
     void connectFields();
     void refreshLists();
     void refreshMetrics();
+    bool ofGarments() const;
+    void addMetricsOf(const std::string& experiment, std::vector<std::string>& known, std::vector<std::string>& compared) const;
     void refreshFactors();
     void refreshProblems();
     void pickFields();

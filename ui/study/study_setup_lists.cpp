@@ -4,6 +4,8 @@
 
 #include "core/analysis/outcomes.h"
 #include "core/base/error.h"
+#include "core/garment/pattern.h"
+#include "core/wear/wear_outcomes.h"
 #include "ui/basics/issue_text.h"
 #include "ui/basics/quantity.h"
 #include "ui/document/document.h"
@@ -43,27 +45,58 @@ void addItem(QListWidget& list, const QString& key, const QString& text, bool on
     item->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");
 }
 
-/// The project's members, and of those ticked also the ones that it does not have.
-template <typename Member>
-void fillNames(QListWidget& list, const std::vector<Member>& members, std::vector<std::string> on, std::size_t otherwise, bool keep_others)
+template <typename Member> std::vector<std::string> namesOf(const std::vector<Member>& members)
 {
-    const auto is_there = [&members](const std::string& name) {
-        return std::any_of(members.begin(), members.end(), [&name](const Member& member) { return member.name == name; });
-    };
+    std::vector<std::string> names;
+    for (const Member& member : members) { names.push_back(member.name); }
+    return names;
+}
+
+std::vector<std::string> experimentsOf(const Design& design)
+{
+    std::vector<std::string> names = namesOf(design.experiments);
+    for (const std::string& worn : namesOf(design.wears)) { names.push_back(worn); }
+    return names;
+}
+
+/// The project's members, and of those ticked also the ones that it does not have. otherwise: which is ticked where none is; none: none.
+void fillNames(QListWidget& list, const std::vector<std::string>& members, std::vector<std::string> on, std::optional<int> otherwise,
+               bool keep_others)
+{
+    const auto is_there = [&members](const std::string& name) { return std::find(members.begin(), members.end(), name) != members.end(); };
     if (!keep_others) {
         std::erase_if(on, [&](const std::string& name) { return !is_there(name); });
     }
-    if (on.empty() && !members.empty()) { on.push_back(members[std::min(otherwise, members.size() - 1)].name); }
+    if (on.empty() && otherwise && !members.empty()) {
+        on.push_back(members[std::min(static_cast<std::size_t>(*otherwise), members.size() - 1)]);
+    }
     list.clear();
-    for (const Member& member : members) {
-        const auto found = std::find(on.begin(), on.end(), member.name);
-        addItem(list, QString::fromStdString(member.name), QString::fromStdString(member.name), found != on.end());
+    for (const std::string& member : members) {
+        const auto found = std::find(on.begin(), on.end(), member);
+        addItem(list, QString::fromStdString(member), QString::fromStdString(member), found != on.end());
         if (found != on.end()) { on.erase(found); }
     }
     for (const std::string& name : on) {
         const QString text = QString::fromStdString(name);
         addItem(list, text, StudySetup::tr("%1 (not in this project)").arg(text), true);
     }
+}
+
+/// Of a built-in one all; of one from a file those that the project names.
+std::vector<std::string> panelsOf(const Garment& garment)
+{
+    std::vector<std::string> names;
+    if (!garment.is_built_in()) {
+        for (const auto& [panel, cut] : garment.panels) {
+            if (panel != "*") { names.push_back(panel); }
+        }
+        return names;
+    }
+    try {
+        for (const PatternPanel& panel : read_pattern(garment, {}).panels) { names.push_back(panel.name); }
+    } catch (const Error&) { // the project's issues say it
+    }
+    return names;
 }
 
 } // namespace
@@ -74,29 +107,53 @@ void StudySetup::refreshLists()
     const Design& design = *document_.design();
     const bool fresh = fabrics_->count() == 0 && experiments_->count() == 0;
     const bool is_one = !drafts_.empty() || !kept_.fabrics.empty(); // until then it follows the project
-    fillNames(*fabrics_, design.fabrics, fresh ? kept_.fabrics : ticked(*fabrics_), static_cast<std::size_t>(document_.fabricIndex()),
-              is_one);
-    fillNames(*experiments_, design.experiments, fresh ? kept_.experiments : ticked(*experiments_),
-              static_cast<std::size_t>(document_.experimentIndex()), is_one);
+    fillNames(*experiments_, experimentsOf(design), fresh ? kept_.experiments : ticked(*experiments_), document_.experimentIndex(), is_one);
+    fillNames(*fabrics_, namesOf(design.fabrics), fresh ? kept_.fabrics : ticked(*fabrics_),
+              ofGarments() ? std::nullopt : std::optional(document_.fabricIndex()), is_one);
     refreshMetrics();
     refreshFactors();
     refreshProblems();
+}
+
+/// Whether a garment is worn in what is ticked.
+bool StudySetup::ofGarments() const
+{
+    const std::vector<std::string> on = ticked(*experiments_);
+    return std::any_of(on.begin(), on.end(), [this](const std::string& name) { return find_wear(*document_.design(), name); });
+}
+
+/// Of a garment also those of its panels, where they are known without reading a file; others can stand in the file of a study.
+void StudySetup::addMetricsOf(const std::string& experiment, std::vector<std::string>& known, std::vector<std::string>& compared) const
+{
+    const auto add = [](const std::vector<OutcomeInfo>& infos, std::vector<std::string>& into) {
+        for (const OutcomeInfo& info : infos) {
+            if (std::find(into.begin(), into.end(), info.key) == into.end()) { into.push_back(info.key); }
+        }
+    };
+    const Design& design = *document_.design();
+    if (const Experiment* sample = find_experiment(design, experiment)) {
+        add(compared_by(sample->type), compared);
+        add(reported_by(sample->type), known);
+    }
+    const WearExperiment* wear = find_wear(design, experiment);
+    if (!wear) { return; }
+    add(compared_by_wear(), compared);
+    for (const WearNumber& number : wear_numbers()) { add({number.info}, known); }
+    const Garment* garment = find_garment(design, wear->garment);
+    for (const std::string& panel : garment ? panelsOf(*garment) : std::vector<std::string>()) {
+        add(compared_by_wear({"panels/" + panel + "/", "panel " + panel}), known);
+    }
 }
 
 /// Those of the ticked experiments. Of a new list those that fabrics are compared by are ticked, unless the study says others.
 void StudySetup::refreshMetrics()
 {
     std::vector<std::string> known, compared;
-    for (const std::string& name : ticked(*experiments_)) {
-        const Experiment* experiment = find_experiment(*document_.design(), name);
-        if (!experiment) { continue; }
-        for (const auto& [infos, into] :
-             {std::pair(compared_by(experiment->type), &compared), std::pair(reported_by(experiment->type), &known)}) {
-            for (const OutcomeInfo& info : infos) {
-                if (std::find(into->begin(), into->end(), info.key) == into->end()) { into->push_back(info.key); }
-            }
-        }
-    }
+    for (const std::string& name : ticked(*experiments_)) { addMetricsOf(name, known, compared); }
+    fabrics_->setToolTip(
+        ofGarments()
+            ? "<p>" + tr("Each ticked fabric takes the place of all panels' own. Tick none to leave the garment as it is cut.") + "</p>"
+            : QString());
     if (known == known_metrics_ && metrics_->count() > 0) { return; }
     const bool fresh = metrics_->count() == 0;
     std::vector<std::string> on = fresh ? kept_.metrics : ticked(*metrics_);
@@ -179,7 +236,8 @@ void StudySetup::refreshProblems()
 {
     numbers_->setRowVisible(error_, fidelity_->currentIndex() == static_cast<int>(all_fidelities.size()));
     points_->setEnabled(static_cast<Sampling>(sampling_->currentIndex()) != Sampling::one_at_a_time);
-    add_->setEnabled(!ticked(*fabrics_).empty() && !ticked(*experiments_).empty()); // else no field would change a run
+    const bool no_cloth = ticked(*fabrics_).empty() && !ofGarments();
+    add_->setEnabled(!no_cloth && !ticked(*experiments_).empty()); // else no field would change a run
     problems_.clear();
     for (const DraftFactor& draft : drafts_) {
         const QString title = fieldTitle(inReadersUnit(fieldAt(*document_.design(), draft.factor.path)), false);
@@ -190,7 +248,7 @@ void StudySetup::refreshProblems()
     if (!is_number) {
         problems_ << tr("Seed: This must be a whole number from 0 to 18446744073709551615; given is “%1”.").arg(seed_->text());
     }
-    if (ticked(*fabrics_).empty()) { problems_ << tr("Fabrics: Tick one at least."); }
+    if (no_cloth) { problems_ << tr("Fabrics: Tick one at least."); }
     if (ticked(*experiments_).empty()) { problems_ << tr("Experiments: Tick one at least."); }
     if (document_.hasError()) { problems_ << tr("The project has an error; the Issues panel says which."); }
     if (!problems_.isEmpty()) { return; }
