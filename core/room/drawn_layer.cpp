@@ -19,8 +19,9 @@ double most_voxels_at(int voxels) { return 1e6 * std::min(1.0, std::pow(voxels /
 /// One yarn among the voxels; what leaves the cell comes in on the other side.
 class DrawnYarn {
 public:
-    DrawnYarn(const Textile& textile, YarnKind kind, int yarn, DrawnLayer& layer)
-        : layer_(layer), is_warp_(kind == YarnKind::warp), stations_(textile, kind, yarn, 0.5 * (is_warp_ ? layer.dy : layer.dx), 2),
+    DrawnYarn(const Textile& textile, YarnKind kind, int yarn, DrawnLayer& layer, double wider)
+        : layer_(layer), is_warp_(kind == YarnKind::warp), wider_(wider),
+          stations_(textile, kind, yarn, 0.5 * (is_warp_ ? layer.dy : layer.dx), 2),
           reach_(0.5 * textile.type(kind, yarn).section.height + layer.reach)
     {
     }
@@ -42,9 +43,9 @@ private:
         const VoxelGrid& g = layer_.grid;
         const int n = is_warp_ ? g.nx : g.ny;
         const double voxel = is_warp_ ? layer_.dx : layer_.dy, middle = station.across / voxel + 0.5 * n - 0.5;
-        const double wide = (station.flat + station.half_height + layer_.reach) / voxel;
+        const double flat = station.flat + wider_, wide = (flat + station.half_height + layer_.reach) / voxel;
         for (int c = static_cast<int>(std::ceil(middle - wide)); c <= static_cast<int>(std::floor(middle + wide)); ++c) {
-            const double beside = std::max(0.0, std::abs(c - middle) * voxel - station.flat);
+            const double beside = std::max(0.0, std::abs(c - middle) * voxel - flat);
             const auto outside = static_cast<float>(std::hypot(beside, off) - station.half_height);
             int x = is_warp_ ? c : along, y = is_warp_ ? along : c;
             g.wrap(x, y);
@@ -57,6 +58,7 @@ private:
 
     DrawnLayer& layer_;
     bool is_warp_;
+    double wider_; // on either side
     YarnStations stations_;
     double reach_; // from its centreline, to which it is drawn
 };
@@ -86,7 +88,7 @@ double cubes_of_crossing(const Textile& textile)
 
 double voxels_of_period(double cubes, int voxels) { return std::min(std::pow(voxels, 3) * cubes, most_voxels_at(voxels)); }
 
-DrawnLayer drawn_layer(const Textile& cell, int voxels, int shift)
+DrawnLayer drawn_layer(const Textile& cell, int voxels, int shift, const Widening& wider)
 {
     const double pitch = std::sqrt(cell.warp.pitch * cell.weft.pitch), reach = reaches * pitch;
     const double volume = cell.warp.pitch * cell.weft.pitch * cell.crossings() * (cell.thickness + 2 * reach);
@@ -105,8 +107,8 @@ DrawnLayer drawn_layer(const Textile& cell, int voxels, int shift)
                   shift * layer.per_pick};
     layer.outside.assign(layer.grid.size(), static_cast<float>(layer.reach));
     layer.nearest_is_warp.assign(layer.grid.size(), 0);
-    for (int end = 0; end < cell.ends(); ++end) DrawnYarn(cell, YarnKind::warp, end, layer).draw();
-    for (int pick = 0; pick < cell.picks(); ++pick) DrawnYarn(cell, YarnKind::weft, pick, layer).draw();
+    for (int end = 0; end < cell.ends(); ++end) DrawnYarn(cell, YarnKind::warp, end, layer, wider.warp).draw();
+    for (int pick = 0; pick < cell.picks(); ++pick) DrawnYarn(cell, YarnKind::weft, pick, layer, wider.weft).draw();
     return layer;
 }
 

@@ -35,9 +35,14 @@ double cubes_of_crossing(const Textile& textile);
 /// How many voxels so many cubes are drawn in.
 double voxels_of_period(double cubes, int voxels);
 
+/// By how much yarns lie wider than their sections on either side, m: of ends, of picks.
+struct Widening {
+    double warp = 0, weft = 0;
+};
+
 /// The textile is one cell large, with such a shift. voxels: in the mean pitch at least; a thin layer has more, for half as many from face
 /// to face, and a cell of more than a million of them has fewer.
-DrawnLayer drawn_layer(const Textile& cell, int voxels, int shift = 0);
+DrawnLayer drawn_layer(const Textile& cell, int voxels, int shift = 0, const Widening& wider = {});
 
 /// Of the cloth, what lies outside yarns that have grown so much; a voxel that a skin cuts counts in part.
 double share_outside(const DrawnLayer& layer, double growth);

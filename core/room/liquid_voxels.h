@@ -16,10 +16,13 @@ public:
         int x, y, z;
     };
     /// Of a layer whose yarns have grown so much (m), which must outlive it. air: of each voxel, whether it holds air; empty: none does.
-    LiquidVoxels(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air = {})
-        : layer_(layer), growth_(growth), number_(layer.grid.size(), -1)
+    /// spacing: voxels of what flows over the cloth, and as many below it, in a stack of such layers without end; none: one layer, whose
+    /// faces are its last voxels.
+    LiquidVoxels(const DrawnLayer& layer, double growth, const std::vector<std::uint8_t>& air = {}, std::optional<int> spacing = {})
+        : layer_(layer), growth_(growth), number_(layer.grid.size(), -1), is_stack_(spacing.has_value()),
+          first_(layer.first() - spacing.value_or(0)), last_(layer.last() + spacing.value_or(0))
     {
-        for (int z = layer.first(); z <= layer.last(); ++z)
+        for (int z = first_; z <= last_; ++z)
             for (int y = 0; y < layer.grid.ny; ++y)
                 for (int x = 0; x < layer.grid.nx; ++x) {
                     const std::size_t i = layer.grid.at(x, y, z);
@@ -34,12 +37,16 @@ public:
     int number(const Place& p) const { return number_[at(p)]; }
     /// m, from its middle to the nearest skin; less than 0 within a yarn.
     double outside(const Place& p) const { return static_cast<double>(layer_.outside[at(p)]) - growth_; }
-    /// On its lower or upper side along x, y or z (0, 1, 2); nothing beyond the faces.
+    /// Layers of voxels in which they lie.
+    int layers() const { return last_ - first_ + 1; }
+    /// On its lower or upper side along x, y or z (0, 1, 2); nothing beyond the faces, but the next layer of a stack.
     std::optional<Place> beside(Place p, int axis, int step) const
     {
         (axis == 0 ? p.x : axis == 1 ? p.y : p.z) += step;
         layer_.grid.wrap(p.x, p.y);
-        if (p.z < layer_.first() || p.z > layer_.last()) return {};
+        if (p.z >= first_ && p.z <= last_) return p;
+        if (!is_stack_) return {};
+        p.z = p.z < first_ ? last_ : first_;
         return p;
     }
 
@@ -47,6 +54,8 @@ private:
     const DrawnLayer& layer_;
     double growth_;
     std::vector<int> number_;
+    bool is_stack_;
+    int first_, last_;
     std::vector<Place> places_;
 };
 

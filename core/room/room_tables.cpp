@@ -199,6 +199,25 @@ DrawnLayer layer_of_cell(const Textile& textile, const WovenCell& cell, int voxe
     return drawn_layer(part_of(textile, cell.ends, cell.picks), voxels, cell.shift);
 }
 
+DrawnRepeat drawn_repeat(const Textile& textile, int voxels, const Widening& wider)
+{
+    const auto repeat = [&](const Textile& all, const WovenCell& cell) {
+        const Textile drawn = part_of(all, cell.ends, cell.picks);
+        DrawnLayer layer = drawn_layer(drawn, voxels, cell.shift);
+        const double growth = growth_to_share(layer, share_of_room(drawn));
+        if (wider.warp != 0 || wider.weft != 0) layer = drawn_layer(drawn, voxels, cell.shift, wider);
+        return DrawnRepeat{std::move(layer), growth};
+    };
+    if (is_of_one_type(textile.warp) && is_of_one_type(textile.weft))
+        if (const auto cell = smallest_cell(textile.weave, most_drawn_crossings)) return repeat(textile, *cell);
+    if (const auto cell = drawn_cell(textile)) return repeat(textile, *cell);
+    Textile alone = textile;
+    alone.weave = drawn_part(textile.weave);
+    of_one_type(alone.warp, 0);
+    of_one_type(alone.weft, 0);
+    return repeat(alone, {alone.weave.ends(), alone.weave.picks()});
+}
+
 DrawnVolume drawn_volume(const Textile& textile)
 {
     const double of_one = cubes_of_crossing(textile), cube = side_of_cube(textile);

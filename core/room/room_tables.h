@@ -36,6 +36,14 @@ std::optional<WovenCell> drawn_cell(const Textile& textile);
 /// As the tables see it, from the cloth's first end and pick on.
 DrawnLayer layer_of_cell(const Textile& textile, const WovenCell& cell, int voxels);
 
+/// A cloth's repeat in voxels, and how much its yarns grow there to have the volume that they have before they are widened.
+struct DrawnRepeat {
+    DrawnLayer layer;
+    double growth = 0; ///< m
+};
+/// The smallest cell of the weave; where types differ a whole period, or of a large weave a part of it with the first types alone.
+DrawnRepeat drawn_repeat(const Textile& textile, int voxels, const Widening& wider = {});
+
 /// Of the cloth, drawn as this cell of its weave, from its first end and pick on.
 RoomTables tables_of_cell(const Textile& textile, const WovenCell& cell, int voxels);
 

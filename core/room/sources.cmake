@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  room/conduction.cpp
   room/drawn_layer.cpp
   room/kept_tables.cpp
   room/room_details.cpp
@@ -21,5 +22,5 @@ target_sources(hygroloom_core PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/room_code.cpp)
 set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/room_code.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
 
 # Sparse equations, compiled alone at full optimization.
-set_source_files_properties(room/drawn_layer.cpp room/room_flow.cpp room/room_menisci.cpp room/stokes.cpp room/yarn_stations.cpp PROPERTIES
+set_source_files_properties(room/conduction.cpp room/drawn_layer.cpp room/room_flow.cpp room/room_menisci.cpp room/stokes.cpp room/yarn_stations.cpp PROPERTIES
   SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>")

@@ -45,7 +45,8 @@ private:
 /// Velocities stand on the sides between voxels of liquid, pressures in their middles. Lengths in sides of a voxel.
 class StokesFlow {
 public:
-    StokesFlow(const DrawnLayer& layer, double growth) : layer_(layer), liquid_(layer, growth)
+    StokesFlow(const DrawnLayer& layer, double growth, std::optional<int> spacing = {}, double drag = 0)
+        : layer_(layer), liquid_(layer, growth, {}, spacing), drag_(drag * layer.side() * layer.side())
     {
         const double side = layer.side();
         length_ = {layer.dx / side, layer.dy / side, layer.dz / side};
@@ -62,6 +63,7 @@ public:
         first_[3] = static_cast<int>(sides_.size());
     }
     double permeability(bool along_warp) const;
+    FlowThrough through() const;
 
 private:
     using Place = LiquidVoxels::Place;
@@ -86,24 +88,27 @@ private:
         return {per_area / part, -1};
     }
 
+    /// Velocities under a unit force along an axis, with so much of the residual left.
+    Numbers driven_along(int driven, double residual) const;
+
     const DrawnLayer& layer_;
     LiquidVoxels liquid_; // a pressure in each
+    double drag_;
     std::array<double, 3> length_{};
     std::array<std::vector<int>, 3> velocity_; // number of the one on each voxel's lower side
     std::array<int, 4> first_{};
     std::vector<Side> sides_; // with a velocity: all along x, then y, then z
 };
 
-double StokesFlow::permeability(bool along_warp) const
+Numbers StokesFlow::driven_along(int driven, double residual) const
 {
-    const int velocities = first_[3], all = velocities + static_cast<int>(liquid_.places().size()), driven = along_warp ? 1 : 0;
-    if (velocities == 0) return 0;
+    const int velocities = first_[3], all = velocities + static_cast<int>(liquid_.places().size());
     std::vector<Eigen::Triplet<double>> laplacian, whole;
     Numbers right = Numbers::Zero(all);
     for (int axis = 0; axis < 3; ++axis)
         for (int u = first_[static_cast<std::size_t>(axis)]; u < first_[static_cast<std::size_t>(axis) + 1]; ++u) {
             const Side& side = sides_[static_cast<std::size_t>(u)];
-            double diagonal = 0;
+            double diagonal = drag_;
             for (int across = 0; across < 3; ++across)
                 for (int step : {-1, 1}) {
                     const Beside next = beside(side, axis, across, step);
@@ -125,12 +130,47 @@ double StokesFlow::permeability(bool along_warp) const
     matrix.setFromTriplets(whole.begin(), whole.end());
     Eigen::MINRES<Matrix, Eigen::Lower | Eigen::Upper, StokesPreconditioner> solver;
     solver.preconditioner().of_velocities(of_velocities);
-    solver.setTolerance(1e-5);
+    solver.setTolerance(residual);
     solver.setMaxIterations(3000);
     solver.compute(matrix);
-    const Numbers found = solver.solve(right);
-    const double flow = right.head(velocities).dot(found.head(velocities)), side = layer_.side();
-    return flow * side * side / (layer_.grid.nx * layer_.grid.ny * (layer_.last() - layer_.first() + 1.0));
+    return solver.solve(right).head(velocities);
+}
+
+double StokesFlow::permeability(bool along_warp) const
+{
+    if (first_[3] == 0) return 0;
+    const int driven = along_warp ? 1 : 0;
+    const auto from = static_cast<std::size_t>(driven);
+    Numbers along = Numbers::Zero(first_[3]);
+    along.segment(first_[from], first_[from + 1] - first_[from]).setOnes();
+    const double flow = along.dot(driven_along(driven, 1e-5)), side = layer_.side();
+    return flow * side * side / (layer_.grid.nx * layer_.grid.ny * static_cast<double>(liquid_.layers()));
+}
+
+FlowThrough StokesFlow::through() const
+{
+    if (first_[3] == first_[2]) return {};
+    const Numbers found = driven_along(2, 1e-4);
+    struct Section {
+        double speed = 0, momentum = 0, energy = 0;
+    };
+    std::vector<Section> sections(static_cast<std::size_t>(layer_.grid.nz));
+    for (int u = first_[2]; u < first_[3]; ++u) {
+        const double speed = found[u];
+        Section& section = sections[static_cast<std::size_t>(sides_[static_cast<std::size_t>(u)].here.z)];
+        section.speed += speed;
+        section.momentum += speed * speed;
+        section.energy += speed * speed * speed;
+    }
+    const double area = static_cast<double>(layer_.grid.nx) * layer_.grid.ny, side = layer_.side();
+    double mean = 0;
+    for (const Section& section : sections) mean += section.speed / (area * liquid_.layers());
+    if (!(mean > 0)) return {};
+    FlowThrough through{liquid_.layers() * layer_.dz / (mean * side * side), 0};
+    for (const Section& section : sections)
+        through.loss =
+            std::max(through.loss, section.energy / (area * mean * mean * mean) - 2 * section.momentum / (area * mean * mean) + 1);
+    return through;
 }
 
 } // namespace
@@ -138,6 +178,13 @@ double StokesFlow::permeability(bool along_warp) const
 double stokes_permeability(const DrawnLayer& layer, double growth, bool along_warp)
 {
     return StokesFlow(layer, growth).permeability(along_warp);
+}
+
+FlowThrough flow_through(const DrawnLayer& layer, double growth, double drag)
+{
+    const double pitch = std::sqrt(layer.per_end * layer.dx * layer.per_pick * layer.dy);
+    const int spacing = std::clamp(static_cast<int>(std::lround((pitch / 6 + std::max(0.0, growth)) / layer.dz)), 1, layer.margin);
+    return StokesFlow(layer, growth, spacing, drag).through();
 }
 
 } // namespace hygroloom

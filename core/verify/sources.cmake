@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
+  verify/air_cases.cpp
   verify/cap_cases.cpp
   verify/cloth_cases.cpp
   verify/convergence_cases.cpp
@@ -22,6 +23,7 @@ target_sources(hygroloom_core PRIVATE
   verify/retention_column.cpp
   verify/room_case.cpp
   verify/set_ups.cpp
+  verify/sold_cloths.cpp
   verify/evenness_case.cpp
   verify/section_case.cpp
   verify/sett_case.cpp

@@ -49,13 +49,13 @@ const std::vector<VerifyCase>& verify_cases()
 {
     static const std::vector<VerifyCase> cases = [] {
         std::vector<VerifyCase> all;
-        for (auto part : {wicking_cases(),       pore_cases(),       pore_flow_cases(),      retention_column_cases(),
-                          pore_fabric_cases(),   morphology_cases(), moisture_cases(),       heat_cases(),
-                          laboratory_cases(),    tester_cases(),     liquid_cases(),         cap_cases(),
-                          yarn_drop_cases(),     cloth_cases(),      room_cases(),           sett_cases(),
-                          section_cases(),       stain_cases(),      evenness_cases(),       finish_cases(),
-                          convergence_cases(),   whole_run_cases(),  measured_fibre_cases(), measured_wicking_cases(),
-                          measured_cloth_cases()})
+        for (auto part : {wicking_cases(),        pore_cases(),       pore_flow_cases(),      retention_column_cases(),
+                          pore_fabric_cases(),    morphology_cases(), moisture_cases(),       heat_cases(),
+                          laboratory_cases(),     tester_cases(),     liquid_cases(),         cap_cases(),
+                          yarn_drop_cases(),      cloth_cases(),      room_cases(),           sett_cases(),
+                          section_cases(),        stain_cases(),      evenness_cases(),       finish_cases(),
+                          convergence_cases(),    whole_run_cases(),  measured_fibre_cases(), measured_wicking_cases(),
+                          measured_cloth_cases(), air_cases()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

@@ -119,5 +119,6 @@ std::vector<VerifyCase> convergence_cases();
 std::vector<VerifyCase> measured_fibre_cases();
 std::vector<VerifyCase> measured_wicking_cases();
 std::vector<VerifyCase> measured_cloth_cases();
+std::vector<VerifyCase> air_cases();
 
 } // namespace hygroloom

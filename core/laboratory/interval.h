@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// A number and between what it may lie.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace hygroloom {
+
+/// For what is not known of the cloth (input) and of the computation (numerical); what the physics leaves out (model) is not in it.
+struct Interval {
+    double value = 0, low = 0, high = 0;
+};
+
+/// Several unknowns, each of which alone takes a value to one of two others: what all of them do, as the root of the squares of their
+/// logarithms. All numbers above 0.
+inline Interval interval_of(double value, const std::vector<std::pair<double, double>>& others)
+{
+    double down = 0, up = 0;
+    for (const auto& [a, b] : others) {
+        const double least = std::log(std::min({a, b, value}) / value), most = std::log(std::max({a, b, value}) / value);
+        down += least * least;
+        up += most * most;
+    }
+    return {value, value * std::exp(-std::sqrt(down)), value * std::exp(std::sqrt(up))};
+}
+
+inline Interval scaled(const Interval& interval, double by) { return {by * interval.value, by * interval.low, by * interval.high}; }
+
+} // namespace hygroloom
