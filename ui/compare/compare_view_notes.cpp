@@ -50,7 +50,7 @@ void CompareView::refreshHint()
     QStringList notes;
     const Design& design = *document_.design();
     if (design.fabrics.empty() && rows_.empty()) { notes << tr("This project has no fabric. Add one with Fabric ▸ Add Fabric."); }
-    if (design.experiments.empty() && rows_.empty()) {
+    if (design.experiments.empty() && design.wears.empty() && rows_.empty()) {
         notes << tr("This project has no experiment. Add one with Experiment ▸ Add Experiment.");
     }
     if (rows_.size() == 1) {
