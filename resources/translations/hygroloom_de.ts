@@ -2908,12 +2908,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
 <context>
     <name>hygroloom::Chart</name>
     <message>
-        <source>In fibres: water absorbed since the start.
-Click to show that time.</source>
-        <translation>In Fasern: Wasser, das seit dem Anfang aufgenommen wurde.
-Klicken zeigt diese Zeit.</translation>
-    </message>
-    <message>
         <source>%1: %2 %3 at %4 s</source>
         <translation>%1: %2 %3 bei %4 s</translation>
     </message>
@@ -7699,6 +7693,16 @@ Klicken zeigt diese Zeit.</translation>
         <source>%1 more frames are left out.</source>
         <translation>%1 weitere Bilder sind ausgelassen.</translation>
     </message>
+    <message>
+        <source>In fibres: water absorbed since the start.
+Click to show that time.</source>
+        <translation>In Fasern: Wasser, das seit dem Anfang aufgenommen wurde.
+Klicken zeigt diese Zeit.</translation>
+    </message>
+    <message>
+        <source>absorbed at %1 s</source>
+        <translation>aufgenommen bei %1 s</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::PointPaper</name>
@@ -9959,10 +9963,6 @@ Stattdessen auf der CPU rechnen?</translation>
 <context>
     <name>hygroloom::Timeline</name>
     <message>
-        <source>absorbed at %1 s</source>
-        <translation>aufgenommen bei %1 s</translation>
-    </message>
-    <message>
         <source>To the start</source>
         <translation>Zum Anfang</translation>
     </message>
@@ -10404,25 +10404,6 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
 </context>
 <context>
-    <name>hygroloom::WearChart</name>
-    <message>
-        <source>Share of capacity at the pin, %</source>
-        <translation>Füllgrad am angehefteten Ort, %</translation>
-    </message>
-    <message>
-        <source>Water at the pin, g/m²</source>
-        <translation>Wasser am angehefteten Ort, g/m²</translation>
-    </message>
-    <message>
-        <source>Share of the garment&apos;s capacity, %</source>
-        <translation>Füllgrad des Kleidungsstücks, %</translation>
-    </message>
-    <message>
-        <source>Water in the garment, g/m²</source>
-        <translation>Wasser im Kleidungsstück, g/m²</translation>
-    </message>
-</context>
-<context>
     <name>hygroloom::WearForm</name>
     <message>
         <source>Activity</source>
@@ -10510,30 +10491,26 @@ Stattdessen auf der CPU rechnen?</translation>
     </message>
 </context>
 <context>
-    <name>hygroloom::WearTimeline</name>
+    <name>hygroloom::WearPlayback</name>
     <message>
-        <source>To the start</source>
-        <translation>Zum Anfang</translation>
+        <source>Share of capacity at the pin</source>
+        <translation>Füllgrad am angehefteten Ort</translation>
     </message>
     <message>
-        <source>Play or pause (Space)</source>
-        <translation>Abspielen oder anhalten (Leertaste)</translation>
+        <source>Water at the pin</source>
+        <translation>Wasser am angehefteten Ort</translation>
     </message>
     <message>
-        <source>To the end</source>
-        <translation>Zum Ende</translation>
+        <source>Share of the garment&apos;s capacity</source>
+        <translation>Füllgrad des Kleidungsstücks</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
+        <source>Water in the garment</source>
+        <translation>Wasser im Kleidungsstück</translation>
     </message>
     <message>
-        <source>Time shown</source>
-        <translation>Gezeigte Zeit</translation>
-    </message>
-    <message>
-        <source>%1 / %2</source>
-        <translation>%1 / %2</translation>
+        <source>g/m²</source>
+        <translation>g/m²</translation>
     </message>
 </context>
 <context>

@@ -364,7 +364,7 @@ private Q_SLOTS:
         }
         QVERIFY2(panel.text().contains(results[type]), qPrintable(panel.text()));
         QCOMPARE(chart.title(), QString::fromUtf8(titles[type]));
-        QCOMPARE(chart.points(), 3);
+        QCOMPARE(chart.points().size(), 3);
         const bool limited = type < 4;
         QCOMPARE(panel.text().contains("limited by"), limited);
     }

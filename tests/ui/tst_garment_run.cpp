@@ -15,7 +15,7 @@
 #include "ui/garment/shape_view.h"
 #include "ui/garment/step_legend.h"
 #include "ui/garment/steps_dialog.h"
-#include "ui/garment/wear_chart.h"
+#include "ui/results/chart.h"
 #include "ui/results/project_runs.h"
 #include "ui/results/run_history.h"
 #include "ui/window/examples.h"

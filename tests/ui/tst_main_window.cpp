@@ -143,8 +143,8 @@ private Q_SLOTS:
         // Of the last frame, also when its map came after the run was complete.
         const double reached = wetted_circle(playback().run()->textile, *playback().frame(), Face::top).radius;
         QTRY_COMPARE_WITH_TIMEOUT(waterMaps().top().circle().radius, reached, 5000);
-        QVERIFY(chart().points() > 1);
-        QCOMPARE(chart().waterCurves(), (QStringList{"free", "in yarns", "in fibres", "evaporated"}));
+        QVERIFY(chart().points().size() > 1);
+        QCOMPARE(chart().curves(), (QStringList{"free", "in yarns", "in fibres", "evaporated"}));
         QVERIFY(!window_->simulate().resultsAreStale());
     }
 
@@ -254,7 +254,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(opened.count(), 1, 10000);
         QCOMPARE(playback().frames(), frames);
         QTRY_VERIFY_WITH_TIMEOUT(qAbs(waterMaps().top().map().maximum() - water) <= 1e-5 * water, 5000);
-        QTRY_VERIFY_WITH_TIMEOUT(chart().points() == frames, 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(chart().points().size() == frames, 10000);
         QTRY_COMPARE_WITH_TIMEOUT(waterMaps().range(), range, 5000);
         QVERIFY(playback().run()->wall > 0 && !playback().run()->date.empty());
     }

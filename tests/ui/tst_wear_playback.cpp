@@ -2,8 +2,11 @@
 // The scale of a garment's colours while its run goes on, and places of one run in another.
 #include "core/base/round_up.h"
 #include "ui/garment/wear_playback.h"
+#include "ui/results/chart.h"
+#include "ui/results/timeline.h"
 
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTest>
 
 using namespace hygroloom;
@@ -69,6 +72,35 @@ private Q_SLOTS:
         QVERIFY(!playback.kept());
     }
 
+    void theTimelineAndTheChartOfSamplesShowAGarment()
+    {
+        WearPlayback playback;
+        Timeline timeline(playback);
+        Chart chart(playback);
+        playback.begin(runOf100s(0));
+        for (int k = 0; k <= 9; ++k) { append(playback, 10.0 * k, {20, 0.06}); }
+        QCOMPARE(playback.current(), 9); // it follows the run
+        timeline.step(-3);
+        QCOMPARE(timeline.findChild<QSlider*>()->value(), 6);
+        append(playback, 100, {20, 0.06});
+        QCOMPARE(playback.time(), 60.0); // until the user looks at another time
+        QCOMPARE(playback.frameAt(59.9), 5);
+        QCOMPARE(playback.frameAt(60), 6);
+        QCOMPARE(playback.frameAt(-1), 0);
+        timeline.step(100);
+        QCOMPARE(playback.time(), 100.0);
+        QCOMPARE(chart.title(), QString::fromUtf8("Water in the garment, g/m²"));
+        QCOMPARE(chart.curves(), QStringList{""});
+        playback.end();
+        playback.keepAsA();
+        playback.setValue(WearValue::share);
+        QCOMPARE(chart.title(), QString("Share of the garment's capacity, %"));
+        QCOMPARE(chart.curves(), (QStringList{"B", "A"}));
+        playback.clear();
+        QCOMPARE(playback.frameAt(0), -1);
+        QVERIFY(!timeline.findChild<QSlider*>()->isEnabled());
+    }
+
     /// Panels of two runs may stand in another order, or be missing.
     void placesAreFoundByThePanelsName()
     {
@@ -110,5 +142,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWearPlayback)
+QTEST_MAIN(TestWearPlayback)
 #include "tst_wear_playback.moc"

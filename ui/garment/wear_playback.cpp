@@ -2,6 +2,7 @@
 #include "ui/garment/wear_playback.h"
 
 #include "core/base/round_up.h"
+#include "core/wear/wear_outcomes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,14 @@ double scaleEndOfRun(double most, double share_of_time, double capacity)
 {
     const double at_end = share_of_time > 0 ? most / std::min(1.0, share_of_time) : most;
     return rounded_up(std::max(most, std::min(at_end, capacity)));
+}
+
+WearPlayback::WearPlayback(QObject* parent) : ShownTime(parent)
+{
+    for (const auto signal : {&WearPlayback::scaleChanged, &WearPlayback::pinChanged}) {
+        connect(this, signal, this, &ShownTime::metricsChanged);
+    }
+    connect(this, &ShownTime::framesChanged, this, &ShownTime::metricsChanged);
 }
 
 void WearPlayback::begin(const std::shared_ptr<WornRun>& run)
@@ -88,7 +97,7 @@ void WearPlayback::discard()
 
 void WearPlayback::keepAsA()
 {
-    if (!run_ || run_->live || run_->frames.empty()) { return; }
+    if (live() || frames() == 0) { return; }
     kept_ = run_;
     pair();
     Q_EMIT runChanged();
@@ -108,20 +117,46 @@ void WearPlayback::move(const QString& from, const QString& to)
     }
 }
 
-double WearPlayback::time() const
+/// The handle of a timeline moves on evenly while frames come.
+int WearPlayback::expectedFrames() const
 {
-    const auto shown = frame();
-    return shown ? shown->time : 0;
+    const WearExperiment* wear = live() ? find_wear(run_->record->design, run_->layout().experiment) : nullptr;
+    return wear ? std::max(frames(), static_cast<int>(wear_times(*wear).size())) : frames();
 }
 
-double WearPlayback::duration() const { return run_ ? run_->duration : 0; }
-
-void WearPlayback::show(int frame)
+QList<QPointF> WearPlayback::curveOf(const WornRun& run) const
 {
-    if (frame < 0 || frame >= frames()) { return; }
-    follow_ = run_->live && frame == frames() - 1;
-    current_ = frame;
-    Q_EMIT frameShown();
+    QList<QPointF> points;
+    const bool share = value_ == WearValue::share;
+    if (pin_.panel >= 0) {
+        const int cell = run_ ? run.lookup->at(sameSpot(run_->layout(), run.layout(), pin_)) : -1;
+        if (cell < 0) { return points; }
+        const GarmentCell& at = run.layout().cells[static_cast<std::size_t>(cell)];
+        for (const auto& frame : run.frames) {
+            const double water = frame->water(static_cast<std::size_t>(cell));
+            points << QPointF(frame->time, share ? 100 * water / at.capacity : 1e3 * water / at.area);
+        }
+    } else if (run.metrics) {
+        const WearPart& all = run.metrics->all();
+        const WearNumber& number = wear_number(share ? "share_of_capacity" : "water_g_m2");
+        for (const WearNow& now : all.course) {
+            points << QPointF(now.time, shown(number.info, number.value({*run.metrics, all, now}).value_or(0)).value);
+        }
+    }
+    return points;
+}
+
+std::vector<TimePlot> WearPlayback::plots() const
+{
+    const bool share = value_ == WearValue::share, pinned = pin_.panel >= 0;
+    const QString about = pinned ? (share ? tr("Share of capacity at the pin") : tr("Water at the pin"))
+                                 : (share ? tr("Share of the garment's capacity") : tr("Water in the garment"));
+    TimePlot plot;
+    plot.unit = share ? QStringLiteral("%") : tr("g/m²");
+    plot.title = about + ", " + plot.unit;
+    plot.lines.push_back({kept_ ? "B" : "", kept_ ? "B" : about, run_ ? curveOf(*run_) : QList<QPointF>()});
+    if (kept_) { plot.lines.push_back({"A", "A", curveOf(*kept_)}); }
+    return {plot};
 }
 
 std::shared_ptr<const WearFrame> WearPlayback::frame() const

@@ -3,8 +3,7 @@
 #pragma once
 
 #include "ui/garment/worn_run.h"
-
-#include <QObject>
+#include "ui/results/shown_time.h"
 
 namespace hygroloom {
 
@@ -12,10 +11,10 @@ namespace hygroloom {
 /// water went on coming as fast, up to the capacity; a round number that is not below most.
 double scaleEndOfRun(double most, double share_of_time, double capacity);
 
-class WearPlayback : public QObject {
+class WearPlayback : public ShownTime {
     Q_OBJECT
 public:
-    explicit WearPlayback(QObject* parent = nullptr) : QObject(parent) {}
+    explicit WearPlayback(QObject* parent = nullptr);
 
     /// nullptr: nothing has run. B while another is kept.
     const std::shared_ptr<WornRun>& run() const { return run_; }
@@ -32,12 +31,13 @@ public:
     /// The recording of a run that is shown lies elsewhere from now on.
     void move(const QString& from, const QString& to);
 
-    int frames() const { return run_ ? static_cast<int>(run_->frames.size()) : 0; }
-    int current() const { return current_; }
-    /// s, that is shown; 0 without frames.
-    double time() const;
-    double duration() const;
-    void show(int frame);
+    int frames() const override { return run_ ? static_cast<int>(run_->frames.size()) : 0; }
+    double timeOf(int index) const override { return run_->frames[static_cast<std::size_t>(index)]->time; }
+    double duration() const override { return run_ ? run_->duration : 0; }
+    int expectedFrames() const override;
+    bool live() const override { return run_ && run_->live; }
+    /// Of the pinned cell, else of the garment; of A too.
+    std::vector<TimePlot> plots() const override;
     /// nullptr: there is none. Of A at the time shown.
     std::shared_ptr<const WearFrame> frame() const;
     std::shared_ptr<const WearFrame> keptFrame() const;
@@ -66,13 +66,14 @@ public:
     void setPin(const GarmentSpot& spot);
 
 Q_SIGNALS:
-    void runChanged();
-    void framesChanged();
-    void frameShown();
     void scaleChanged();
     void pinChanged();
 
+protected:
+    void bring() override { Q_EMIT frameShown(); }
+
 private:
+    QList<QPointF> curveOf(const WornRun& run) const;
     void pair();
     void holdScale(double time);
     void measureDifference() const;
@@ -82,8 +83,6 @@ private:
     /// The most difference in each value, g/m2 and a share, of so many frames of B.
     mutable std::array<double, 2> most_difference_{};
     mutable int measured_ = 0;
-    int current_ = -1;
-    bool follow_ = true;
     WearValue value_ = WearValue::water;
     std::array<std::optional<double>, 2> most_;
     std::array<double, 2> held_{}; ///< ends of the scales of a run that goes on; 0: none yet

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/chart.h"
 
-#include "core/analysis/outcomes.h"
 #include "core/base/text.h"
 #include "ui/basics/appearance.h"
-#include "ui/basics/color_map.h"
-#include "ui/basics/core_words.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
 #include "ui/results/curve_legend.h"
@@ -39,36 +36,26 @@ constexpr Stroke strokes[] = {{"#0b6aa8", "#5ab0e8", Qt::SolidLine},
 
 constexpr std::size_t most_curves = std::size(strokes);
 
-/// The curves that the window draws.
-std::vector<Curve> curvesOf(const Plot& plot)
-{
-    std::vector<Curve> curves = plot.curves;
-    std::erase_if(curves, [](const Curve& curve) { return curve.in_reports_only; });
-    curves.resize(std::min(curves.size(), most_curves));
-    return curves;
-}
-
 } // namespace
 
-Chart::Chart(Playback& playback, QWidget* parent) : QWidget(parent), playback_(playback), water_(addPlot()), subject_(addPlot())
+Chart::Chart(ShownTime& shown, QWidget* parent) : QWidget(parent), shown_(shown)
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    for (const PlotView* plot : {&water_, &subject_}) {
-        layout->addWidget(plot->view, 1);
-        layout->addWidget(plot->legend);
+    for (const TimePlot& each : shown_.plots()) {
+        plots_.push_back(addPlot());
+        plots_.back().view->setToolTip(each.tip);
+        layout->addWidget(plots_.back().view, 1);
+        layout->addWidget(plots_.back().legend);
     }
     setMinimumHeight(110);
-    water_.view->setToolTip(tr("In fibres: water absorbed since the start.\nClick to show that time."));
     applyPalette();
-    connect(&playback_, &Playback::metricsChanged, this, &Chart::refresh);
-    connect(&playback_, &Playback::runChanged, this, &Chart::refresh);
+    connect(&shown_, &ShownTime::metricsChanged, this, &Chart::refresh);
+    connect(&shown_, &ShownTime::runChanged, this, &Chart::refresh);
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &Chart::refresh);
-    connect(&playback_, &Playback::frameShown, this, [this] {
-        const double time = playback_.current() >= 0 ? playback_.timeOf(playback_.current()) : -1;
-        water_.view->setCursorTime(time);
-        subject_.view->setCursorTime(time);
+    connect(&shown_, &ShownTime::frameShown, this, [this] {
+        for (const PlotView& plot : plots_) { plot.view->setCursorTime(shown_.current() >= 0 ? shown_.time() : -1); }
     });
     refresh();
 }
@@ -97,97 +84,86 @@ Chart::PlotView Chart::addPlot()
         plot.lines.push_back(line);
     }
     plot.view = new TimeChartView(plot.chart);
-    connect(plot.view, &TimeChartView::timeChosen, this, [this](double time) { playback_.show(playback_.frameAt(time)); });
+    connect(plot.view, &TimeChartView::timeChosen, this, [this](double time) { shown_.show(shown_.frameAt(time)); });
     return plot;
 }
 
-int Chart::points() const { return water_.lines.front()->count(); }
+QList<QPointF> Chart::points() const { return plots_.front().lines.front()->points(); }
 
-QStringList Chart::waterCurves() const
+QStringList Chart::curves() const
 {
     QStringList names;
-    for (const QLineSeries* line : water_.lines) {
+    for (const QLineSeries* line : plots_.front().lines) {
         if (line->isVisible()) { names << line->name(); }
     }
     return names;
 }
 
-QString Chart::title() const { return subject_.chart->title(); }
+QString Chart::title() const { return plots_.back().chart->title(); }
 
-void Chart::fill(PlotView& view, const Plot& plot)
+void Chart::fill(PlotView& view, const TimePlot& plot)
 {
-    static const Metrics nothing;
-    const Metrics& metrics = playback_.metrics() ? *playback_.metrics() : nothing;
-    const UserUnit user = userUnit(plot.unit);
-    const QString title = coreTitle(plot.title, user.unit.toStdString());
-    view.chart->setTitle(title);
-    view.view->setAccessibleName(title);
-    const std::vector<Curve> curves = curvesOf(plot);
+    view.chart->setTitle(plot.title);
+    view.view->setAccessibleName(plot.title);
     view.view->forget();
-    double lowest = plot.from_zero ? 0 : 1e300, highest = plot.from_zero ? 0 : -1e300;
     for (std::size_t i = 0; i < most_curves; ++i) {
         QLineSeries* line = view.lines[i];
-        line->setVisible(i < curves.size());
-        QList<QPointF> points;
-        if (i < curves.size()) {
-            line->setName(coreWord(curves[i].name));
-            const std::vector<double> values = plotted(plot, curves[i], metrics);
-            const std::size_t count = std::min(metrics.series.time.size(), values.size());
-            points.reserve(static_cast<qsizetype>(count));
-            for (std::size_t k = 0; k < count; ++k) {
-                const double value = user.of(plot.from_zero ? std::max(0.0, values[k]) : values[k]);
-                points << QPointF(metrics.series.time[k], value);
-                lowest = std::min(lowest, value);
-                highest = std::max(highest, value);
-            }
-        }
-        line->replace(points);
-        if (points.isEmpty()) { continue; }
+        line->setVisible(i < plot.lines.size());
+        const TimePlot::Line drawn = i < plot.lines.size() ? plot.lines[i] : TimePlot::Line();
+        line->setName(drawn.name);
+        line->replace(drawn.points);
+        if (drawn.points.isEmpty()) { continue; }
         const auto text = [](double number) { return shownNumber(number, decimals_for(number, 3)); };
-        const QString name = curves.size() > 1 ? QString("%1, %2").arg(coreWord(plot.title), line->name()) : coreWord(plot.title);
-        view.view->tell(line, PointedChartView::Told::curve, [text, name, unit = coreWord(user.unit)](const QPointF& at) {
+        view.view->tell(line, PointedChartView::Told::curve, [text, name = drawn.told, unit = plot.unit](const QPointF& at) {
             return tr("%1: %2 %3 at %4 s").arg(name, text(at.y()), unit, text(at.x()));
         });
     }
-    setRanges(view, plot.from_zero, lowest, highest, user);
-    refreshLegend(view);
 }
 
-void Chart::setRanges(PlotView& view, bool fromZero, double lowest, double highest, const UserUnit& user) const
+void Chart::setRanges(PlotView& view, const TimePlot& plot) const
 {
-    view.time->setRange(0, playback_.duration() > 0 ? playback_.duration() : 10);
-    if (fromZero) {
+    double lowest = plot.from_zero ? 0 : 1e300, highest = plot.from_zero ? 0 : -1e300, last = shown_.duration();
+    for (const TimePlot::Line& line : plot.lines) {
+        for (const QPointF& point : line.points) {
+            lowest = std::min(lowest, point.y());
+            highest = std::max(highest, point.y());
+            last = std::max(last, point.x());
+        }
+    }
+    view.time->setRange(0, last > 0 ? last : 10);
+    if (plot.from_zero) {
         view.value->setRange(0, highest > 0 ? highest * 1.08 : 1);
     } else if (lowest <= highest) {
         const double margin = std::max(0.5, 0.05 * (highest - lowest));
         view.value->setRange(lowest - margin, highest + margin);
     } else {
-        view.value->setRange(user.of(15), user.of(30));
+        view.value->setRange(plot.low, plot.high);
     }
     view.value->applyNiceNumbers(); // round ends and three even steps
 }
 
 void Chart::refresh()
 {
-    const Experiment* experiment = playback_.run() ? find_experiment(playback_.run()->design, playback_.run()->experiment) : nullptr;
-    const ExperimentType type = experiment ? experiment->type : ExperimentType::droplet;
-    fill(water_, water_plot(type));
-    fill(subject_, subject_plot(type));
+    const std::vector<TimePlot> plots = shown_.plots();
+    for (std::size_t i = 0; i < plots_.size(); ++i) {
+        fill(plots_[i], plots[i]);
+        setRanges(plots_[i], plots[i]);
+        refreshLegend(plots_[i]);
+    }
 }
 
 void Chart::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    for (PlotView* plot : {&water_, &subject_}) {
-        plot->time->setTickCount(width() < 800 ? 3 : 6); // labels side by side
-    }
+    const int needed = 400 * static_cast<int>(plots_.size()); // pixels, for labels side by side
+    for (const PlotView& plot : plots_) { plot.time->setTickCount(width() < needed ? 3 : 6); }
 }
 
 void Chart::refreshLegend(PlotView& plot)
 {
     std::vector<CurveLegend::Entry> entries;
     for (const QLineSeries* line : plot.lines) {
-        if (line->isVisible()) { entries.push_back({line->name(), line->pen()}); }
+        if (line->isVisible() && !line->name().isEmpty()) { entries.push_back({line->name(), line->pen()}); }
     }
     plot.legend->setEntries(entries);
 }
@@ -200,30 +176,30 @@ void Chart::applyPalette()
     grid.setAlphaF(0.12F);
     QFont small = font();
     small.setPointSizeF(std::max(7.0, small.pointSizeF() - 1));
-    for (PlotView* plot : {&water_, &subject_}) {
-        plot->chart->setBackgroundBrush(palette().color(QPalette::Window));
-        plot->chart->setTitleBrush(ink);
+    for (PlotView& plot : plots_) {
+        plot.chart->setBackgroundBrush(palette().color(QPalette::Window));
+        plot.chart->setTitleBrush(ink);
         QFont title = small;
         title.setBold(true);
-        plot->chart->setTitleFont(title);
-        plot->legend->setFont(small);
-        for (QValueAxis* axis : {plot->time, plot->value}) {
+        plot.chart->setTitleFont(title);
+        plot.legend->setFont(small);
+        for (QValueAxis* axis : {plot.time, plot.value}) {
             axis->setLabelsColor(ink);
             axis->setLabelsFont(small);
             axis->setGridLineColor(grid);
             axis->setLinePen(QPen(grid, 1));
         }
-        for (std::size_t i = 0; i < plot->lines.size(); ++i) {
-            plot->lines[i]->setPen(QPen(QColor(dark ? strokes[i].dark : strokes[i].light), 2, strokes[i].style));
+        for (std::size_t i = 0; i < plot.lines.size(); ++i) {
+            plot.lines[i]->setPen(QPen(QColor(dark ? strokes[i].dark : strokes[i].light), 2, strokes[i].style));
         }
-        refreshLegend(*plot);
-        plot->view->update();
+        refreshLegend(plot);
+        plot.view->update();
     }
 }
 
 void Chart::changeEvent(QEvent* event)
 {
-    if (event->type() == QEvent::PaletteChange && subject_.view) { applyPalette(); }
+    if (event->type() == QEvent::PaletteChange) { applyPalette(); }
     QWidget::changeEvent(event);
 }
 

@@ -2,7 +2,7 @@
 // Curves of a run over time, with the shown time as a vertical line.
 #pragma once
 
-#include "ui/results/playback.h"
+#include "ui/results/shown_time.h"
 
 #include <QWidget>
 
@@ -14,20 +14,18 @@ namespace hygroloom {
 
 class CurveLegend;
 class TimeChartView;
-struct UserUnit;
-struct Plot;
 
-/// Where the water is on the left, what the type of experiment measures on the right. A click shows that time.
+/// The plots of a run side by side: of a sample where the water is, and what the type of experiment measures. A click shows that time.
 class Chart : public QWidget {
     Q_OBJECT
 public:
-    explicit Chart(Playback& playback, QWidget* parent = nullptr);
+    explicit Chart(ShownTime& shown, QWidget* parent = nullptr);
 
-    /// Points of the first curve.
-    int points() const;
+    /// Of the first curve.
+    QList<QPointF> points() const;
     /// Names of the curves in the plot on the left.
-    QStringList waterCurves() const;
-    /// Of the plot on the right: "Wetted radius, mm".
+    QStringList curves() const;
+    /// Of the last plot: "Wetted radius, mm".
     QString title() const;
 
 protected:
@@ -45,14 +43,13 @@ private:
     };
     PlotView addPlot();
     void refresh();
-    void fill(PlotView& view, const Plot& plot);
-    void setRanges(PlotView& view, bool fromZero, double lowest, double highest, const UserUnit& user) const;
+    static void fill(PlotView& view, const TimePlot& plot);
+    void setRanges(PlotView& view, const TimePlot& plot) const;
     static void refreshLegend(PlotView& plot);
     void applyPalette();
 
-    Playback& playback_;
-    PlotView water_;
-    PlotView subject_;
+    ShownTime& shown_;
+    std::vector<PlotView> plots_;
 };
 
 } // namespace hygroloom

@@ -60,7 +60,7 @@ double maximum_of(const Frame& frame)
 
 } // namespace
 
-Playback::Playback(QObject* parent) : QObject(parent) {}
+Playback::Playback(QObject* parent) : ShownTime(parent) {}
 
 void Playback::reset()
 {
@@ -160,21 +160,12 @@ int Playback::expectedFrames() const
     return interval > 0 ? std::max(frames(), static_cast<int>(std::lround(duration() / interval)) + 1) : frames();
 }
 
-int Playback::frameAt(double time) const
+void Playback::bring()
 {
-    const auto after = std::upper_bound(times_.begin(), times_.end(), time + 1e-9);
-    return std::max(0, static_cast<int>(after - times_.begin()) - 1) - (times_.empty() ? 1 : 0);
-}
-
-void Playback::show(int index)
-{
-    if (index < 0 || index >= frames()) { return; }
-    follow_ = live_ && index == frames() - 1;
-    current_ = index;
-    if (const auto found = kept_.find(places_[static_cast<std::size_t>(index)]); found != kept_.end()) {
-        present(index, found->second);
+    if (const auto found = kept_.find(places_[static_cast<std::size_t>(current_)]); found != kept_.end()) {
+        present(current_, found->second);
     } else {
-        read(index);
+        read(current_);
     }
 }
 

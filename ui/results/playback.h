@@ -4,8 +4,7 @@
 
 #include "core/analysis/metrics.h"
 #include "ui/basics/newest_job.h"
-
-#include <QObject>
+#include "ui/results/shown_time.h"
 
 #include <atomic>
 #include <map>
@@ -15,7 +14,7 @@ namespace hygroloom {
 class Recording;
 
 /// Keeps frames in memory up to a limit; the rest is read from the recording in the background when it is needed.
-class Playback : public QObject {
+class Playback : public ShownTime {
     Q_OBJECT
 public:
     explicit Playback(QObject* parent = nullptr);
@@ -38,37 +37,33 @@ public:
     const std::shared_ptr<const RunRecord>& run() const { return run_; }
     /// Another with each run that is shown; run() alone changes also when a live one is complete.
     long generation() const { return generation_; }
-    bool live() const { return live_; }
+    bool live() const override { return live_; }
     /// Whether metrics() are of all frames there will be.
     bool whole() const { return whole_; }
     /// Empty when nothing is shown.
     const QString& path() const { return path_; }
-    int frames() const { return static_cast<int>(times_.size()); }
-    double timeOf(int index) const { return times_[static_cast<std::size_t>(index)]; }
-    double duration() const;
-    /// How many frames there will be when a live run has ended; frames() otherwise.
-    int expectedFrames() const;
-    /// The last frame not after the time; -1 without frames.
-    int frameAt(double time) const;
-    int current() const { return current_; }
+    int frames() const override { return static_cast<int>(times_.size()); }
+    double timeOf(int index) const override { return times_[static_cast<std::size_t>(index)]; }
+    double duration() const override;
+    int expectedFrames() const override;
+    /// When the last free liquid was absorbed, where the type of experiment reports it.
+    std::optional<QString> happened() const override;
+    /// Where the water is, and what the type of experiment measures.
+    std::vector<TimePlot> plots() const override;
     /// What is shown; nullptr until it has been read.
     const std::shared_ptr<const Frame>& frame() const { return frame_; }
     const std::shared_ptr<const Frame>& firstFrame() const { return first_; }
     const std::shared_ptr<const Metrics>& metrics() const { return metrics_; }
     double maximumSaturation() const { return maximum_saturation_; }
 
-    void show(int index);
-
 Q_SIGNALS:
-    /// Another run, or none.
-    void runChanged();
-    void framesChanged();
-    void metricsChanged();
-    void frameShown();
     void opened(const QString& path);
     /// The live run's recording can be read.
     void ended();
     void failed(const QString& sentence);
+
+protected:
+    void bring() override;
 
 private:
     void reset();
@@ -83,7 +78,6 @@ private:
     QString path_;
     bool live_ = false;
     bool whole_ = false;
-    bool follow_ = true;
     std::vector<double> times_;
     std::vector<int> places_;                          ///< of the frames in the recording; those that cannot be read are left out
     std::map<int, std::shared_ptr<const Frame>> kept_; ///< by place
@@ -92,7 +86,6 @@ private:
     std::shared_ptr<const Frame> frame_;
     std::shared_ptr<const Metrics> metrics_;
     double maximum_saturation_ = 0;
-    int current_ = -1;
     std::atomic<long> opening_{0};         ///< of the newest request, so that nothing is opened that nobody wants any more
     long generation_ = 0;                  ///< of the run, so that late deliveries of another are dropped
     std::shared_ptr<Recording> recording_; ///< used by the reader's thread only

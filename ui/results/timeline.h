@@ -2,7 +2,7 @@
 // The shown time: a slider over the frames, and playback.
 #pragma once
 
-#include "ui/results/playback.h"
+#include "ui/results/shown_time.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -17,9 +17,11 @@ namespace hygroloom {
 class Timeline : public QWidget {
     Q_OBJECT
 public:
-    explicit Timeline(Playback& playback, QWidget* parent = nullptr);
+    explicit Timeline(ShownTime& shown, QWidget* parent = nullptr);
 
     bool playing() const { return ticker_.isActive(); }
+    /// By so many frames.
+    void step(int frames);
 
 public Q_SLOTS:
     void togglePlaying();
@@ -32,7 +34,7 @@ private:
     void tick();
     void refresh();
 
-    Playback& playback_;
+    ShownTime& shown_;
     QToolButton* first_;
     QToolButton* play_;
     QToolButton* last_;

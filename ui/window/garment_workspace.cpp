@@ -13,10 +13,10 @@
 #include "ui/garment/panel_table.h"
 #include "ui/garment/parts_table.h"
 #include "ui/garment/run_form.h"
-#include "ui/garment/wear_chart.h"
 #include "ui/garment/wear_form.h"
-#include "ui/garment/wear_timeline.h"
 #include "ui/garment/zones_form.h"
+#include "ui/results/chart.h"
+#include "ui/results/timeline.h"
 #include "ui/window/command.h"
 #include "ui/window/docks.h"
 
@@ -25,8 +25,8 @@
 namespace hygroloom {
 GarmentWorkspace::GarmentWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, QMainWindow& window)
     : document_(document), history_(history), runs_(runs), window_(window), choice_(document), garment_(new GarmentPanel(choice_)),
-      fit_(new FitForm(choice_)), wear_(new WearForm(choice_)), form_(new RunForm(choice_, run_)), timeline_(new WearTimeline(playback_)),
-      chart_(new WearChart(playback_)), parts_(new PartsTable(playback_)), list_(new RunList(history)),
+      fit_(new FitForm(choice_)), wear_(new WearForm(choice_)), form_(new RunForm(choice_, run_)), timeline_(new Timeline(playback_)),
+      chart_(new Chart(playback_)), parts_(new PartsTable(playback_)), list_(new RunList(history)),
       view_(new GarmentView(choice_, playback_))
 {
     auto* time = new QWidget;

@@ -15,6 +15,7 @@ class QMenu;
 
 namespace hygroloom {
 
+class Chart;
 class FitForm;
 class GarmentPanel;
 class GarmentView;
@@ -23,9 +24,8 @@ class ProjectRuns;
 class RunForm;
 class RunHistory;
 class RunList;
-class WearChart;
+class Timeline;
 class WearForm;
-class WearTimeline;
 struct KeptRun;
 
 class GarmentWorkspace : public QObject {
@@ -56,7 +56,7 @@ public:
     RunForm& runForm() { return *form_; }
     GarmentRun& run() { return run_; }
     WearPlayback& playback() { return playback_; }
-    WearChart& chart() { return *chart_; }
+    Chart& chart() { return *chart_; }
     PartsTable& parts() { return *parts_; }
     RunList& list() { return *list_; }
     GarmentView& view() { return *view_; }
@@ -132,8 +132,8 @@ private:
     FitForm* fit_;
     WearForm* wear_;
     RunForm* form_;
-    WearTimeline* timeline_;
-    WearChart* chart_;
+    Timeline* timeline_;
+    Chart* chart_;
     PartsTable* parts_;
     RunList* list_;
     GarmentView* view_;
