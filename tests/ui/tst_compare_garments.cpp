@@ -133,6 +133,20 @@ private Q_SLOTS:
         QVERIFY(page.contains("replicates of each garment") && page.count("<img") >= 4); // both panels of both
     }
 
+    void aGarmentThatIsMissingIsSaid()
+    {
+        Workplace place;
+        open(place);
+        place.view.bar()->setReplicates(4); // of the test before
+        QTRY_VERIFY_WITH_TIMEOUT(place.view.comparison().complete, 20000);
+        place.document.edit("gone", {}, [](Design& design) { design.garments.clear(); });
+        const auto* state = labelled(*place.view.bar(), "Missing runs");
+        QTRY_VERIFY2(state->accessibleDescription().startsWith("Cannot run: "), qPrintable(state->accessibleDescription()));
+        QVERIFY(!place.view.bar()->runAll()->isEnabled());
+        place.document.history()->undo();
+        QTRY_VERIFY(place.view.comparison().complete);
+    }
+
 private:
     QString file() const { return folder_.filePath("singlet.hygro"); }
 

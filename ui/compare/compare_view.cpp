@@ -399,7 +399,9 @@ StudyChoice CompareView::choiceOf(const Entry& entry) const
 /// The project's fabrics. What is missing is known once its runs are found.
 std::vector<StudyRow> CompareView::ownRowsOf(const Entry& entry) const
 {
-    std::vector<StudyRow> rows = studyRows(*document_.design(), history_.runs(), runs_.store().sets(), choiceOf(entry));
+    static const std::vector<ReplicateSet> none; // what replicates of an unsound design are of cannot be said
+    const std::vector<ReplicateSet>& sets = document_.hasError() ? none : runs_.store().sets();
+    std::vector<StudyRow> rows = studyRows(*document_.design(), history_.runs(), sets, choiceOf(entry));
     for (StudyRow& row : rows) {
         if (!history_.listing()) { continue; }
         row.reading = row.path.isEmpty();

@@ -159,14 +159,19 @@ void GarmentMaps::connectPane(std::size_t at)
 /// What stays the same through a run is read once. Throws Error.
 GarmentMaps::Drawn GarmentMaps::readOne(const KeptRun& run, double share, const std::vector<Drawn>& known)
 {
-    const WearRecording recording(run.path.toStdString());
-    if (recording.frames() == 0 || recording.record().date != run.run->date) {
-        throw Error(
-            RunHistory::tr("The recording %1 holds another run now. Open it again to compare that run.").arg(run.path).toStdString());
-    }
-    Drawn drawn{identityOf(run), nullptr, nullptr};
+    Drawn drawn{identityOf(run), nullptr, nullptr, nullptr};
     const auto found = std::find_if(known.begin(), known.end(), [&](const Drawn& each) { return each.identity == drawn.identity; });
-    drawn.run = found != known.end() ? found->run : newWornRun(std::make_shared<const WearRecord>(recording.record()));
+    if (found != known.end()) {
+        drawn = *found;
+    } else {
+        drawn.recording = std::make_shared<const WearRecording>(run.path.toStdString());
+        if (drawn.recording->frames() == 0 || drawn.recording->record().date != run.run->date) {
+            throw Error(
+                RunHistory::tr("The recording %1 holds another run now. Open it again to compare that run.").arg(run.path).toStdString());
+        }
+        drawn.run = newWornRun(std::make_shared<const WearRecord>(drawn.recording->record()));
+    }
+    const WearRecording& recording = *drawn.recording;
     int frame = 0;
     while (frame + 1 < recording.frames() && recording.time_of(frame + 1) <= share * durationOf(run) + 1e-9) { ++frame; }
     drawn.frame = std::make_shared<const WearFrame>(recording.frame(frame));

@@ -43,7 +43,8 @@ Q_SIGNALS:
 private:
     /// A run as it was read, and its frame at the time shown.
     struct Drawn {
-        QString identity; ///< path and date
+        QString identity;                               ///< path and date
+        std::shared_ptr<const WearRecording> recording; ///< used by the reader's thread only
         std::shared_ptr<const WornRun> run;
         std::shared_ptr<const WearFrame> frame;
     };

@@ -237,7 +237,8 @@ void StudySetup::refreshProblems()
     numbers_->setRowVisible(error_, fidelity_->currentIndex() == static_cast<int>(all_fidelities.size()));
     points_->setEnabled(static_cast<Sampling>(sampling_->currentIndex()) != Sampling::one_at_a_time);
     const bool no_cloth = ticked(*fabrics_).empty() && !ofGarments();
-    add_->setEnabled(!no_cloth && !ticked(*experiments_).empty()); // else no field would change a run
+    const bool lacks_garment = ofGarments() && document_.hasError();                 // it may be the garment that is missing
+    add_->setEnabled(!no_cloth && !lacks_garment && !ticked(*experiments_).empty()); // else no field would change a run
     problems_.clear();
     for (const DraftFactor& draft : drafts_) {
         const QString title = fieldTitle(inReadersUnit(fieldAt(*document_.design(), draft.factor.path)), false);
