@@ -5079,6 +5079,18 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <source>%1, zone %2: %3</source>
         <translation>%1, Zone %2: %3</translation>
     </message>
+    <message>
+        <source>Share of capacity, %</source>
+        <translation>Füllgrad, %</translation>
+    </message>
+    <message>
+        <source>Difference, %</source>
+        <translation>Unterschied, %</translation>
+    </message>
+    <message>
+        <source>Difference, g/m²</source>
+        <translation>Unterschied, g/m²</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::GarmentPanel</name>

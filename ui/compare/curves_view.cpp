@@ -20,6 +20,7 @@
 #include <QValueAxis>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace hygroloom {
@@ -237,7 +238,8 @@ void CurvesView::draw()
             }
         }
         axis_->setTitleText(choice.title);
-        if (choice.fromZero()) { lowest_ = 0; }
+        const bool rounding = std::abs(lowest_) < 1e-6 * highest_; // less than nothing by a rounding is nothing
+        if (choice.fromZero() || rounding) { lowest_ = 0; }
         note_->setText(noteOf(choice, bands));
     } else {
         note_->setText(tr("Tick two to four fabrics above to see their curves over each other."));

@@ -136,7 +136,6 @@ void GarmentMaps::makePanes()
         pane->setAccessibleName(tr("Water on %1").arg(titles_[static_cast<qsizetype>(i)]));
         pane->setCaption(titles_[static_cast<qsizetype>(i)]);
         pane->setSides(static_cast<GarmentPane::Sides>(sides_->currentIndex()));
-        pane->setStacked(true);
         row_->insertWidget(static_cast<int>(i), pane, 1);
         panes_.push_back(pane);
         connectPane(i);
@@ -228,7 +227,8 @@ void GarmentMaps::draw()
             panes_[i]->show(drawn_[i].run->drawing, waterPaint(*drawn_[i].run, values[i], steps));
             panes_[i]->setVisible(true);
         }
-        legend_->setSteps(shown_->currentText(), steps, value() == WearValue::share, false);
+        const bool share = value() == WearValue::share;
+        legend_->setSteps(share ? tr("Share of capacity, %") : tr("Water, g/m²"), steps, share, false);
     }
     Q_EMIT mapsChanged();
 }
@@ -254,7 +254,8 @@ void GarmentMaps::drawDifferences()
         problem_->setText(tr("Tick a second fabric to see how it differs."));
         problem_->show();
     }
-    legend_->setDifference(shown_->currentText(), end, value() == WearValue::share, false);
+    const bool share = value() == WearValue::share;
+    legend_->setDifference(share ? tr("Difference, %") : tr("Difference, g/m²"), end, share, false);
 }
 
 /// Of the place under the pointer what each garment holds there.

@@ -63,6 +63,7 @@ void GarmentPane::setSides(Sides sides)
     if (!shape_) { return; }
     shape_->setVisible(sides != Sides::flat);
     flat_->setVisible(sides != Sides::shape);
+    if (sides == Sides::both) { sides_->setSizes({1000, 1000}); } // halves
 }
 
 void GarmentPane::setStacked(bool stacked) { sides_->setOrientation(stacked ? Qt::Vertical : Qt::Horizontal); }
