@@ -141,19 +141,19 @@ AirPermeability::AirPermeability(const Textile& textile, bool thickness_given)
                       [&](std::size_t i) { *jobs[i].ways = air_ways(textile, jobs[i].inputs, jobs[i].voxels); });
 }
 
-template <typename Of> Interval AirPermeability::interval(const Of& of) const
+template <typename Of> Estimate AirPermeability::estimate(const Of& of) const
 {
     const double given = of(as_given_), coarse = of(coarse_);
     const auto over = [&](const AirWays& ways) { return given * of(ways) / coarse; };
-    return interval_of(given, {{coarse, coarse}, {over(narrow_), over(wide_)}, {over(bare_), over(hairy_)}});
+    return estimate_of(given, {{coarse, coarse}, {over(narrow_), over(wide_)}, {over(bare_), over(hairy_)}});
 }
-Interval AirPermeability::speed(double pressure) const
+Estimate AirPermeability::speed(double pressure) const
 {
-    return interval([&](const AirWays& ways) { return ways.speed(pressure); });
+    return estimate([&](const AirWays& ways) { return ways.speed(pressure); });
 }
-Interval AirPermeability::pressure(double speed) const
+Estimate AirPermeability::pressure(double speed) const
 {
-    return interval([&](const AirWays& ways) { return ways.pressure(speed); });
+    return estimate([&](const AirWays& ways) { return ways.pressure(speed); });
 }
 
 } // namespace hygroloom

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/geometry/textile.h"
-#include "core/laboratory/interval.h"
+#include "core/laboratory/estimate.h"
 #include "core/room/stokes.h"
 
 namespace hygroloom {
@@ -44,12 +44,12 @@ public:
     AirPermeability(const Textile& textile, bool thickness_given);
     const AirWays& as_given() const { return as_given_; }
     /// m/s at a pressure difference in Pa.
-    Interval speed(double pressure) const;
+    Estimate speed(double pressure) const;
     /// Pa at a speed in m/s.
-    Interval pressure(double speed) const;
+    Estimate pressure(double speed) const;
 
 private:
-    template <typename Of> Interval interval(const Of& of) const;
+    template <typename Of> Estimate estimate(const Of& of) const;
 
     AirWays as_given_;
     AirWays coarse_, narrow_, wide_, hairy_, bare_; ///< on coarser voxels: the same; yarns as wide and as narrow, hairs twice and half

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 target_sources(hygroloom_core PRIVATE
   laboratory/air_permeability.cpp
+  laboratory/heat_vapour.cpp
+  laboratory/numbers.cpp
+  laboratory/wet_cloth.cpp
 )
-set_source_files_properties(laboratory/air_permeability.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

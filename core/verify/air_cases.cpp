@@ -62,13 +62,13 @@ std::vector<Construction> constructions_of(const SoldCloth& cloth)
 }
 
 /// Pa at that speed, as a card of the cloth says it.
-Interval pressure_of(const SoldCloth& cloth)
+Estimate pressure_of(const SoldCloth& cloth)
 {
     const std::vector<Construction> all = constructions_of(cloth);
     const Construction& middle = all[all.size() / 2];
-    const Interval card = AirPermeability(middle.textile, middle.thickness_given).pressure(face_speed);
+    const Estimate card = AirPermeability(middle.textile, middle.thickness_given).pressure(face_speed);
     const auto over = [&](const Construction& other) { return card.value * other.pressure / middle.pressure; };
-    return interval_of(card.value, {{card.low, card.high}, {over(all.front()), over(all.back())}});
+    return estimate_of(card.value, {{card.low, card.high}, {over(all.front()), over(all.back())}});
 }
 
 std::vector<double> ranks(const std::vector<double>& values)
@@ -126,7 +126,7 @@ std::vector<VerifyResult> air_of_sold_cloths(const VerifyValues&, Backend&)
     double inside = 0;
     for (const SoldCloth& cloth : sold_cloths()) {
         if (!cloth.pressure_drop_pa) continue;
-        const Interval pressure = pressure_of(cloth);
+        const Estimate pressure = pressure_of(cloth);
         computed.push_back(pressure.value);
         measured.push_back(*cloth.pressure_drop_pa);
         inside += *cloth.pressure_drop_pa >= pressure.low && *cloth.pressure_drop_pa <= pressure.high;

@@ -126,12 +126,12 @@ private Q_SLOTS:
     {
         const AirPermeability air = air_of(patch_of(library_fabric("Poplin shirting")));
         for (const double pressure : {100.0, 125.0, 200.0}) {
-            const Interval speed = air.speed(pressure);
+            const Estimate speed = air.speed(pressure);
             QVERIFY(speed.low < speed.value && speed.value < speed.high);
         }
         QVERIFY(air.speed(200).value > 1.5 * air.speed(100).value && air.speed(200).value < 2 * air.speed(100).value);
-        QVERIFY(near_to(interval_of(2, {{1, 4}, {2, 6}}).high, 2 * std::exp(std::hypot(std::log(2.0), std::log(3.0))), 1e-12));
-        QVERIFY(near_to(interval_of(2, {{1, 4}, {2, 6}}).low, 1, 1e-12));
+        QVERIFY(near_to(estimate_of(2, {{1, 4}, {2, 6}}).high, 2 * std::exp(std::hypot(std::log(2.0), std::log(3.0))), 1e-12));
+        QVERIFY(near_to(estimate_of(2, {{1, 4}, {2, 6}}).low, 1, 1e-12));
     }
 };
 

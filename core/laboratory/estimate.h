@@ -10,13 +10,13 @@
 namespace hygroloom {
 
 /// For what is not known of the cloth (input) and of the computation (numerical); what the physics leaves out (model) is not in it.
-struct Interval {
+struct Estimate {
     double value = 0, low = 0, high = 0;
 };
 
 /// Several unknowns, each of which alone takes a value to one of two others: what all of them do, as the root of the squares of their
 /// logarithms. All numbers above 0.
-inline Interval interval_of(double value, const std::vector<std::pair<double, double>>& others)
+inline Estimate estimate_of(double value, const std::vector<std::pair<double, double>>& others)
 {
     double down = 0, up = 0;
     for (const auto& [a, b] : others) {
@@ -27,6 +27,6 @@ inline Interval interval_of(double value, const std::vector<std::pair<double, do
     return {value, value * std::exp(-std::sqrt(down)), value * std::exp(std::sqrt(up))};
 }
 
-inline Interval scaled(const Interval& interval, double by) { return {by * interval.value, by * interval.low, by * interval.high}; }
+inline Estimate scaled(const Estimate& estimate, double by) { return {by * estimate.value, by * estimate.low, by * estimate.high}; }
 
 } // namespace hygroloom

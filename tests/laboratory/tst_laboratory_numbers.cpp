@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// What a card says of heat, vapour and water, against closed forms.
+#include "core/laboratory/heat_vapour.h"
+#include "core/laboratory/numbers.h"
+#include "core/laboratory/wet_cloth.h"
+
+#include "core/base/units.h"
+#include "core/physics/laboratory.h"
+#include "core/physics/water.h"
+#include "core/room/kept_tables.h"
+#include "core/scene/suction.h"
+#include "tests/room/square_cotton.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <set>
+
+using namespace hygroloom;
+
+namespace {
+
+const double room_temperature = kelvin_from_celsius(20);
+Textile textile_of(const char* name) { return patch_of(library_fabric(name)); }
+
+/// Of solid repellent yarns, which need no tables.
+Textile repellent()
+{
+    Textile textile = square_cotton("plain");
+    for (YarnSystem* system : {&textile.warp, &textile.weft}) system->types[0].contact_angle = radian_from_degree(115);
+    return textile;
+}
+
+} // namespace
+
+class TestLaboratoryNumbers : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    /// Air as thick as the cloth is the least; fibres and yarns in the way add to it.
+    void clothResistsMoreThanAsMuchStillAirWouldToVapour()
+    {
+        for (const char* name : {"Poplin shirting", "Wool serge", "Cotton sateen"}) {
+            const Textile textile = textile_of(name);
+            const double air = evaporative_resistance(textile.thickness, kelvin_from_celsius(35));
+            const PlateResistances plate = plate_resistances(textile, true);
+            QVERIFY2(plate.evaporative.value > 1.5 * air && plate.evaporative.value < 8 * air, name); // Fourt and Harris: 2 to 8
+            QVERIFY2(plate.thermal.value < 1.2 * textile.thickness / 0.026, name);                    // fibres conduct better than air
+            QVERIFY(plate.evaporative.low <= plate.evaporative.value && plate.thermal.high >= plate.thermal.value);
+        }
+    }
+    void ashirtingInsulatesAsPlatesMeasure()
+    {
+        const double thermal = plate_resistances(textile_of("Poplin shirting"), false).thermal.value;
+        QVERIFY2(thermal > 0.008 && thermal < 0.02, qPrintable(QString::number(thermal)));
+    }
+    /// Nothing but the cup's own air: 19 mm, and a laminar boundary layer.
+    void anEmptyCupLosesWhatItsAirLetsThrough()
+    {
+        VapourSetUp cup = vapour_set_ups().front();
+        cup.air_speed = -1;
+        const double temperature = kelvin_from_celsius(23);
+        const double expected = 0.5 * saturation_concentration(temperature) * vapour_diffusivity(temperature) / 0.019;
+        QVERIFY(near_to(vapour_transmission(cup, 0), expected, 1e-9));
+        QVERIFY(vapour_transmission(cup, 3) < expected);
+    }
+    void withoutLayersTransmissionGoesWithOneOverResistance()
+    {
+        VapourSetUp bare = vapour_set_ups()[2];
+        QVERIFY(near_to(vapour_transmission(bare, 2), 2 * vapour_transmission(bare, 4), 1e-12));
+        // Ret is pressure over the heat that vapour carries: at 35 C it gives itself back.
+        bare.celsius = 35;
+        const double heat = vapour_transmission(bare, 4) * heat_of_evaporation(kelvin_from_celsius(35));
+        QVERIFY(near_to((bare.humid - bare.dry) * saturation_pressure(kelvin_from_celsius(35)) / heat, 4, 1e-9));
+    }
+    void evenHolesBreakThroughAsTheirFormulaSays()
+    {
+        const Textile textile = repellent();
+        const YarnType& yarn = textile.warp.types[0];
+        const double angle = std::acos(cosine_on_dry_yarn(yarn.packing_round_core(), yarn.contact_angle)),
+                     half_gap = 0.5 * (textile.warp.pitch - yarn.section.width);
+        const double expected = breakthrough_pressure(water_surface_tension(room_temperature), angle, 0.5 * yarn.section.height, half_gap,
+                                                      0.5 * yarn.section.height, half_gap);
+        const double even = hydrostatic_pressure(textile, 0, 0).value, uneven = hydrostatic_pressure(textile, 0.15, 0.15).value;
+        QVERIFY2(near_to(even, expected, 0.05), qPrintable(QString::number(even / expected)));
+        QVERIFY(uneven < even && uneven > 0);
+        QVERIFY(hydrostatic_pressure(textile, 0.15, 0.15).high > uneven);
+        QCOMPARE(hydrostatic_pressure(textile_of("Poplin shirting"), 0.1, 0.1).value, 0.0);
+    }
+    /// Full, a cloth holds water in all that is not fibre.
+    void fullClothHoldsItsVoids()
+    {
+        const Textile textile = textile_of("Sheeting");
+        const FabricQuantities& q = textile.quantities;
+        const double voids = textile.thickness - 1e-3 * q.areal_density_g_m2 / textile.warp.types[0].fibre.density_kg_m3;
+        const WaterHeld held = water_held(textile, *room_tables(textile, 14));
+        QVERIFY2(near_to(held.full.value, voids * water_density(room_temperature), 0.03),
+                 qPrintable(QString::number(held.full.value / voids)));
+        QVERIFY(held.drained.value < held.full.value && held.spun.value < held.drained.value);
+        QVERIFY(held.drained.low <= held.drained.value && held.drained.value <= held.drained.high);
+    }
+    /// The energy test cloth of 10 CFR 430 J3, half cotton and half polyester: 29.6 % of its mass stay at 350 g.
+    void aTestClothKeepsAboutWhatSpinnersLeave()
+    {
+        Fabric fabric;
+        fabric.weave = weave_from_pattern("plain");
+        fabric.ends_per_cm = 25.6;
+        fabric.picks_per_cm = 22.4;
+        for (Yarn* yarn : {&fabric.warp, &fabric.weft}) {
+            yarn->material = {{"cotton", 0.5}, {"polyester", 0.5}};
+            yarn->linear_density_tex = 36;
+            yarn->packing_factor.reset();
+        }
+        const Textile textile = patch_of(fabric);
+        const double kept = 1e5 * water_held(textile, *room_tables(textile, 14)).spun.value / textile.quantities.areal_density_g_m2;
+        QVERIFY2(kept > 15 && kept < 45, qPrintable(QString::number(kept)));
+    }
+    void squareClothWicksAlikeBothWays()
+    {
+        const Textile textile = square_cotton("plain");
+        const auto tables = room_tables(textile, 14);
+        const double warp = wicking_speed(textile, *tables, YarnKind::warp).value,
+                     weft = wicking_speed(textile, *tables, YarnKind::weft).value;
+        QVERIFY2(near_to(warp, weft, 0.02) && warp > 2e-3 && warp < 3e-2, qPrintable(QString("%1 %2").arg(warp).arg(weft)));
+        QCOMPARE(wicking_speed(repellent(), *tables, YarnKind::warp).value > warp, false);
+    }
+    void everyNumberHasAKeyOfItsOwnAnUnitAndLiesInItsInterval()
+    {
+        Design design;
+        design.fabrics = {library_fabric("Poplin shirting")};
+        const FittedFabric fitted = fit_fabric(design, design.fabrics[0]);
+        std::set<std::string> keys;
+        for (const LaboratoryNumber& number : laboratory_numbers(design, design.fabrics[0], fitted)) {
+            QVERIFY2(keys.insert(number.key).second, number.key.c_str());
+            QVERIFY2(number.estimate.low <= number.estimate.value && number.estimate.value <= number.estimate.high, number.key.c_str());
+            QVERIFY(!number.title.empty());
+        }
+        for (const char* key : {"air_permeability_mm_s", "rct_m2k_w", "ret_m2pa_w", "hydrostatic_head_mm", "absorption_drained_g_m2"})
+            QVERIFY2(keys.contains(key), key);
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLaboratoryNumbers)
+#include "tst_laboratory_numbers.moc"
