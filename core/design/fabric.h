@@ -59,6 +59,15 @@ struct Calibrated {
     bool operator==(const Calibrated&) const = default;
 };
 
+/// The cloth as the loom makes it; the fabric's own setts are the finished cloth's. What is missing follows: see
+/// core/laboratory/technical.h.
+struct Loom {
+    std::optional<double> ends_per_cm, picks_per_cm;
+    std::optional<double> reed_width_cm;
+    std::optional<int> ends_per_dent;
+    bool operator==(const Loom&) const = default;
+};
+
 constexpr double default_finish_depth = 0.10; ///< of the thickness, as foam and print reach; an assumption
 
 struct Fabric {
@@ -82,6 +91,7 @@ struct Fabric {
     std::optional<double> finish_holes;      ///< share of the crowns and hairs under them that is untreated; without it none
     Measured measured;
     Uncertainty uncertainty;
+    Loom loom;
     std::optional<Calibrated> calibrated;
     bool operator==(const Fabric&) const = default;
 };

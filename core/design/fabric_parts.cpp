@@ -171,6 +171,7 @@ std::vector<FabricPart> all_parts()
         {"depth of the finish", always, {}},
         {"measured values", always, {}},
         {"ranges of what is not known", in_replicates, {}},
+        {"cloth on the loom", never, {}},
         {"origin of fitted values", never, {field("calibrated", "", OF(calibrated))}}};
     add_rows<Yarn>(parts, "warp.", OF(warp), "warp ");
     add_rows<Yarn>(parts, "weft.", OF(weft), "weft ");
@@ -179,6 +180,7 @@ std::vector<FabricPart> all_parts()
     add_rows<Flyaway>(parts, "flyaway.", OF(flyaway), {}, "hairs and loops");
     add_rows<Measured>(parts, "", OF(measured), {}, "measured values");
     add_rows<Uncertainty>(parts, "uncertainty.", OF(uncertainty), {}, "ranges of what is not known");
+    add_rows<Loom>(parts, "loom.", OF(loom), {}, "cloth on the loom");
     return parts;
 }
 

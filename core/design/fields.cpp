@@ -136,7 +136,9 @@ template <> std::span<const Field<Yarn>> fields_of()
         {"irregularity_cv", &Y::irregularity_cv, "Irregularity", "coefficient of variation of the linear density", 0, 0.4,
          "Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for what is usual of such a yarn. Acts in "
          "the closure “pores” only.",
-         construction, Need::pores}};
+         construction, Need::pores},
+        {"price", &Y::price, "Price", "price of a yarn", 0, 1e6, "Of a kilogram, in the currency that the card then tells costs in.",
+         look}};
     return rows;
 }
 
@@ -175,6 +177,20 @@ template <> std::span<const Field<Uncertainty>> fields_of()
         {"contact_angle_deg", &U::contact_angle_deg, "Contact angle ±", "uncertainty of the contact angle", 0, 90},
         {"receding_angle_deg", &U::receding_angle_deg, "Receding angle ±", "uncertainty of the receding angle", 0, 90},
         {"packing_factor", &U::packing_factor, "Packing ±", "uncertainty of the packing factor", 0, 0.3}};
+    return rows;
+}
+
+template <> std::span<const Field<Loom>> fields_of()
+{
+    using L = Loom;
+    static constexpr Field<L> rows[] = {
+        {"ends_per_cm", &L::ends_per_cm, "Ends in the reed", "number of ends per cm in the reed", 0.5, 500,
+         "On the loom. Leave empty to compute it from the reed width."},
+        {"picks_per_cm", &L::picks_per_cm, "Picks on the loom", "number of picks per cm on the loom", 0.5, 500,
+         "On the loom. Leave empty where the cloth keeps its length."},
+        {"reed_width_cm", &L::reed_width_cm, "Reed width", "width in the reed", 1, 2000,
+         "Of the warp in the reed. Leave empty to compute it from the ends in the reed."},
+        {"ends_per_dent", &L::ends_per_dent, "Ends a dent", "number of ends in a dent", 1, 40, "Of the reed."}};
     return rows;
 }
 
@@ -372,6 +388,7 @@ constexpr std::pair<std::string_view, std::optional<Message> (*)(const std::stri
                                                                                                    {"fabrics", allowed<Measured>},
                                                                                                    {"flyaway", allowed<Flyaway>},
                                                                                                    {"uncertainty", allowed<Uncertainty>},
+                                                                                                   {"loom", allowed<Loom>},
                                                                                                    {"warp", allowed<Yarn>},
                                                                                                    {"weft", allowed<Yarn>},
                                                                                                    {"extra_yarns", allowed<Yarn>},

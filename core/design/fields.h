@@ -16,6 +16,7 @@ template <> std::span<const Field<Yarn>> fields_of<Yarn>();
 template <> std::span<const Field<Flyaway>> fields_of<Flyaway>();
 template <> std::span<const Field<Measured>> fields_of<Measured>();
 template <> std::span<const Field<Uncertainty>> fields_of<Uncertainty>();
+template <> std::span<const Field<Loom>> fields_of<Loom>();
 template <> std::span<const Field<Fabric>> fields_of<Fabric>();
 template <> std::span<const Field<Liquid>> fields_of<Liquid>();
 template <> std::span<const Field<Climate>> fields_of<Climate>();

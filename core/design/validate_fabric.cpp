@@ -287,6 +287,7 @@ std::shared_ptr<const FittedFabric> validate_fabric(const Design& design, const 
     list.fields(where / "flyaway", fabric.flyaway);
     list.fields(where, fabric.measured);
     list.fields(where / "uncertainty", fabric.uncertainty);
+    list.fields(where / "loom", fabric.loom);
     if (fabric.calibrated)
         list.range(where / "calibrated" / "residual_rms", say("residual of a calibration"), fabric.calibrated->residual_rms, 0, 1e9);
 

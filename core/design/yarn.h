@@ -47,6 +47,7 @@ struct Yarn {
     TwistDirection ply_twist_direction = TwistDirection::s;
     std::optional<double> irregularity_cv; ///< coefficient of variation of the linear density along the yarn, 0 .. 0.4; see evenness.h
     std::optional<Color> color;            ///< without it, the undyed fibre's
+    std::optional<double> price;           ///< of a kilogram, in any currency
     bool operator==(const Yarn&) const = default;
 };
 

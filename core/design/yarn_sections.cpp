@@ -75,7 +75,7 @@ double rise_of_crimp(const FittedYarns& fitted, double span, const Section& own,
 }
 
 /// What fit_yarns() works on.
-struct Loom {
+struct Weaver {
     FittedYarns& fitted;
     double warp_pitch, weft_pitch;
     double along_warp, along_weft;           // share_of_changes()
@@ -231,53 +231,53 @@ double crimp_of_change(const std::optional<double>& set, const std::optional<dou
 }
 
 /// Returns the scale that it ends with.
-double flatten_until(Loom& loom, double scale, bool (Loom::*wrong)(), bool stop_at_neighbours)
+double flatten_until(Weaver& weaver, double scale, bool (Weaver::*wrong)(), bool stop_at_neighbours)
 {
     double good = scale;
-    for (int step = 1; step <= flattening_steps && (loom.*wrong)(); ++step) {
+    for (int step = 1; step <= flattening_steps && (weaver.*wrong)(); ++step) {
         const double next = scale + (flattest - scale) * step / flattening_steps;
-        loom.lay(next);
-        if (stop_at_neighbours && loom.touching_neighbours()) break;
+        weaver.lay(next);
+        if (stop_at_neighbours && weaver.touching_neighbours()) break;
         good = next;
     }
-    loom.lay(good);
+    weaver.lay(good);
     return good;
 }
 
 /// Loosens soft yarns of a cloth that lies flatter than so high, mm.
-void loosen_to(Loom& loom, double height)
+void loosen_to(Weaver& weaver, double height)
 {
     for (int i = 0; i < 8; ++i) {
-        const double ratio = height / loom.fitted.thickness();
+        const double ratio = height / weaver.fitted.thickness();
         if (ratio < 1 + 1e-6) return;
-        for (auto* yarns : {&loom.fitted.warp, &loom.fitted.weft})
+        for (auto* yarns : {&weaver.fitted.warp, &weaver.fitted.weft})
             for (FittedYarn& yarn : *yarns)
                 if (yarn.soft)
                     yarn.loosened = std::max(1.0, std::min(yarn.free.packing_factor / loosest_in_cloth, yarn.loosened * ratio * ratio));
-        loom.lay(1);
+        weaver.lay(1);
     }
 }
 
 /// Set crimps that would squeeze yarns too close give way, a step at a time, to those that the yarns would have without.
-void give_way(Loom& loom, double scale)
+void give_way(Weaver& weaver, double scale)
 {
     constexpr int steps = 10;
-    FittedYarns& fitted = loom.fitted;
+    FittedYarns& fitted = weaver.fitted;
     const std::vector<CrossingHeights> set = fitted.heights;
-    loom.warp_crimp = loom.weft_crimp = -1;
+    weaver.warp_crimp = weaver.weft_crimp = -1;
     fitted.roundness = 0;
-    loom.lay(1);
-    const double free_scale = flatten_until(loom, 1, &Loom::too_round, true);
+    weaver.lay(1);
+    const double free_scale = flatten_until(weaver, 1, &Weaver::too_round, true);
     const std::vector<CrossingHeights> free = fitted.heights;
     for (int step = 1; step <= steps; ++step) {
         const double given = static_cast<double>(step) / steps;
-        loom.lay(scale + given * (free_scale - scale));
+        weaver.lay(scale + given * (free_scale - scale));
         fitted.roundness = 1 - given;
         for (std::size_t i = 0; i < free.size(); ++i)
             fitted.heights[i] = {set[i].warp + given * (free[i].warp - set[i].warp), set[i].weft + given * (free[i].weft - set[i].weft)};
-        loom.part_overlapping();
-        loom.lay_between();
-        if (!loom.squeezed_too_close()) break;
+        weaver.part_overlapping();
+        weaver.lay_between();
+        if (!weaver.squeezed_too_close()) break;
     }
 }
 
@@ -336,6 +336,7 @@ YarnOrder yarn_order(const Fabric& fabric, bool warp)
     const auto colourless = [&](int yarn) {
         Yarn copy = yarn_in(fabric, warp, yarn);
         copy.color.reset();
+        copy.price.reset();
         return copy;
     };
     std::vector<Yarn> seen;
@@ -400,32 +401,32 @@ FittedYarns fit_yarns(const Design& design, const Fabric& fabric)
             (warp ? fitted.warp : fitted.weft).push_back(yarn);
         }
     }
-    Loom loom{fitted, 10 / fabric.ends_per_cm, 10 / fabric.picks_per_cm, share_of_changes(fabric.weave, true),
-              share_of_changes(fabric.weave, false)};
-    loom.lay(1);
-    fitted.jammed = loom.jams();
+    Weaver weaver{fitted, 10 / fabric.ends_per_cm, 10 / fabric.picks_per_cm, share_of_changes(fabric.weave, true),
+                  share_of_changes(fabric.weave, false)};
+    weaver.lay(1);
+    fitted.jammed = weaver.jams();
 
-    loom.warp_crimp = crimp_of_change(fabric.warp_crimp_percent, fabric.measured.crimp_percent, loom.along_warp);
-    loom.weft_crimp = crimp_of_change(fabric.weft_crimp_percent, fabric.measured.crimp_percent, loom.along_weft);
-    fitted.roundness = loom.warp_crimp >= 0 || loom.weft_crimp >= 0 ? 1 : 0;
-    loom.lay(1);
+    weaver.warp_crimp = crimp_of_change(fabric.warp_crimp_percent, fabric.measured.crimp_percent, weaver.along_warp);
+    weaver.weft_crimp = crimp_of_change(fabric.weft_crimp_percent, fabric.measured.crimp_percent, weaver.along_weft);
+    fitted.roundness = weaver.warp_crimp >= 0 || weaver.weft_crimp >= 0 ? 1 : 0;
+    weaver.lay(1);
     double scale = 1;
     if (fabric.thickness_mm) {
         fitted.available_height = *fabric.thickness_mm - 2 * fabric.flyaway.loop_height_mm;
         for (int i = 0; i < 8 && fitted.thickness() > fitted.available_height; ++i) { // once, unless a section was narrowed or a crimp set
             scale = std::max(0.01, scale * fitted.available_height / fitted.thickness());
-            loom.lay(scale);
+            weaver.lay(scale);
         }
-        if (scale == 1) loosen_to(loom, *fabric.thickness_mm - std::max(2 * fabric.flyaway.loop_height_mm, fitted.surface()));
+        if (scale == 1) loosen_to(weaver, *fabric.thickness_mm - std::max(2 * fabric.flyaway.loop_height_mm, fitted.surface()));
     }
-    if (loom.warp_crimp >= 0 && loom.weft_crimp >= 0)
-        scale = flatten_until(loom, scale, &Loom::too_high, false);
-    else if (!fabric.thickness_mm && loom.warp_crimp < 0 && loom.weft_crimp < 0)
-        scale = flatten_until(loom, scale, &Loom::too_round, true);
-    if (loom.too_high()) loom.part_overlapping();
-    loom.lay_between();
-    if (fitted.roundness > 0 && !fabric.thickness_mm && loom.squeezed_too_close()) give_way(loom, scale);
-    loom.pack();
+    if (weaver.warp_crimp >= 0 && weaver.weft_crimp >= 0)
+        scale = flatten_until(weaver, scale, &Weaver::too_high, false);
+    else if (!fabric.thickness_mm && weaver.warp_crimp < 0 && weaver.weft_crimp < 0)
+        scale = flatten_until(weaver, scale, &Weaver::too_round, true);
+    if (weaver.too_high()) weaver.part_overlapping();
+    weaver.lay_between();
+    if (fitted.roundness > 0 && !fabric.thickness_mm && weaver.squeezed_too_close()) give_way(weaver, scale);
+    weaver.pack();
     return with_angle_of(design, fabric, std::move(fitted));
 }
 

@@ -164,6 +164,7 @@ Fabric read_fabric(const ProjectJson& value, const std::string& file, const std:
     read_part(object, "flyaway", fabric.flyaway);
     read_fields(object, fabric.measured);
     read_part(object, "uncertainty", fabric.uncertainty);
+    read_part(object, "loom", fabric.loom);
     fabric.calibrated = read_calibrated(object);
     object.finish({"name", "warp", "weft", "weave", "ends_per_cm", "picks_per_cm"});
     return fabric;

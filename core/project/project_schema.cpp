@@ -44,13 +44,25 @@ template <typename Owner> void fill(ProjectJson& properties, bool with_defaults)
 }
 
 using Fill = void (*)(ProjectJson&, bool);
-const std::map<std::string, Fill> rows{
-    {"material", fill<Material>},   {"isotherm", fill<GabIsotherm>},    {"yarn", fill<Yarn>},
-    {"core", fill<YarnCore>},       {"fabric", fill<Fabric>},           {"flyaway", fill<Flyaway>},
-    {"measured", fill<Measured>},   {"uncertainty", fill<Uncertainty>}, {"liquid", fill<Liquid>},
-    {"climate", fill<Climate>},     {"droplet", fill<Droplet>},         {"experiment", fill<Experiment>},
-    {"wear", fill<WearExperiment>}, {"activity", fill<Activity>},       {"built_in", fill<BuiltInGarment>},
-    {"cut", fill<PanelCut>},        {"own_zone", fill<OwnZone>},        {"wearer", fill<Wearer>}};
+const std::map<std::string, Fill> rows{{"material", fill<Material>},
+                                       {"isotherm", fill<GabIsotherm>},
+                                       {"yarn", fill<Yarn>},
+                                       {"core", fill<YarnCore>},
+                                       {"fabric", fill<Fabric>},
+                                       {"flyaway", fill<Flyaway>},
+                                       {"measured", fill<Measured>},
+                                       {"uncertainty", fill<Uncertainty>},
+                                       {"loom", fill<Loom>},
+                                       {"liquid", fill<Liquid>},
+                                       {"climate", fill<Climate>},
+                                       {"droplet", fill<Droplet>},
+                                       {"experiment", fill<Experiment>},
+                                       {"wear", fill<WearExperiment>},
+                                       {"activity", fill<Activity>},
+                                       {"built_in", fill<BuiltInGarment>},
+                                       {"cut", fill<PanelCut>},
+                                       {"own_zone", fill<OwnZone>},
+                                       {"wearer", fill<Wearer>}};
 
 void fill_in(ProjectJson& part)
 {

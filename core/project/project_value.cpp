@@ -71,7 +71,7 @@ private:
 
     void make(const std::string& key)
     {
-        if (key != "flyaway" && key != "climate" && key != "uncertainty" && key != "seams") {
+        if (key != "flyaway" && key != "climate" && key != "uncertainty" && key != "loom" && key != "seams") {
             std::vector<std::string> keys;
             for (const auto& [known, value] : at_->items()) keys.push_back(known);
             refuse(path_, fmt::format("There is no \"{}\" here{}", key, did_you_mean(key, keys)));

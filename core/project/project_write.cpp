@@ -105,6 +105,7 @@ ProjectJson write_fabric(const Fabric& fabric)
     json["flyaway"] = json_of_fields(fabric.flyaway);
     write_fields(json, fabric.measured);
     if (const ProjectJson uncertainty = json_of_fields(fabric.uncertainty); !uncertainty.empty()) json["uncertainty"] = uncertainty;
+    if (const ProjectJson loom = json_of_fields(fabric.loom); !loom.empty()) json["loom"] = loom;
     if (fabric.calibrated) json["calibrated"] = write_calibrated(*fabric.calibrated);
     return json;
 }

@@ -58,6 +58,7 @@ const std::map<std::string, Change> changes{
     {"yarn.ply_twist_direction", {R"("Z")"}},
     {"yarn.irregularity_cv", {"0.1"}},
     {"yarn.color", {R"("#102030")"}},
+    {"yarn.price", {"6.5"}},
     {"weave.pattern", {R"("twill 2/2 Z")"}},
     {"weave.rows", {R"({ "rows": ["110", "011", "101"] })", "weave"}},
     {"ends_per_cm", {"11"}},
@@ -85,6 +86,10 @@ const std::map<std::string, Change> changes{
     {"uncertainty.contact_angle_deg", {"4"}},
     {"uncertainty.receding_angle_deg", {"4"}},
     {"uncertainty.packing_factor", {"0.02"}},
+    {"loom.ends_per_cm", {"9"}},
+    {"loom.picks_per_cm", {"11"}},
+    {"loom.reed_width_cm", {"160"}},
+    {"loom.ends_per_dent", {"2"}},
 };
 
 /// The change of a key: of a yarn's those of "yarn", of a draft's and of a further yarn's the whole.

@@ -152,6 +152,7 @@ private Q_SLOTS:
         check_rows<Flyaway>();
         check_rows<Measured>();
         check_rows<Uncertainty>();
+        check_rows<Loom>();
         check_rows<Liquid>();
         check_rows<Climate>();
         check_rows<Droplet>();
