@@ -270,6 +270,7 @@ int run(int count, char** values)
     add_presets(app, verb);
     add_devices(app, verb);
     add_compare(app, verb);
+    add_card(app, verb);
     add_calibrate(app, verb);
     add_sweep(app, verb);
     add_tradeoff(app, verb);

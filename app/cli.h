@@ -83,6 +83,7 @@ CLI::Validator time_validator();
 
 /// Each adds its verb to the program. chosen is set when the command line names the verb.
 void add_check(CLI::App& app, Verb& chosen);
+void add_card(CLI::App& app, Verb& chosen);
 void add_plan(CLI::App& app, Verb& chosen);
 void add_simulate(CLI::App& app, Verb& chosen);
 void add_measure(CLI::App& app, Verb& chosen);

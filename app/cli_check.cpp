@@ -4,6 +4,7 @@
 #include "app/cli_room.h"
 #include "app/cli_weave.h"
 
+#include "core/analysis/card.h"
 #include "core/base/units.h"
 #include "core/base/words.h"
 #include "core/design/validate.h"
@@ -116,8 +117,10 @@ Formulas formulas_of(const FabricQuantities& q)
     return f;
 }
 
-Json fabric_json(const Fabric& fabric, const FabricQuantities& q, const std::vector<StripeYarn>& stripes)
+Json fabric_json(const Fabric& fabric, const FittedFabric& fitted)
 {
+    const FabricQuantities& q = fitted.derived;
+    const std::vector<StripeYarn>& stripes = fitted.stripes;
     Json measured = Json::object();
     const auto add = [&](const char* key, const std::optional<double>& value) {
         if (value) measured[key] = *value;
@@ -146,6 +149,7 @@ Json fabric_json(const Fabric& fabric, const FabricQuantities& q, const std::vec
               {"extra_yarns", stripes_json(stripes)}}},
             {"yarn_class", {{"warp", info_of(q.warp.yarn_class).name}, {"weft", info_of(q.weft.yarn_class).name}}},
             {"thickness_mm_1kpa", q.thickness_1kpa_mm},
+            {"laboratory", laboratory_json(quick_numbers(fitted))},
             {"measured", measured},
             {"notes", english(q.notes)}};
 }
@@ -327,7 +331,7 @@ int check(const ProjectOptions& options)
         if (points < most_points_of_all) geometry = measure_geometry(design, fabric, &fitted);
         points += geometry ? geometry->points : 0;
         const Formulas formulas = formulas_of(quantities);
-        json["fabrics"].push_back(fabric_json(fabric, quantities, stripes));
+        json["fabrics"].push_back(fabric_json(fabric, fitted));
         Json& entry = json["fabrics"].back();
         entry["derived"]["warp"]["braiding_angle_deg"] = formulas.warp_angle;
         entry["derived"]["weft"]["braiding_angle_deg"] = formulas.weft_angle;

@@ -3,6 +3,7 @@
 #include "app/python/bindings.h"
 #include "app/python/machine.h"
 
+#include "core/analysis/card.h"
 #include "core/analysis/jobs.h"
 #include "core/analysis/metrics_json.h"
 #include "core/analysis/outcomes.h"
@@ -204,6 +205,19 @@ py::str verify(const std::string& name, const std::map<std::string, std::string>
     return text(watched(py::none(), run));
 }
 
+/// JSON, as the verb card prints it.
+py::str card(const Design& design, const std::string& fabric)
+{
+    std::string json;
+    {
+        const Unlocked unlocked;
+        const auto fitted = require_valid(design);
+        const Fabric& chosen = chosen_fabric(design, fabric);
+        json = dumped(card_json(card_of(design, chosen, *fitted[static_cast<std::size_t>(&chosen - design.fabrics.data())])));
+    }
+    return text(json);
+}
+
 py::str verify_list()
 {
     Json list = Json::array();
@@ -220,6 +234,7 @@ void add_runs(py::module_& module)
     module.def("measure", [](const std::string& path, const py::object& progress) {
         return watched(progress, [path](Watch& watch) { return measured(path, watch); }).tuple();
     });
+    module.def("card", &card);
     module.def("verify", &verify);
     module.def("verify_list", &verify_list);
 }

@@ -76,7 +76,8 @@ PageBlocks sentence(std::string text) { return {PageText{std::move(text)}}; }
 PageBlocks blocks_of(const std::vector<ReportPicture>& pictures)
 {
     PageBlocks blocks;
-    for (const ReportPicture& picture : pictures) blocks.emplace_back(PagePicture{png_bytes(picture.image), picture.caption});
+    for (const ReportPicture& picture : pictures)
+        blocks.emplace_back(PagePicture{png_bytes(picture.image), picture.caption, picture.width_mm});
     return blocks;
 }
 

@@ -41,6 +41,7 @@ struct PageDrawing {
 struct PagePicture {
     std::string png; ///< the bytes of a file
     std::string caption;
+    double width_mm = 0; ///< at true scale, with a bar of 10 mm under it; 0: as wide as the page has room
 };
 using PageBlock = std::variant<PageHeading, PageText, PageList, PageTable, PageDrawing, PagePicture>;
 using PageBlocks = std::vector<PageBlock>;
@@ -52,6 +53,7 @@ struct ReportPage {
 struct ReportPicture {
     std::string caption;
     Image image;
+    double width_mm = 0; ///< see PagePicture
 };
 
 PageBlocks joined(std::vector<PageBlocks> parts);
@@ -72,7 +74,7 @@ std::string html_of(const ReportPage& page);
 /// UTF-8 for a terminal; of drawings and pictures their captions.
 std::string text_of(const ReportPage& page);
 /// {"title", "blocks": [{"heading", "level"}, {"text", "strong"}, {"list"}, {"table": rows of cells}, {"drawing": SVG, "caption"},
-/// {"picture": PNG in base64, "caption"}]}, in order.
+/// {"picture": PNG in base64, "caption", "width_mm"}]}, in order.
 std::string json_of(const ReportPage& page);
 /// The page as the file's ending asks: .html, .txt or .json, in small or capital letters; empty: another one.
 std::string written_as(const ReportPage& page, const std::filesystem::path& file);

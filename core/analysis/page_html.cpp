@@ -56,7 +56,11 @@ struct HtmlWriter {
     void operator()(const PageDrawing& block) { figure(block.svg, block.caption); }
     void operator()(const PagePicture& block)
     {
-        figure(fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", escaped_markup(block.caption), base64_of(block.png)),
+        const bool scaled = block.width_mm > 0;
+        const std::string width = scaled ? fmt::format(" style=\"width:{:.2f}mm\"", block.width_mm) : "";
+        const char* bar = scaled ? "<div style=\"width:10mm;height:1mm;background:#000\"></div>10 mm" : "";
+        figure(fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\"{}>{}", escaped_markup(block.caption), base64_of(block.png),
+                           width, bar),
                block.caption);
     }
     void figure(const std::string& inside, const std::string& caption)

@@ -38,7 +38,10 @@ struct JsonWriter {
         return {{"table", rows}};
     }
     Json operator()(const PageDrawing& block) const { return {{"drawing", block.svg}, {"caption", block.caption}}; }
-    Json operator()(const PagePicture& block) const { return {{"picture", base64_of(block.png)}, {"caption", block.caption}}; }
+    Json operator()(const PagePicture& block) const
+    {
+        return {{"picture", base64_of(block.png)}, {"caption", block.caption}, {"width_mm", block.width_mm}};
+    }
 };
 
 PageCell cell_from(const Json& json)
@@ -61,7 +64,7 @@ PageBlock block_from(const Json& json)
     if (json.contains("picture")) {
         const auto png = from_base64(json.at("picture").get<std::string>());
         if (!png) throw Error("A picture of the page is no base64.");
-        return PagePicture{*png, json.at("caption")};
+        return PagePicture{*png, json.at("caption"), json.value("width_mm", 0.0)};
     }
     if (!json.contains("table")) return PageText{json.at("text"), json.at("strong")};
     PageTable table;

@@ -47,4 +47,5 @@ target_sources(hygroloom_core PRIVATE
   analysis/why.cpp
   analysis/why_json.cpp
   analysis/why_words.cpp
+  analysis/card.cpp
 )

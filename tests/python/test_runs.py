@@ -214,6 +214,17 @@ def test_verify_gives_the_command_lines_numbers(cli):
             hygroloom.verify(arguments[0], **arguments[1])
 
 
+def test_a_card_is_the_command_lines(small, cli, tmp_path):
+    project = small.save(tmp_path / "small.hygro")
+    fabric = small.fabrics[0]
+    own, by_cli = hygroloom.card(small, fabric), cli("card", project, "--fabric", fabric)
+    assert own["laboratory"] == by_cli["laboratory"] and own["construction"] == by_cli["construction"]
+    air = own["laboratory"]["air_permeability_mm_s"]
+    assert 0 < air["low"] <= air["value"] <= air["high"]
+    with pytest.raises(hygroloom.Error, match="no such"):
+        hygroloom.card(small, "no such")
+
+
 def test_fabrics_are_compared(small, cli, tmp_path):
     second = {**small.get("fabrics[0]"), "name": "repellent", "contact_angle_deg": 100.0}
     small.set("fabrics", small.get("fabrics") + [second])

@@ -46,6 +46,7 @@ public:
         const QString name = format.toImageFormat().name();
         const auto drawing = drawings_.find(name);
         const QSizeF size = drawing != drawings_.end() ? QSizeF(drawing->second->defaultSize()) : QSizeF(image(document, name).size());
+        if (const double width = format.toImageFormat().width(); width > 0) { return size * (width / size.width()); } // at true scale
         const double wide = drawing != drawings_.end() ? text_width : 0.48 * text_width; // two maps stand side by side
         return size.width() > wide ? size * (wide / size.width()) : size;
     }
@@ -117,7 +118,8 @@ public:
         document_.addResource(QTextDocument::ImageResource, QUrl(name), QImage::fromData(QByteArray::fromStdString(block.png)));
         if (in_row_ == 0) { html_ += "<table cellspacing=\"0\" cellpadding=\"3\">"; }
         if (in_row_++ % 2 == 0) { html_ += "<tr>"; }
-        html_ += QString("<td><img src=\"%1\"><br>%2</td>").arg(name, escaped(block.caption));
+        const QString width = block.width_mm > 0 ? QString(" width=\"%1\"").arg(block.width_mm * pixels_per_mm) : QString();
+        html_ += QString("<td><img src=\"%1\"%2><br>%3</td>").arg(name, width, escaped(block.caption));
     }
 
 private:

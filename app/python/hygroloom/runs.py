@@ -241,6 +241,23 @@ def measure(recording: Union[str, os.PathLike], *, progress: Progress = None) ->
     return Run(_hygroloom.measure(path, _checks.call(progress)), pathlib.Path(os.fsdecode(path)))
 
 
+def card(project: Union[Project, str, os.PathLike, Mapping[str, Any]], fabric: Optional[str] = None) -> dict[str, Any]:
+    """The technical card of a fabric, as ``hygroloom-cli card --json`` prints it: construction, yarn for a metre, laboratory.
+
+    Args:
+        project: a :class:`Project`, its file or its JSON.
+        fabric: its name; the only one may be left out.
+
+    Returns:
+        A dictionary: fabric, construction, and laboratory: by key a dictionary with value, low, high, unit, standard, conditions, compared.
+
+    Raises InvalidProject, and Error where the fabric is not there.
+
+    >>> card("cloth.hygro", "Denim")["laboratory"]["air_permeability_mm_s"]["value"]
+    """
+    return json.loads(_hygroloom.card(project_of(project)._design, _checks.optional_text(fabric, "fabric")))
+
+
 def verify(case: str, /, *, backend: str = "auto", threads: int = 0, **parameters: Any) -> dict[str, Any]:
     """Runs a case with a known answer through the solver, as ``hygroloom-cli verify CASE --json`` does.
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The technical card of a fabric: construction, yarn consumption, cost and the laboratory's numbers, as JSON, table or page.
+#pragma once
+
+#include "core/analysis/page.h"
+#include "core/laboratory/numbers.h"
+#include "core/laboratory/technical.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace hygroloom {
+
+struct Card {
+    std::string fabric;
+    nlohmann::ordered_json description; ///< the fabric as a project file has it
+    FabricQuantities quantities;
+    double ends_per_cm = 0, picks_per_cm = 0;
+    TechnicalCard technical;
+    std::vector<LaboratoryNumber> numbers;
+    double length_m = 0; ///< that is ordered
+    std::string made_at; ///< UTC
+    double seconds = 0;  ///< that the numbers took
+};
+
+/// Precondition: validate() found no error.
+Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request = {});
+
+/// {"fabric", "construction": {…}, "laboratory": {"air_permeability_mm_s": {"value", "low", "high", …}, …}}
+nlohmann::ordered_json card_json(const Card& card);
+/// {"air_permeability_mm_s": {"value", "low", "high", "unit", …}, …}
+nlohmann::ordered_json laboratory_json(const std::vector<LaboratoryNumber>& numbers);
+/// key, title, value, low, high, unit, standard, conditions.
+std::string card_csv(const Card& card);
+ReportPage card_page(const Card& card, const std::vector<ReportPicture>& pictures);
+
+} // namespace hygroloom

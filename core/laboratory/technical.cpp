@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/laboratory/technical.h"
+
+#include "core/base/units.h"
+
+#include <fmt/format.h>
+
+namespace hygroloom {
+namespace {
+
+constexpr double cm_in_metre = 100, grams_in_tex = 1e-3; // a tex is so many grams of a metre
+
+/// Yarns of a system that has so many threads in a metre of cloth, each so long there for a crimp (as a share).
+template <typename Length>
+void add_yarns(TechnicalCard& card, const Fabric& fabric, const FittedFabric& fitted, bool warp, double threads, const Length& length,
+               double with_waste)
+{
+    const WovenYarns woven = woven_yarns(fabric, fitted.yarns);
+    for (std::size_t type = 0; type < woven.types(warp).size(); ++type) {
+        YarnUse use;
+        use.warp = warp;
+        use.yarn = woven.order(warp).yarns[type];
+        use.share = woven.order(warp).share[type];
+        use.tex = woven.types(warp)[type].free.linear_density_tex;
+        use.crimp_percent = crimp_percent(woven, warp, type);
+        use.grams_per_metre = use.share * threads * length(0.01 * use.crimp_percent) * use.tex * grams_in_tex * with_waste;
+        if (const auto& price = yarn_in(fabric, warp, use.yarn).price; price) use.cost_per_metre = 1e-3 * use.grams_per_metre * *price;
+        card.yarns.push_back(use);
+    }
+}
+
+/// Taylor's rule of thumb: contraction in percent is four times the intersections an inch over the cotton count of the crossed yarn.
+void note_take_up(TechnicalCard& card, const Fabric& fabric, const FittedFabric& fitted)
+{
+    const WovenYarns woven = woven_yarns(fabric, fitted.yarns);
+    for (const YarnUse& use : card.yarns) {
+        const double crossed_per_inch = per_inch_from_per_cm(use.warp ? fabric.picks_per_cm : fabric.ends_per_cm);
+        const double changes = woven.changes(use.warp) * crossed_per_inch;
+        double crossed_tex = 0;
+        for (const YarnUse& other : card.yarns)
+            if (other.warp != use.warp) crossed_tex += other.share * other.tex;
+        const double rule = 4 * changes / ne_from_tex(crossed_tex);
+        if (use.take_up_percent() < 0.5 * rule || use.take_up_percent() > 2 * rule)
+            card.notes.push_back(
+                fmt::format("Take-up of the {} is {:.1f} %; Taylor's rule of thumb gives {:.1f} %. Set the crimps as measured.",
+                            use.warp ? "warp" : "weft", use.take_up_percent(), rule));
+    }
+}
+
+} // namespace
+
+LoomState loom_state(const Fabric& fabric, double width_cm)
+{
+    LoomState state{fabric.loom.reed_width_cm, fabric.loom.ends_per_cm, fabric.loom.picks_per_cm, {}, {}, {}};
+    const double ends = fabric.ends_per_cm * width_cm;
+    if (!state.ends_per_cm && state.reed_width_cm) state.ends_per_cm = ends / *state.reed_width_cm;
+    if (!state.reed_width_cm && state.ends_per_cm) state.reed_width_cm = ends / *state.ends_per_cm;
+    if (state.ends_per_cm && fabric.loom.ends_per_dent) state.dents_per_10_cm = 10 * *state.ends_per_cm / *fabric.loom.ends_per_dent;
+    if (state.reed_width_cm) state.width_shrinks_percent = 100 * (*state.reed_width_cm / width_cm - 1);
+    if (state.picks_per_cm) state.length_shrinks_percent = 100 * (fabric.picks_per_cm / *state.picks_per_cm - 1);
+    return state;
+}
+
+TechnicalCard technical_card(const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request)
+{
+    TechnicalCard card;
+    card.width_cm = request.width_cm;
+    card.ends = fabric.ends_per_cm * request.width_cm;
+    card.loom = loom_state(fabric, request.width_cm);
+    const double with_waste = 1 + 0.01 * request.waste_percent;
+    const double width = request.width_cm / cm_in_metre, tails = request.tails_cm / cm_in_metre;
+    const auto of_weft = [&](double crimp) {
+        return tails + (card.loom.reed_width_cm ? *card.loom.reed_width_cm / cm_in_metre : width * (1 + crimp));
+    };
+    add_yarns(
+        card, fabric, fitted, true, card.ends, [](double crimp) { return 1 + crimp; }, with_waste);
+    add_yarns(card, fabric, fitted, false, cm_in_metre * fabric.picks_per_cm, of_weft, with_waste);
+    double cost = 0;
+    bool priced = true;
+    for (const YarnUse& use : card.yarns) {
+        card.grams_per_metre += use.grams_per_metre;
+        cost += use.cost_per_metre.value_or(0);
+        priced = priced && use.cost_per_metre;
+    }
+    if (priced) card.yarn_cost_per_metre = cost;
+    note_take_up(card, fabric, fitted);
+    return card;
+}
+
+} // namespace hygroloom

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// card, as a script would run it.
+#include "tests/app/command_line.h"
+
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+class TestCommandLineCard : public QObject {
+    Q_OBJECT
+    QTemporaryDir folder_;
+
+    QString file(const char* name) const { return folder_.filePath(name); }
+    /// The project of a poplin, made once.
+    QString poplin() const
+    {
+        if (!QFile::exists(file("poplin.hygro"))) run_cli({"presets", "Poplin shirting", "-o", file("poplin.hygro")});
+        return file("poplin.hygro");
+    }
+    static QByteArray content(const QString& path)
+    {
+        QFile in(path);
+        return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+    }
+
+private Q_SLOTS:
+    void itHasWhatTheContractSays()
+    {
+        const Answer answer = run_cli({"card", poplin(), "--fabric", "Poplin shirting", "--json", "--width-cm", "100"});
+        QVERIFY2(answer.code == 0, answer.err.constData());
+        const QJsonObject card = answer.json(), construction = card["construction"].toObject(), laboratory = card["laboratory"].toObject();
+        QCOMPARE(card["fabric"].toString(), "Poplin shirting");
+        QVERIFY(qAbs(construction["g_per_m"].toDouble() - construction["areal_density_g_m2"].toDouble()) < 0.2); // of one metre's width
+        QVERIFY(construction["yarn_cost_per_m"].isNull());
+        for (const char* key : {"air_permeability_mm_s", "rct_m2k_w", "ret_m2pa_w", "absorption_drained_percent", "thickness_mm"}) {
+            const QJsonObject number = laboratory[key].toObject();
+            QVERIFY2(number["low"].toDouble() <= number["value"].toDouble() && number["value"].toDouble() <= number["high"].toDouble() &&
+                         number["value"].toDouble() > 0,
+                     key);
+        }
+    }
+    void checkHasTheQuickNumbers()
+    {
+        const QJsonObject fabric = run_cli({"check", poplin(), "--json"}).json()["fabrics"].toArray()[0].toObject();
+        const QJsonObject laboratory = fabric["laboratory"].toObject();
+        QCOMPARE(laboratory["mass_g_m2"].toObject()["value"].toDouble(), fabric["derived"].toObject()["areal_density_g_m2"].toDouble());
+        QVERIFY(!laboratory.contains("air_permeability_mm_s"));
+    }
+    void loomAndPricesAreOnIt()
+    {
+        const Answer answer =
+            run_cli({"card", poplin(), "--json", "--set", "fabrics[0].loom.reed_width_cm=159", "--set", "fabrics[0].loom.ends_per_dent=2",
+                     "--set", "fabrics[0].warp.price=6.5", "--set", "fabrics[0].weft.price=6.5"});
+        QVERIFY2(answer.code == 0, answer.err.constData());
+        const QJsonObject construction = answer.json()["construction"].toObject(), loom = construction["loom"].toObject();
+        QVERIFY(qAbs(loom["dents_per_10_cm"].toDouble() - 247) < 0.3);
+        QVERIFY(qAbs(construction["yarn_cost_per_m"].toDouble() - 6.5e-3 * construction["g_per_m"].toDouble()) < 1e-9);
+    }
+    void itIsWrittenAsPageAndTable()
+    {
+        QCOMPARE(run_cli({"card", poplin(), "-o", file("card.html"), "-q"}).code, 0);
+        const QByteArray page = content(file("card.html"));
+        for (const char* text : {"Air permeability at 100 Pa", "ISO 11092", "data:image/png", "10 mm", "g/m"})
+            QVERIFY2(page.contains(text), text);
+        QCOMPARE(run_cli({"card", poplin(), "-o", file("card.csv"), "-q"}).code, 0);
+        const QByteArray table = content(file("card.csv"));
+        QVERIFY(table.startsWith("key,title,value,low,high,unit,standard,conditions\n") && table.contains("\nret_m2pa_w,"));
+    }
+    void wrongRequestsAreRefused()
+    {
+        QCOMPARE(run_cli({"card", poplin(), "-o", file("card.doc")}).code, 2);
+        QCOMPARE(run_cli({"card", poplin(), "--fabric", "no such"}).code, 2);
+        QCOMPARE(run_cli({"card", poplin(), "--set", "fabrics[0].loom.reed_width_cm=0"}).code, 3);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCommandLineCard)
+#include "tst_command_line_card.moc"
