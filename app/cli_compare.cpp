@@ -10,6 +10,7 @@
 #include "core/analysis/comparison_report.h"
 #include "core/analysis/map_picture.h"
 #include "core/design/unknowns.h"
+#include "core/laboratory/numbers.h"
 #include "core/project/atomic_file.h"
 #include "core/run/learned_times.h"
 #include "gpu/backends.h"
@@ -145,6 +146,16 @@ void give_results(const CompareOptions& options, const Comparison& comparison, c
     }
 }
 
+std::map<std::string, std::vector<LaboratoryNumber>> cards_of(const Design& design, const FittedFabrics& fitted,
+                                                              const std::vector<std::string>& fabrics)
+{
+    std::map<std::string, std::vector<LaboratoryNumber>> cards;
+    for (std::size_t i = 0; i < design.fabrics.size(); ++i)
+        if (std::ranges::find(fabrics, design.fabrics[i].name) != fabrics.end())
+            cards[design.fabrics[i].name] = laboratory_numbers(design, design.fabrics[i], *fitted[i]);
+    return cards;
+}
+
 int compare(CompareOptions options)
 {
     check_fidelity(options);
@@ -153,7 +164,10 @@ int compare(CompareOptions options)
     how.may_go_on_on_cpu = true;
     const Design design = load_project(options);
     const FittedFabrics fitted = require_valid(design, options);
-    if (const WearExperiment* wear = chosen_wear(design, options)) return compare_garments(options, design, *wear);
+    if (const WearExperiment* wear = chosen_wear(design, options)) {
+        if (options.card) throw Stop(exit_usage, "--card: A garment has no technical card; ask for its fabrics' with the verb card.");
+        return compare_garments(options, design, *wear);
+    }
     if (!options.others.empty() || options.cell_mm > 0)
         throw Stop(exit_usage, "Several projects and --cell-mm work with experiments on garments (type wear).");
     const Experiment& experiment = chosen_experiment(design, options);
@@ -172,6 +186,7 @@ int compare(CompareOptions options)
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
     Comparison comparison = comparison_of(options, experiment.name, compared_by(experiment.type), fabrics);
+    if (options.card) comparison.cards = cards_of(design, fitted, fabrics);
     make_folder(options.output);
     write_numbers(comparison, options.output); // fails before the first run when the folder cannot be written to
     const auto backends = open_backends(options, options.at_once, scenes, bytes_of_largest(design, experiment, all_textiles, how));
@@ -263,6 +278,7 @@ void add_compare(CLI::App& app, Verb& chosen)
         ->type_name("FABRIC");
     verb.add_option("--measured", options->measured, "Numbers of a laboratory beside: CSV with fabric, metric, value, unit and spread")
         ->type_name("FILE");
+    verb.add_flag("--card", options->card, "The laboratory's numbers of each fabric's technical card beside; not of garments");
     add_fidelity_options(verb, *options, ", for all runs together");
     add_physics_option(verb, *options);
     add_machine_options(verb, *options);

@@ -19,6 +19,7 @@ struct CompareOptions : FidelityOptions {
     std::string report;
     std::string measured; ///< file
     std::string why;      ///< fabric; empty: no question
+    bool card = false;    ///< the numbers of technical cards beside
     int replicates = 1;
     int at_once = 0;
     double cell_mm = 0; ///< of garments

@@ -5,6 +5,7 @@
 #include "core/analysis/intervals.h"
 #include "core/analysis/laboratory_table.h"
 #include "core/design/unknowns.h"
+#include "core/laboratory/numbers.h"
 
 #include <map>
 #include <memory>
@@ -66,12 +67,13 @@ struct Comparison {
     std::string baseline; ///< fabric that the verdicts are against
     int replicates = 1;
     std::vector<Candidate> candidates;
-    std::vector<Compared> verdicts; ///< each candidate against the baseline, by each criterion
-    std::vector<LoneNumber> lone;   ///< where there is no verdict, as only one of both has the number
-    LaboratoryTable measured;       ///< of a laboratory, beside the simulated
-    bool complete = false;          ///< whether all runs of all fabrics are among them
-    bool of_garments = false;       ///< the candidates are garments, whose numerical error is not known
-    std::shared_ptr<const Why> why; ///< of one fabric against another; nullptr: nobody asked
+    std::vector<Compared> verdicts;                             ///< each candidate against the baseline, by each criterion
+    std::vector<LoneNumber> lone;                               ///< where there is no verdict, as only one of both has the number
+    LaboratoryTable measured;                                   ///< of a laboratory, beside the simulated
+    std::map<std::string, std::vector<LaboratoryNumber>> cards; ///< numbers of technical cards by fabric; empty: nobody asked
+    bool complete = false;                                      ///< whether all runs of all fabrics are among them
+    bool of_garments = false;                                   ///< the candidates are garments, whose numerical error is not known
+    std::shared_ptr<const Why> why;                             ///< of one fabric against another; nullptr: nobody asked
 };
 
 /// The criterion of that key or full title, in small or capital letters; the first for an empty name. Throws Error naming those there are,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A comparison as text, JSON and CSV.
+#include "core/analysis/card.h"
 #include "core/analysis/comparison.h"
 #include "core/analysis/metrics_json.h"
 #include "core/analysis/why_json.h"
@@ -77,6 +78,26 @@ std::string verdicts_table(const Comparison& comparison)
             const Compared* found = verdict_of(comparison, c.fabric, criterion.key);
             const LoneNumber* lone = lone_number_of(comparison, c.fabric, criterion.key);
             row.push_back(found ? name_of(found->verdict) : lone ? lone->words : "-");
+        }
+        rows.push_back(row);
+    }
+    return "\n" + aligned_columns(rows);
+}
+
+/// A line a number, a column a fabric.
+std::string cards_table(const Comparison& comparison)
+{
+    if (comparison.cards.empty()) return {};
+    Row titles{"    technical card"};
+    for (const auto& [fabric, numbers] : comparison.cards) titles.push_back(fabric);
+    std::vector<Row> rows{titles};
+    for (std::size_t i = 0; i < comparison.cards.begin()->second.size(); ++i) {
+        const LaboratoryNumber& first = comparison.cards.begin()->second[i];
+        Row row{fmt::format("    {}{}", first.title, first.unit.empty() ? "" : ", " + first.unit)};
+        for (const auto& [fabric, numbers] : comparison.cards) {
+            const Estimate& own = numbers[i].estimate;
+            row.push_back(own.low < own.high ? fmt::format("{:.3g} ({:.3g} to {:.3g})", own.value, own.low, own.high)
+                                             : fmt::format("{:.3g}", own.value));
         }
         rows.push_back(row);
     }
@@ -164,7 +185,7 @@ std::string comparison_table(const Comparison& comparison)
 {
     std::string text =
         fmt::format("{}: ranked by {} ({})\n", comparison.experiment, full_title(comparison.ranked_by), order_words(comparison.ranked_by));
-    text += numbers_table(comparison) + verdicts_table(comparison);
+    text += numbers_table(comparison) + verdicts_table(comparison) + cards_table(comparison);
     text += "\n  " + basis_text(comparison) + (comparison.replicates > 1 ? "\n" : " Ask for them with --replicates 8.\n");
     for (const LoneNumber& lone : comparison.lone) text += "  " + lone.sentence + "\n";
     for (const Candidate& c : comparison.candidates)
@@ -191,6 +212,8 @@ std::string comparison_json(const Comparison& comparison)
             if (value.fabric == c.fabric)
                 candidate["measured"][value.metric] = {{"value", value.value},
                                                        {"spread", value.spread ? Json(*value.spread) : Json(nullptr)}};
+        if (const auto card = comparison.cards.find(c.fabric); card != comparison.cards.end())
+            candidate["laboratory"] = laboratory_json(card->second);
         candidates.push_back(std::move(candidate));
     }
     Json json{{"format", "hygroloom-comparison"},
@@ -222,6 +245,8 @@ std::string comparison_csv(const Comparison& comparison)
         text += fmt::format(",{0},{0}_low,{0}_high,{0}_verdict", criterion.key);
         if (measured) text += fmt::format(",{}_measured", criterion.key);
     }
+    if (!comparison.cards.empty())
+        for (const LaboratoryNumber& number : comparison.cards.begin()->second) text += fmt::format(",{0},{0}_low,{0}_high", number.key);
     text += ",wall_s,notes\n";
     for (const Candidate& c : comparison.candidates) {
         text += (c.rank > 0 ? std::to_string(c.rank) : std::string()) + "," + quoted_csv_field(c.fabric);
@@ -235,6 +260,9 @@ std::string comparison_csv(const Comparison& comparison)
             const LaboratoryValue* value = measured_of(comparison, c.fabric, criterion.key);
             if (measured) text += value ? fmt::format(",{:.6g}", value->value) : ",";
         }
+        if (const auto card = comparison.cards.find(c.fabric); card != comparison.cards.end())
+            for (const LaboratoryNumber& number : card->second)
+                text += fmt::format(",{:.6g},{:.6g},{:.6g}", number.estimate.value, number.estimate.low, number.estimate.high);
         std::string notes = c.failure;
         for (const std::string& note : all_notes(comparison, c)) notes += (notes.empty() ? "" : " ") + note;
         text += fmt::format(",{:.4g},{}\n", c.wall, quoted_csv_field(notes));

@@ -66,6 +66,22 @@ private Q_SLOTS:
         const QByteArray table = content(file("card.csv"));
         QVERIFY(table.startsWith("key,title,value,low,high,unit,standard,conditions\n") && table.contains("\nret_m2pa_w,"));
     }
+    void comparedFabricsHaveItsNumbersBeside()
+    {
+        const QString cloths = file("cloths.hygro");
+        run_cli({"presets", "Poplin shirting", "Sheeting", "--experiment", "droplet", "-o", cloths});
+        const Answer answer =
+            run_cli({"compare", cloths, "--card", "--json", "--fidelity", "live", "--backend", "cpu", "-q", "-o", file("compared")});
+        QVERIFY2(answer.code == 0, answer.err.constData());
+        double air[2] = {};
+        for (const auto& each : answer.json()["candidates"].toArray()) {
+            const QJsonObject candidate = each.toObject();
+            air[candidate["fabric"].toString() == "Sheeting"] =
+                candidate["laboratory"].toObject()["air_permeability_mm_s"].toObject()["value"].toDouble();
+        }
+        QVERIFY(air[0] > 0 && air[1] > 2 * air[0]);
+        QVERIFY(content(file("compared/comparison.csv")).contains(",air_permeability_mm_s,air_permeability_mm_s_low,"));
+    }
     void wrongRequestsAreRefused()
     {
         QCOMPARE(run_cli({"card", poplin(), "-o", file("card.doc")}).code, 2);
