@@ -137,12 +137,11 @@ double breaks_through(const Textile& textile, double warp_cv, double weft_cv, do
     const auto half_gap = [&](const YarnType& type, double pitch, double cv) {
         return 0.5 * std::max(0.0, pitch - type.section.width + sigmas * 0.5 * cv * type.section.width / std::sqrt(2.0));
     };
-    const auto angle = [&](const YarnType& type) {
-        const double own = textile.face_angle.value_or(type.contact_angle);
-        const double on_dry = std::acos(std::clamp(cosine_on_dry_yarn(type.packing_round_core(), own), -1.0, 1.0));
-        return own > 0.5 * pi ? std::clamp(on_dry + off, 0.0, pi) : own; // fibres that wet draw it in
+    const auto angle = [&](const YarnType& type) { // as room_of_crossing() has it
+        return std::clamp(textile.back_angle.value_or(type.contact_angle) + off, 0.0, pi);
     };
-    if (angle(warp) <= 0.5 * pi || angle(weft) <= 0.5 * pi) return 0;
+    for (const YarnKind kind : {YarnKind::warp, YarnKind::weft})
+        if (yarn_by_suction(textile.system(kind).types[0], textile, kind, water()).at_bottom.gate > 0) return 0; // yarns draw it through
     return breakthrough_pressure(water().surface_tension, 0.5 * (angle(warp) + angle(weft)), 0.5 * warp.section.height,
                                  half_gap(warp, textile.warp.pitch, warp_cv), 0.5 * weft.section.height,
                                  half_gap(weft, textile.weft.pitch, weft_cv));
