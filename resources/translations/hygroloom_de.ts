@@ -2144,6 +2144,46 @@
         <source>water at the skin&apos;s face</source>
         <translation>Wasser auf der Hautseite</translation>
     </message>
+    <message>
+        <source>Ends a dent</source>
+        <translation>Fäden je Rohr</translation>
+    </message>
+    <message>
+        <source>Ends in the reed</source>
+        <translation>Kettdichte im Blatt</translation>
+    </message>
+    <message>
+        <source>Of a kilogram, in the currency that the card then tells costs in.</source>
+        <translation>Eines Kilogramms, in der Währung, in der die Karte dann Kosten nennt.</translation>
+    </message>
+    <message>
+        <source>Of the reed.</source>
+        <translation>Des Blatts.</translation>
+    </message>
+    <message>
+        <source>Of the warp in the reed. Leave empty to compute it from the ends in the reed.</source>
+        <translation>Der Kette im Blatt. Leer lassen, um sie aus der Kettdichte im Blatt zu berechnen.</translation>
+    </message>
+    <message>
+        <source>On the loom. Leave empty to compute it from the reed width.</source>
+        <translation>Auf dem Webstuhl. Leer lassen, um sie aus der Blattbreite zu berechnen.</translation>
+    </message>
+    <message>
+        <source>On the loom. Leave empty where the cloth keeps its length.</source>
+        <translation>Auf dem Webstuhl. Leer lassen, wenn das Gewebe seine Länge behält.</translation>
+    </message>
+    <message>
+        <source>Picks on the loom</source>
+        <translation>Schussdichte auf dem Webstuhl</translation>
+    </message>
+    <message>
+        <source>Price</source>
+        <translation>Preis</translation>
+    </message>
+    <message>
+        <source>Reed width</source>
+        <translation>Blattbreite</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>
