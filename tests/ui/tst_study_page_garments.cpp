@@ -80,7 +80,7 @@ QStringList texts(const QListWidget& list)
 
 } // namespace
 
-class TestStudyGarments : public QObject {
+class TestStudyPageGarments : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
@@ -165,5 +165,5 @@ private:
     QTemporaryDir settings_;
 };
 
-QTEST_MAIN(TestStudyGarments)
-#include "tst_study_garments.moc"
+QTEST_MAIN(TestStudyPageGarments)
+#include "tst_study_page_garments.moc"
