@@ -105,6 +105,8 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("changes");
+        QTest::newRow("air through an open cloth") << "air_permeability"
+                                                   << "fabric=Sheeting pressure_pa=200";
         QTest::newRow("a flat cap") << "sessile_drop"
                                     << "contact_angle_deg=45 particles=1000";
         QTest::newRow("a heavy drop") << "sessile_drop"
