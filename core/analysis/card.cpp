@@ -6,7 +6,9 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
+#include "core/project/mesh_file.h"
 #include "core/project/project_file.h"
+#include "core/project/texture_files.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -115,7 +117,7 @@ Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fit
     card.fabric = fabric.name;
     Design alone = design;
     alone.fabrics = {fabric};
-    card.description = Json::parse(format_project(alone)).at("fabrics").at(0);
+    card.description = Json::parse(format_project(alone)).at("fabrics").at(0).dump();
     card.quantities = fitted.measured;
     card.ends_per_cm = fabric.ends_per_cm;
     card.picks_per_cm = fabric.picks_per_cm;
@@ -126,6 +128,29 @@ Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fit
     card.numbers = laboratory_numbers(design, fabric, fitted);
     card.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return card;
+}
+
+std::vector<ReportPicture> card_pictures(const Fabric& fabric, const FittedFabric& fitted)
+{
+    constexpr double side_mm = 20, dpi = 400;
+    const auto repeats = [](double sett, int threads) { return std::max(1, static_cast<int>(std::ceil(side_mm * 0.1 * sett / threads))); };
+    const Textile textile = build_textile(
+        fabric, fitted,
+        region_of_repeats(fabric, repeats(fabric.ends_per_cm, fabric.weave.ends()), repeats(fabric.picks_per_cm, fabric.weave.picks())));
+    TextureSize size;
+    try {
+        size = texture_size(textile, dpi);
+    } catch (const Error&) {
+        return {};
+    }
+    const TexturePixels pixels = texture_pixels(textile, fabric, size, 1);
+    ReportPicture picture{fabric.name + ", top face", {pixels.columns, pixels.rows, {}}, size.width_mm};
+    for (std::size_t i = 0; i < pixels.colour.size(); i += 4)
+        for (std::size_t part = 0; part < 3; ++part) {
+            const int opacity = pixels.colour[i + 3], white = 255;
+            picture.image.rgb.push_back(static_cast<std::uint8_t>((pixels.colour[i + part] * opacity + white * (white - opacity)) / white));
+        }
+    return {picture};
 }
 
 Json laboratory_json(const std::vector<LaboratoryNumber>& numbers)
@@ -190,7 +215,7 @@ ReportPage card_page(const Card& card, const std::vector<ReportPicture>& picture
     return {card.fabric, joined({sentence(fmt::format("Technical card. {}, {}", made_by(), card.made_at)), blocks_of(pictures),
                                  section("Construction", construction_table(card)), section("Yarn for a metre", consumption_table(card)),
                                  section("Laboratory", joined({sentence(about), laboratory_table(card)})),
-                                 table_of_inputs("The fabric as the project has it", card.description)})};
+                                 table_of_inputs("The fabric as the project has it", Json::parse(card.description))})};
 }
 
 } // namespace hygroloom

@@ -12,7 +12,7 @@ namespace hygroloom {
 
 struct Card {
     std::string fabric;
-    nlohmann::ordered_json description; ///< the fabric as a project file has it
+    std::string description; ///< the fabric as a project file has it: JSON
     FabricQuantities quantities;
     double ends_per_cm = 0, picks_per_cm = 0;
     TechnicalCard technical;
@@ -31,6 +31,8 @@ nlohmann::ordered_json card_json(const Card& card);
 nlohmann::ordered_json laboratory_json(const std::vector<LaboratoryNumber>& numbers);
 /// key, title, value, low, high, unit, standard, conditions.
 std::string card_csv(const Card& card);
+/// The top face at true scale: as many repeats as make it 20 mm wide and high at least; none where a repeat is larger than pictures are.
+std::vector<ReportPicture> card_pictures(const Fabric& fabric, const FittedFabric& fitted);
 ReportPage card_page(const Card& card, const std::vector<ReportPicture>& pictures);
 
 } // namespace hygroloom

@@ -2946,6 +2946,21 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     </message>
 </context>
 <context>
+    <name>hygroloom::CardExport</name>
+    <message>
+        <source>The fabric has errors; see Issues. A card needs a fabric without.</source>
+        <translation>Das Gewebe hat Fehler; siehe Meldungen. Eine Karte braucht ein Gewebe ohne.</translation>
+    </message>
+    <message>
+        <source>%1, card</source>
+        <translation>%1, Karte</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 ist gespeichert.</translation>
+    </message>
+</context>
+<context>
     <name>hygroloom::Chart</name>
     <message>
         <source>%1: %2 %3 at %4 s</source>
@@ -7312,6 +7327,14 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>The colours end where the maps that are shown do, in all workspaces.</source>
         <translation>Die Farben enden in allen Arbeitsbereichen dort, wo die gezeigten Karten enden.</translation>
+    </message>
+    <message>
+        <source>Technical Car&amp;d…</source>
+        <translation>Tec&amp;hnische Karte…</translation>
+    </message>
+    <message>
+        <source>Save construction, yarn for a metre and the laboratory&apos;s numbers of the selected fabric.</source>
+        <translation>Bindung, Garn je Meter und die Zahlen des Labors für das ausgewählte Gewebe speichern.</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Menus, shortcuts and the tool bar.
 #include "ui/basics/preferred_menu.h"
+#include "ui/basics/typed_value.h"
 #include "ui/compare/compare_view.h"
+#include "ui/export/card_export.h"
 #include "ui/lesson/lesson_window.h"
 #include "ui/panels/candidates_panel.h"
 #include "ui/panels/experiment_panel.h"
@@ -88,6 +90,15 @@ void MainWindow::buildFileMenu()
     connect(addCommand(menu, {}, tr("Export &Mesh…"), QKeySequence("Ctrl+E"),
                        tr("Write yarns or fibres for modelling and rendering programs.")),
             &QAction::triggered, this, &MainWindow::exportMesh);
+    auto* card = new CardExport(document_, this);
+    connect(card, &CardExport::written, this, [this](const QString& sentence) { showMessage(sentence); });
+    connect(card, &CardExport::failed, this, &MainWindow::showProblem);
+    connect(addCommand(menu, {}, tr("Technical Car&d…"), {},
+                       tr("Save construction, yarn for a metre and the laboratory's numbers of the selected fabric.")),
+            &QAction::triggered, this, [this, card] {
+                commitTypedValue(*this);
+                card->save();
+            });
     menu->addSeparator();
     simulate_->fillFileMenu(menu);
     screenshot_ = addCommand(menu, "camera", tr("Save &Picture…"), QKeySequence("Ctrl+Shift+P"),

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/export/card_export.h"
+
+#include "core/analysis/card.h"
+#include "core/base/error.h"
+#include "ui/results/report_file.h"
+
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace hygroloom {
+
+CardExport::CardExport(Document& document, QWidget* window) : QObject(window), document_(document), window_(window) {}
+
+void CardExport::save()
+{
+    if (!document_.fitted()) {
+        Q_EMIT failed(tr("The fabric has errors; see Issues. A card needs a fabric without."));
+        return;
+    }
+    const QString folder = document_.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
+                                                      : QFileInfo(document_.path()).absolutePath();
+    const QString file = askForReportFile(window_, folder, tr("%1, card").arg(QString::fromStdString(document_.fabric()->name)));
+    if (!file.isEmpty()) { write(file); }
+}
+
+void CardExport::write(const QString& file)
+{
+    job_.run(
+        [this, file, design = document_.design(), fabric = *document_.fabric(), fitted = document_.fitted()](const NewestJob::Turn& turn) {
+            const ReportPage page = card_page(card_of(*design, fabric, *fitted), card_pictures(fabric, *fitted));
+            turn.deliver([this, file, page] {
+                try {
+                    writeReport(page, file);
+                    Q_EMIT written(tr("Saved %1.").arg(file));
+                } catch (const Error& error) {
+                    Q_EMIT failed(QString::fromStdString(error.what()));
+                }
+            });
+        });
+}
+
+} // namespace hygroloom
