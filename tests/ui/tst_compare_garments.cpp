@@ -129,7 +129,7 @@ private Q_SLOTS:
         check(again);
         std::map<std::string, QString> recordings;
         for (const KeptRun& run : again.history.runs()) { recordings[run.cloth()] = run.path; }
-        const QString page = studyReport(again.view.comparison(), recordings);
+        const QString page = QString::fromStdString(html_of(studyReport(again.view.comparison(), recordings)));
         QVERIFY(page.contains("replicates of each garment") && page.count("<img") >= 4); // both panels of both
     }
 
