@@ -25,12 +25,6 @@ std::string made_by() { return fmt::format("Hygroloom {} ({})", program_version(
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-std::string name_of(const YarnUse& use)
-{
-    const std::string system = use.warp ? "warp" : "weft";
-    return use.yarn == 0 ? system : fmt::format("{}, extra yarn {}", system, use.yarn);
-}
-
 Json yarn_json(const YarnUse& use)
 {
     return {{"yarn", name_of(use)},
@@ -71,7 +65,7 @@ PageBlocks construction_table(const Card& card)
     add_if(rows, "Shrinks in width", loom.width_shrinks_percent, "%");
     add_if(rows, "Shrinks in length", loom.length_shrinks_percent, "%");
     rows.push_back(row("Width, finished", rounded_text(card.technical.width_cm, 4), "cm"));
-    rows.push_back(row("Ends, all", rounded_text(card.technical.ends, 6), ""));
+    rows.push_back(row("Ends, all", fmt::format("{:.0f}", card.technical.ends), ""));
     for (const auto& [name, yarn] : {std::pair("Warp", &q.warp), std::pair("Weft", &q.weft)}) {
         rows.push_back(row(fmt::format("{}: count", name), text(yarn->linear_density_tex), "tex",
                            fmt::format("Ne {:.3g}", ne_from_tex(yarn->linear_density_tex))));
@@ -111,6 +105,12 @@ PageBlocks laboratory_table(const Card& card)
 
 } // namespace
 
+std::string name_of(const YarnUse& use)
+{
+    const std::string system = use.warp ? "warp" : "weft";
+    return use.yarn == 0 ? system : fmt::format("{}, extra yarn {}", system, use.yarn);
+}
+
 Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request)
 {
     Card card;
@@ -132,17 +132,13 @@ Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fit
 
 std::vector<ReportPicture> card_pictures(const Fabric& fabric, const FittedFabric& fitted)
 {
-    constexpr double side_mm = 20, dpi = 400;
-    const auto repeats = [](double sett, int threads) { return std::max(1, static_cast<int>(std::ceil(side_mm * 0.1 * sett / threads))); };
-    const Textile textile = build_textile(
-        fabric, fitted,
-        region_of_repeats(fabric, repeats(fabric.ends_per_cm, fabric.weave.ends()), repeats(fabric.picks_per_cm, fabric.weave.picks())));
-    TextureSize size;
-    try {
-        size = texture_size(textile, dpi);
-    } catch (const Error&) {
-        return {};
-    }
+    constexpr double side_mm = 20, most_mm = 100, dpi = 400;
+    const TextileRegion one = region_of_repeats(fabric, 1, 1);
+    const double wide = 10 * one.ends / fabric.ends_per_cm, high = 10 * one.picks / fabric.picks_per_cm; // mm
+    if (wide > most_mm || high > most_mm) return {};
+    const auto repeats = [](double mm) { return std::max(1, static_cast<int>(std::ceil(side_mm / mm))); };
+    const Textile textile = build_textile(fabric, fitted, region_of_repeats(fabric, repeats(wide), repeats(high)));
+    const TextureSize size = texture_size(textile, dpi);
     const TexturePixels pixels = texture_pixels(textile, fabric, size, 1);
     ReportPicture picture{fabric.name + ", top face", {pixels.columns, pixels.rows, {}}, size.width_mm};
     for (std::size_t i = 0; i < pixels.colour.size(); i += 4)
@@ -209,10 +205,10 @@ std::string card_csv(const Card& card)
 ReportPage card_page(const Card& card, const std::vector<ReportPicture>& pictures)
 {
     const char* about =
-        "Computed from the drawn cloth, not measured. After the value: between what it may lie for what the description leaves "
-        "open and for the computation. What the physics leaves out is not in it; where a number was compared with "
-        "measurements, it says so.";
-    return {card.fabric, joined({sentence(fmt::format("Technical card. {}, {}", made_by(), card.made_at)), blocks_of(pictures),
+        "Computed from the drawn cloth, not measured. The range after a value holds what the description leaves open and the error of the "
+        "computation, not what the physics leaves out. Where a number was compared with measurements, it says so.";
+    return {card.fabric, joined({sentence(fmt::format("Technical card. {}, {}", made_by(), card.made_at)),
+                                 pictures.empty() ? sentence("No picture: a repeat is more than 10 cm wide or high.") : blocks_of(pictures),
                                  section("Construction", construction_table(card)), section("Yarn for a metre", consumption_table(card)),
                                  section("Laboratory", joined({sentence(about), laboratory_table(card)})),
                                  table_of_inputs("The fabric as the project has it", Json::parse(card.description))})};

@@ -25,13 +25,15 @@ struct Card {
 /// Precondition: validate() found no error.
 Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request = {});
 
+/// "warp", "weft, extra yarn 1".
+std::string name_of(const YarnUse& use);
 /// {"fabric", "construction": {…}, "laboratory": {"air_permeability_mm_s": {"value", "low", "high", …}, …}}
 nlohmann::ordered_json card_json(const Card& card);
 /// {"air_permeability_mm_s": {"value", "low", "high", "unit", …}, …}
 nlohmann::ordered_json laboratory_json(const std::vector<LaboratoryNumber>& numbers);
 /// key, title, value, low, high, unit, standard, conditions.
 std::string card_csv(const Card& card);
-/// The top face at true scale: as many repeats as make it 20 mm wide and high at least; none where a repeat is larger than pictures are.
+/// The top face at true scale: as many repeats as make it 20 mm wide and high at least; none where a repeat is more than 100 mm.
 std::vector<ReportPicture> card_pictures(const Fabric& fabric, const FittedFabric& fitted);
 ReportPage card_page(const Card& card, const std::vector<ReportPicture>& pictures);
 

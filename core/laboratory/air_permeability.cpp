@@ -145,7 +145,7 @@ template <typename Of> Estimate AirPermeability::estimate(const Of& of) const
 {
     const double given = of(as_given_), coarse = of(coarse_);
     const auto over = [&](const AirWays& ways) { return given * of(ways) / coarse; };
-    return estimate_of(given, {{coarse, coarse}, {over(narrow_), over(wide_)}, {over(bare_), over(hairy_)}});
+    return estimate_of(given, {{coarse, given * given / coarse}, {over(narrow_), over(wide_)}, {over(bare_), over(hairy_)}});
 }
 Estimate AirPermeability::speed(double pressure) const
 {

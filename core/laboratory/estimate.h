@@ -19,6 +19,10 @@ struct Estimate {
 inline Estimate estimate_of(double value, const std::vector<std::pair<double, double>>& others)
 {
     double down = 0, up = 0;
+    if (!(value > 0)) {
+        for (const auto& [a, b] : others) up = std::max({up, a, b});
+        return {value, value, up};
+    }
     for (const auto& [a, b] : others) {
         const double least = std::log(std::min({a, b, value}) / value), most = std::log(std::max({a, b, value}) / value);
         down += least * least;

@@ -27,10 +27,13 @@ struct VapourSetUp {
     double humid = 1, dry = 0.5; ///< relative humidities on both sides, at that temperature
     double inner = 0;            ///< m of still air between the water, or what takes it up, and the cloth
     double air_speed = -1;       ///< m/s over the cup, 7 cm wide; less than 0: no boundary layer counts
+    bool water_on_cloth = false; ///< which has to hold it
 };
 const std::vector<VapourSetUp>& vapour_set_ups();
 
 /// kg/(m2 s) through a cloth of this Ret, the cup's own layers in series with it.
 double vapour_transmission(const VapourSetUp& set_up, double evaporative_resistance_of_cloth);
+/// The interval: that of Ret, half and twice the air's speed, 20 % of the air layer inside.
+Estimate vapour_transmission(const VapourSetUp& set_up, const Estimate& evaporative_resistance_of_cloth);
 
 } // namespace hygroloom

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace hygroloom {
 namespace {
 
@@ -40,11 +42,42 @@ void note_take_up(TechnicalCard& card, const Fabric& fabric, const FittedFabric&
         for (const YarnUse& other : card.yarns)
             if (other.warp != use.warp) crossed_tex += other.share * other.tex;
         const double rule = 4 * changes / ne_from_tex(crossed_tex);
-        if (use.take_up_percent() < 0.5 * rule || use.take_up_percent() > 2 * rule)
+        constexpr double most = 25; // where a rule of thumb ends
+        const std::string extra = use.yarn == 0 ? std::string() : fmt::format(" (extra yarn {})", use.yarn);
+        if (rule < most && (use.take_up_percent() < 0.5 * rule || use.take_up_percent() > 2 * rule))
             card.notes.push_back(
-                fmt::format("Take-up of the {} is {:.1f} %; Taylor's rule of thumb gives {:.1f} %. Set the crimps as measured.",
-                            use.warp ? "warp" : "weft", use.take_up_percent(), rule));
+                fmt::format("Take-up of the {}{} is {:.1f} %; Taylor's rule of thumb gives {:.1f} %. Set the crimps as measured.",
+                            use.warp ? "warp" : "weft", extra, use.take_up_percent(), rule));
     }
+}
+
+/// Finished, cm: as asked; else by the warp's ends in the reed; else usual.
+double width_of(const Fabric& fabric, const CardRequest& request)
+{
+    constexpr double usual = 150, usual_shrink = 1.06; // reed over finished width
+    if (request.width_cm > 0) return request.width_cm;
+    const Loom& loom = fabric.loom;
+    if (loom.reed_width_cm && loom.ends_per_cm) return *loom.reed_width_cm * *loom.ends_per_cm / fabric.ends_per_cm;
+    return loom.reed_width_cm ? *loom.reed_width_cm / usual_shrink : usual;
+}
+
+void note_loom(TechnicalCard& card, const Fabric& fabric, const CardRequest& request)
+{
+    const Loom& loom = fabric.loom;
+    if (!(request.width_cm > 0) && loom.reed_width_cm && !loom.ends_per_cm)
+        card.notes.push_back(fmt::format(
+            "The finished width is not given; taken as {:.4g} cm, as if the cloth shrank by 6 % from the reed.", card.width_cm));
+    if (loom.reed_width_cm && loom.ends_per_cm) {
+        const double in_reed = *loom.reed_width_cm * *loom.ends_per_cm;
+        if (std::abs(in_reed / card.ends - 1) > 0.02)
+            card.notes.push_back(
+                fmt::format("{:.0f} ends stand in the reed and {:.0f} in the finished width of {:.4g} cm: one of reed width, "
+                            "setts and finished width is wrong.",
+                            in_reed, card.ends, card.width_cm));
+    }
+    if (const auto& shrinks = card.loom.width_shrinks_percent; shrinks && (*shrinks < -2 || *shrinks > 40))
+        card.notes.push_back(fmt::format("A cloth of {:.4g} cm does not come from a reed of {:.4g} cm. State the finished width.",
+                                         card.width_cm, *card.loom.reed_width_cm));
 }
 
 } // namespace
@@ -64,16 +97,16 @@ LoomState loom_state(const Fabric& fabric, double width_cm)
 TechnicalCard technical_card(const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request)
 {
     TechnicalCard card;
-    card.width_cm = request.width_cm;
-    card.ends = fabric.ends_per_cm * request.width_cm;
-    card.loom = loom_state(fabric, request.width_cm);
+    card.width_cm = width_of(fabric, request);
+    card.ends = std::round(fabric.ends_per_cm * card.width_cm);
+    card.loom = loom_state(fabric, card.width_cm);
     const double with_waste = 1 + 0.01 * request.waste_percent;
-    const double width = request.width_cm / cm_in_metre, tails = request.tails_cm / cm_in_metre;
+    const double width = card.width_cm / cm_in_metre, tails = request.tails_cm / cm_in_metre;
     const auto of_weft = [&](double crimp) {
         return tails + (card.loom.reed_width_cm ? *card.loom.reed_width_cm / cm_in_metre : width * (1 + crimp));
     };
     add_yarns(
-        card, fabric, fitted, true, card.ends, [](double crimp) { return 1 + crimp; }, with_waste);
+        card, fabric, fitted, true, fabric.ends_per_cm * card.width_cm, [](double crimp) { return 1 + crimp; }, with_waste);
     add_yarns(card, fabric, fitted, false, cm_in_metre * fabric.picks_per_cm, of_weft, with_waste);
     double cost = 0;
     bool priced = true;
@@ -82,7 +115,8 @@ TechnicalCard technical_card(const Fabric& fabric, const FittedFabric& fitted, c
         cost += use.cost_per_metre.value_or(0);
         priced = priced && use.cost_per_metre;
     }
-    if (priced) card.yarn_cost_per_metre = cost;
+    if (priced && cost > 0) card.yarn_cost_per_metre = cost;
+    note_loom(card, fabric, request);
     note_take_up(card, fabric, fitted);
     return card;
 }

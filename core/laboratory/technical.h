@@ -7,7 +7,7 @@
 namespace hygroloom {
 
 struct CardRequest {
-    double width_cm = 150;    ///< of the finished cloth
+    double width_cm = 0;      ///< of the finished cloth; 0: by the loom, else 150
     double waste_percent = 0; ///< of all yarn
     double tails_cm = 0;      ///< of weft beyond the reed, both sides together
     double length_m = 0;      ///< that is ordered; 0: none

@@ -58,8 +58,6 @@ private Q_SLOTS:
     void hanksOfAPieceWeighAsBrooksSays()
     {
         constexpr double yard = 0.9144, pound = 453.59237, ounces = 16;
-        const double metres = 2280 * 38 * yard;
-        QVERIFY(near_to(metres / (840 * yard), 103 + 1.0 / 7, 1e-6));
         Fabric fabric = poplin();
         fabric.warp.linear_density_tex = tex_from_ne(30);
         fabric.weft.linear_density_tex = tex_from_ne(36);
@@ -97,6 +95,27 @@ private Q_SLOTS:
         QVERIFY(near_to(*loom_state(fabric, 150).ends_per_cm, 49.4, 1e-12));
         QVERIFY(!loom_state(poplin(), 150).reed_width_cm && !loom_state(poplin(), 150).dents_per_10_cm);
     }
+    void widthFollowsFromTheReedAndContradictionsAreTold()
+    {
+        Fabric fabric = poplin();
+        fabric.loom.reed_width_cm = 106;
+        TechnicalCard card = card_of_fabric(fabric);
+        QVERIFY(near_to(card.width_cm, 100, 1e-9) && card.notes.front().find("not given") != std::string::npos);
+        fabric.loom.ends_per_cm = fabric.ends_per_cm / 1.04;
+        card = card_of_fabric(fabric);
+        QVERIFY(near_to(card.width_cm, 106 / 1.04, 1e-9) && near_to(*card.loom.width_shrinks_percent, 4, 1e-9));
+        QCOMPARE(card.ends, std::round(card.ends));
+        const auto told = [](const TechnicalCard& of, const char* words) {
+            return std::any_of(of.notes.begin(), of.notes.end(),
+                               [&](const std::string& note) { return note.find(words) != std::string::npos; });
+        };
+        QVERIFY(!told(card, "is wrong"));
+        card = card_of_fabric(fabric, {150});
+        QVERIFY(told(card, "is wrong") && told(card, "does not come from a reed of 106 cm"));
+        fabric.warp.price = 0;
+        fabric.weft.price = 0;
+        QVERIFY(!card_of_fabric(fabric).yarn_cost_per_metre); // nobody's price
+    }
     void costsAreTheSumOfTheirLinesAndNoneWithoutPrices()
     {
         Fabric fabric = poplin();
@@ -116,7 +135,7 @@ private Q_SLOTS:
         fabric.loom.reed_width_cm = 160;
         QCOMPARE(quantities_in_use({}, fabric).areal_density_g_m2, before.areal_density_g_m2);
     }
-    /// A five-end satin of 180 picks an inch, weft of 70s: 4.1 %; plain of 120: 6.9 %. A crimp of half that is told, one near it is not.
+    /// A crimp of a third of what the rule says is told, one near it is not; of what the rule is not for, nothing is.
     void takeUpFarFromTaylorsRuleIsTold()
     {
         Fabric fabric = poplin();
