@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 """The programs use no network and write only what was named. What is compiled here calls no function of sockets; every verb works in a namespace without
 network in which all but one folder is read-only, and leaves there only the files that were named; the window keeps to its XDG folders.
-Run by ctest: check_seclusion.py <root of the source> <hygroloom-cli> [<hygroloom>]"""
+Run by ctest: check_seclusion.py [--linked-only] <root of the source> <hygroloom-cli> [<hygroloom>]; --linked-only looks at what is linked and called,
+and runs nothing."""
 import os
 import pathlib
 import re
@@ -147,10 +148,13 @@ def inside(root, cli, window, folder):
 
 
 def main():
-    root, cli = pathlib.Path(sys.argv[1]), sys.argv[2]
-    window = sys.argv[3] if len(sys.argv) > 3 else None
+    linked_only = sys.argv[1] == "--linked-only"
+    cli, *rest = sys.argv[3 if linked_only else 2:]
+    window = rest[0] if rest else None
     if faults := [fault for program in (cli, window) if program for fault in linked_faults(program)] + called_faults(cli):
         sys.exit("\n".join(faults))
+    if linked_only:
+        return 0
     apart = ["unshare", "--map-root-user", "--net", "--mount"]
     if not shutil.which("unshare") or subprocess.run([*apart, "true"], capture_output=True).returncode != 0:
         print("SKIPPED: unshare may not make a namespace without network here; only the linked libraries were looked at.")

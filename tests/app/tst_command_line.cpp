@@ -210,7 +210,7 @@ private Q_SLOTS:
         QCOMPARE(knobs["steps_between_absorption"].toInt(), 8);
         QCOMPARE(knobs["free_liquid"].toString(), QString("particles"));
         QCOMPARE(knobs.size(), 16);
-        QVERIFY(run_cli({"simulate", "--help"}).out.contains("fibre_shells"));
+        QVERIFY(run_cli({"plan", "--help"}).out.contains("fibre_shells"));
     }
     void planBeginsWithWhatItIsOfAndWhatToExpect()
     {
