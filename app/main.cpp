@@ -71,7 +71,7 @@ int main(int argc, char* argv[])
     parser.addHelpOption();
     parser.addVersionOption();
     parser.addOption(
-        {"pdf", QApplication::translate("main", "Write a report (.html) as PDF, without a window: --pdf page.html page.pdf.")});
+        {"pdf", QApplication::translate("main", "Write a report (.json) as PDF, without a window: --pdf page.json page.pdf.")});
     parser.addPositionalArgument("file", QApplication::translate("main", "A project (.hygro) or a recording (.hygrorec)."), "[file]");
     parser.process(application);
 

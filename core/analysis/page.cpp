@@ -4,6 +4,7 @@
 #include "core/analysis/map_image.h"
 #include "core/base/text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <iterator>
 
@@ -16,6 +17,43 @@ std::string in_line(const PageCell& cell)
     std::string text = cell.text;
     for (const std::string& line : cell.strong) text += ", " + line;
     return cell.below.empty() ? text : text + ", " + cell.below;
+}
+
+constexpr const char* between_columns = "  ";
+
+std::size_t columns_taken(const PageCell& cell) { return static_cast<std::size_t>(std::max(cell.columns, 1)); }
+
+/// How wide each column is. A text at a row's end and what takes several columns widen none.
+std::vector<std::size_t> widths_of(const PageTable& table)
+{
+    std::vector<std::size_t> widths;
+    for (const PageRow& row : table.rows) {
+        std::size_t column = 0;
+        for (const PageCell& cell : row) {
+            const bool at_end = &cell == &row.back() && cell.kind != PageCell::Kind::number;
+            widths.resize(std::max(widths.size(), column + columns_taken(cell)));
+            if (!at_end && columns_taken(cell) == 1) widths[column] = std::max(widths[column], width_as_seen(in_line(cell)));
+            column += columns_taken(cell);
+        }
+    }
+    return widths;
+}
+
+/// Numbers are aligned right, texts and headings left.
+std::string line_of(const PageRow& row, const std::vector<std::size_t>& widths)
+{
+    std::string line;
+    std::size_t column = 0;
+    for (const PageCell& cell : row) {
+        const std::string text = in_line(cell);
+        std::size_t width = width_as_seen(between_columns) * (columns_taken(cell) - 1);
+        for (std::size_t i = 0; i < columns_taken(cell); ++i) width += widths[column + i];
+        const std::string blanks(width - std::min(width, width_as_seen(text)), ' ');
+        if (column > 0) line += between_columns;
+        line += cell.kind == PageCell::Kind::number ? blanks + text : text + blanks;
+        column += columns_taken(cell);
+    }
+    return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
 
 struct TextWriter {
@@ -32,12 +70,8 @@ struct TextWriter {
     }
     void operator()(const PageTable& block)
     {
-        std::vector<std::vector<std::string>> rows;
-        for (const PageRow& row : block.rows) {
-            rows.emplace_back();
-            for (const PageCell& cell : row) rows.back().push_back(in_line(cell));
-        }
-        text += aligned_columns(rows);
+        const std::vector<std::size_t> widths = widths_of(block);
+        for (const PageRow& row : block.rows) text += line_of(row, widths);
     }
     void operator()(const PageDrawing& block) { caption(block.caption); }
     void operator()(const PagePicture& block) { caption(block.caption); }

@@ -57,7 +57,7 @@ struct HtmlWriter {
     void operator()(const PagePicture& block)
     {
         const bool scaled = block.width_mm > 0;
-        const std::string width = scaled ? fmt::format(" style=\"width:{:.2f}mm\"", block.width_mm) : "";
+        const std::string width = scaled ? fmt::format(" style=\"width:{:.2f}mm;max-width:none\"", block.width_mm) : "";
         const char* bar = scaled ? "<div style=\"width:10mm;height:1mm;background:#000\"></div>10 mm" : "";
         figure(fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\"{}>{}", escaped_markup(block.caption), base64_of(block.png),
                            width, bar),

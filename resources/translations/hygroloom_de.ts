@@ -20,6 +20,10 @@
         <translation>%1 lässt sich nicht löschen: %2.</translation>
     </message>
     <message>
+        <source>%1: A report is a .pdf, .html, .txt or .json file. Give a name with one of these endings.</source>
+        <translation>%1: Ein Bericht ist eine .pdf-, .html-, .txt- oder .json-Datei. Geben Sie einen Namen mit einer dieser Endungen an.</translation>
+    </message>
+    <message>
         <source>Save Report</source>
         <translation>Bericht speichern</translation>
     </message>
@@ -2121,12 +2125,12 @@
         <translation>Wärme, die das Verdunsten nahm</translation>
     </message>
     <message>
-        <source>it is not left to dry, or more than 5 % of the most water is left</source>
-        <translation>es bleibt keine Zeit zum Trocknen, oder mehr als 5 % des meisten Wassers sind noch da</translation>
-    </message>
-    <message>
         <source>it never holds 90 % of what it can</source>
         <translation>es hält nie 90 % dessen, was es kann</translation>
+    </message>
+    <message>
+        <source>it took up no water, is not left to dry, or more than 5 % of the most water is left</source>
+        <translation>es nahm kein Wasser auf, es bleibt keine Zeit zum Trocknen, oder mehr als 5 % des meisten Wassers sind noch da</translation>
     </message>
     <message>
         <source>largest wet area</source>
@@ -2948,12 +2952,20 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
 <context>
     <name>hygroloom::CardExport</name>
     <message>
+        <source>Another card is still being written. Save this one when that is done.</source>
+        <translation>Eine andere Karte wird noch geschrieben. Speichern Sie diese, wenn jene fertig ist.</translation>
+    </message>
+    <message>
         <source>The fabric has errors; see Issues. A card needs a fabric without.</source>
         <translation>Das Gewebe hat Fehler; siehe Meldungen. Eine Karte braucht ein Gewebe ohne.</translation>
     </message>
     <message>
         <source>%1, card</source>
         <translation>%1, Karte</translation>
+    </message>
+    <message>
+        <source>Making the card.</source>
+        <translation>Die Karte wird erstellt.</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -11214,8 +11226,8 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Gewebe entwerfen und simulieren, wie sie Wasser aufnehmen.</translation>
     </message>
     <message>
-        <source>Write a report (.html) as PDF, without a window: --pdf page.html page.pdf.</source>
-        <translation>Einen Bericht (.html) ohne Fenster als PDF schreiben: --pdf seite.html seite.pdf.</translation>
+        <source>Write a report (.json) as PDF, without a window: --pdf page.json page.pdf.</source>
+        <translation>Einen Bericht (.json) ohne Fenster als PDF schreiben: --pdf seite.json seite.pdf.</translation>
     </message>
     <message>
         <source>A project (.hygro) or a recording (.hygrorec).</source>

@@ -182,25 +182,31 @@ private Q_SLOTS:
     {
         PageCell verdict{"4.8", PageCell::Kind::number, {"better"}, "measured 5"};
         verdict.columns = 2;
-        const ReportPage page{"Stain < 5 mm", joined({section("Results", table({row_of_headings({"fabric", "radius, mm"}),
-                                                                                row("Köper", "4.81", "mm", "grade 4 of 5"),
-                                                                                {{"Satin", PageCell::Kind::heading}, verdict}})),
-                                                      section("Notes", list({"One.", "Two."})),
-                                                      {PageText{"It is so.", "Mind:"}},
-                                                      {PageDrawing{"<svg/>", "a curve"}},
-                                                      {PagePicture{std::string("\x89PNG\0\xff", 6), "a map"}},
-                                                      section("Empty", {})})};
+        const ReportPage page{"Stain < 5 mm",
+                              joined({section("Results", table({row_of_headings({"fabric", "radius, mm"}),
+                                                                row("Köper", "4.81", "mm", "grade 4 of 5"),
+                                                                row("Leinwand", "12.34", "mm", "its edge was wet from 3 s on"),
+                                                                {{"Satin", PageCell::Kind::heading}, verdict}})),
+                                      section("Notes", list({"One.", "Two."})),
+                                      {PageText{"It is so.", "Mind:"}},
+                                      {PageDrawing{"<svg/>", "a curve"}},
+                                      {PagePicture{std::string("\x89PNG\0\xff", 6), "a map"}},
+                                      {PagePicture{std::string("\x89PNG\0\xff", 6), "a cloth", 40}},
+                                      section("Empty", {})})};
         const ReportPage again = page_from_json(json_of(page));
         QCOMPARE(json_of(again), json_of(page));
         QCOMPARE(html_of(again), html_of(page));
         QVERIFY(html_of(page).find("<td class=\"number\" colspan=\"2\">4.8<br><b>better</b><br>measured 5</td>") != std::string::npos);
+        // The page's own rule narrows no true scale.
+        QVERIFY(html_of(page).find(" style=\"width:40.00mm;max-width:none\">") != std::string::npos);
         QCOMPARE(text_of(page), std::string("Stain < 5 mm\n============\n"
                                             "\nResults\n-------\n"
-                                            "fabric  radius, mm\n"
-                                            "Köper   4.81  mm  grade 4 of 5\n"
-                                            "Satin   4.8, better, measured 5\n"
+                                            "fabric    radius, mm\n"
+                                            "Köper      4.81  mm  grade 4 of 5\n"
+                                            "Leinwand  12.34  mm  its edge was wet from 3 s on\n"
+                                            "Satin     4.8, better, measured 5\n"
                                             "\nNotes\n-----\n- One.\n- Two.\n"
-                                            "Mind: It is so.\n[a curve]\n[a map]\n"));
+                                            "Mind: It is so.\n[a curve]\n[a map]\n[a cloth]\n"));
         QVERIFY(written_as(page, "a.HTML") == html_of(page) && written_as(page, "a.txt") == text_of(page) &&
                 written_as(page, "a.pdf").empty());
         for (const char* wrong : {"", "{}", "[1]", R"({"title": "a", "blocks": [{"picture": "*", "caption": ""}]})",

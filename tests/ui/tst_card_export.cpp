@@ -21,8 +21,9 @@ private Q_SLOTS:
         QVERIFY(document.openExample(shippedExample()));
         QWidget window;
         CardExport card(document, &window);
-        QSignalSpy written(&card, &CardExport::written), failed(&card, &CardExport::failed);
+        QSignalSpy making(&card, &CardExport::making), written(&card, &CardExport::written), failed(&card, &CardExport::failed);
         card.write(folder.filePath("card.html"));
+        QCOMPARE(making.count(), 1);
         QTRY_COMPARE_WITH_TIMEOUT(written.count(), 1, 60000);
         QFile file(folder.filePath("card.html"));
         QVERIFY(file.open(QIODevice::ReadOnly));

@@ -64,6 +64,37 @@ private Q_SLOTS:
         writeReport(paragraphs(1), file);
         QCOMPARE(contents(file).toStdString(), html_of(paragraphs(1)));
     }
+    void picturesAtTrueScaleAreInIt()
+    {
+        ReportPicture map{"top", {64, 64, std::vector<std::uint8_t>(3 * 64 * 64, 128)}};
+        const QByteArray plain = written({"Cotton", blocks_of({map})});
+        map.width_mm = 40;
+        const QByteArray scaled = written({"Cotton", blocks_of({map})});
+        QCOMPARE(scaled.count("/Subtype /Image"), plain.count("/Subtype /Image")); // the bar is drawn
+        QVERIFY(scaled.size() > plain.size());
+    }
+    void anUnknownEndingIsRefused()
+    {
+        for (const char* name : {"Poplin v1.2", "report.htm", "report"}) {
+            const QString file = folder_.filePath(name);
+            try {
+                writeReport(paragraphs(1), file);
+                QFAIL("It was written.");
+            } catch (const Error& error) {
+                const QString said = QString::fromStdString(error.what());
+                QVERIFY2(said.startsWith(file + ": "), error.what());
+                for (const char* ending : {".pdf", ".html", ".txt", ".json"}) QVERIFY2(said.contains(ending), error.what());
+            }
+            QVERIFY(!QFile::exists(file));
+        }
+    }
+    void aNameWithoutAKnownEndingGetsOne()
+    {
+        const FileKind pdf{"PDF", "pdf"}, html{"Web page", "html"};
+        QCOMPARE(withKnownEnding("Poplin v1.2", "pdf", pdf, html), QString("Poplin v1.2.pdf"));
+        QCOMPARE(withKnownEnding("Poplin", "html", pdf, html), QString("Poplin.html"));
+        for (const char* name : {"Poplin v1.2.pdf", "Poplin.HTML"}) QCOMPARE(withKnownEnding(name, "pdf", pdf, html), QString(name));
+    }
     void whatCannotBeWrittenIsNamed()
     {
         try {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Under the table of candidates: what limits its numbers.
 #include "core/design/unknowns.h"
+#include "core/plan/fidelity.h"
 #include "ui/basics/quantity.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_view.h"
@@ -9,6 +10,7 @@
 #include <QLabel>
 
 #include <algorithm>
+#include <set>
 
 namespace hygroloom {
 
@@ -42,6 +44,22 @@ QString unevennessOf(const Design& design, const Fabric& fabric)
     return QString::fromStdString(fabric.name) + ' ' + all.join(CompareView::tr(" and "));
 }
 
+/// The name of the first replicate's; empty: not known.
+std::string fidelityOf(const Candidate& candidate)
+{
+    if (candidate.run) { return name_of(candidate.run->plan.fidelity); }
+    return candidate.worn ? candidate.worn->how.substr(0, candidate.worn->how.find(',')) : std::string(); // the backend follows
+}
+
+bool differInFidelity(const std::vector<StudyRow>& rows)
+{
+    std::set<std::string> fidelities;
+    for (const StudyRow& row : rows) {
+        if (const std::string own = row.candidate ? fidelityOf(*row.candidate) : std::string(); !own.empty()) { fidelities.insert(own); }
+    }
+    return fidelities.size() > 1;
+}
+
 } // namespace
 
 /// Under the table, what keeps its numbers from being compared.
@@ -56,8 +74,6 @@ void CompareView::refreshHint()
     if (rows_.size() == 1) {
         notes << tr("A comparison needs a second fabric: add one with Fabric ▸ Add Fabric, or tick an older run under All Runs.");
     }
-    std::optional<Fidelity> fidelity;
-    bool differ = false;
     int kept = 0;
     QStringList atEdge, uneven;
     for (const StudyRow& row : rows_) {
@@ -69,9 +85,6 @@ void CompareView::refreshHint()
         if (!row.candidate || !row.candidate->run) { continue; }
         const RunRecord& run = *row.candidate->run;
         if (const Fabric* fabric = find_fabric(run.design, run.fabric)) { uneven << unevennessOf(run.design, *fabric); }
-        const Fidelity own = run.plan.fidelity;
-        differ = differ || (fidelity && *fidelity != own);
-        fidelity = own;
     }
     if (entry() && choiceOf(*entry()).replicates > 1) {
         notes << (entry()->worn()
@@ -98,7 +111,7 @@ void CompareView::refreshHint()
         notes << tr("%1 replicates of these runs are kept. Choose more than one under Replicates to judge by them.").arg(kept);
     }
     if (const QString outdated = entry() ? outdatedText() : QString(); !outdated.isEmpty()) { notes.prepend(outdated); }
-    if (differ) { notes << tr("These runs have different fidelities, which is part of their difference."); }
+    if (differInFidelity(rows_)) { notes << tr("These runs have different fidelities, which is part of their difference."); }
     note_->setText(notes.join(' '));
     note_->setVisible(!notes.isEmpty());
 }

@@ -130,6 +130,7 @@ void GarmentMaps::makePanes()
 {
     qDeleteAll(panes_);
     panes_.clear();
+    drawn_.clear();
     probe_->clear();
     for (std::size_t i = 0; i < runs_.size(); ++i) {
         auto* pane = new GarmentPane;
@@ -183,13 +184,13 @@ void GarmentMaps::read()
     shown_time_->setText(runs_.empty() ? QString() : momentText(share * duration(), duration()));
     if (runs_.empty()) {
         reader_.drop();
-        drawn_.clear();
+        known_.clear();
         problem_->hide();
         return;
     }
     std::vector<KeptRun> wanted = runs_;
     if (differs() && baseline_) { wanted.push_back(*baseline_); }
-    reader_.run([this, wanted, share, known = drawn_](const NewestJob::Turn& turn) {
+    reader_.run([this, wanted, share, known = known_](const NewestJob::Turn& turn) {
         std::vector<Drawn> drawn;
         QString problem;
         try {
@@ -205,7 +206,7 @@ void GarmentMaps::read()
             problem_->setText(problem);
             problem_->setVisible(!problem.isEmpty());
             if (!problem.isEmpty()) { return; }
-            drawn_ = drawn;
+            known_ = drawn_ = drawn;
             draw();
         });
     });

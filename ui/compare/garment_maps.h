@@ -63,7 +63,8 @@ private:
     std::vector<KeptRun> runs_;
     QStringList titles_;
     std::optional<KeptRun> baseline_;
-    std::vector<Drawn> drawn_; ///< of each run, and the baseline as the last
+    std::vector<Drawn> drawn_; ///< of each run, and the baseline as the last; empty until panes that are new show them
+    std::vector<Drawn> known_; ///< what was read last
     QStringList identities_;
     std::array<double, 4> most_{}; ///< of any cell at the times that were shown, for each of Shown
     QWidget* side_by_side_;

@@ -14,6 +14,10 @@ CardExport::CardExport(Document& document, QWidget* window) : QObject(window), d
 
 void CardExport::save()
 {
+    if (busy()) {
+        Q_EMIT failed(tr("Another card is still being written. Save this one when that is done."));
+        return;
+    }
     if (!document_.fitted()) {
         Q_EMIT failed(tr("The fabric has errors; see Issues. A card needs a fabric without."));
         return;
@@ -26,15 +30,23 @@ void CardExport::save()
 
 void CardExport::write(const QString& file)
 {
+    Q_EMIT making(tr("Making the card."));
     job_.run(
         [this, file, design = document_.design(), fabric = *document_.fabric(), fitted = document_.fitted()](const NewestJob::Turn& turn) {
-            const ReportPage page = card_page(card_of(*design, fabric, *fitted), card_pictures(fabric, *fitted));
-            turn.deliver([this, file, page] {
+            ReportPage page;
+            QString why;
+            try {
+                page = card_page(card_of(*design, fabric, *fitted), card_pictures(fabric, *fitted));
+            } catch (const std::exception& error) {
+                why = QString::fromUtf8(error.what());
+            }
+            turn.deliver([this, file, page, why] {
                 try {
+                    if (!why.isEmpty()) { throw Error(why.toStdString()); }
                     writeReport(page, file);
                     Q_EMIT written(tr("Saved %1.").arg(file));
-                } catch (const Error& error) {
-                    Q_EMIT failed(QString::fromStdString(error.what()));
+                } catch (const std::exception& error) {
+                    Q_EMIT failed(QString::fromUtf8(error.what()));
                 }
             });
         });

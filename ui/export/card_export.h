@@ -15,12 +15,13 @@ class CardExport : public QObject {
 public:
     /// The document must outlive it.
     CardExport(Document& document, QWidget* window);
-    /// Asks where; nothing where the fabric has an error.
+    /// Asks where; nothing where the fabric has an error, or another card is being written.
     void save();
     void write(const QString& file);
     bool busy() const { return job_.busy(); }
 
 Q_SIGNALS:
+    void making(const QString& sentence);
     void written(const QString& sentence);
     void failed(const QString& sentence);
 

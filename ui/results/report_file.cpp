@@ -2,12 +2,14 @@
 #include "ui/results/report_file.h"
 
 #include "core/analysis/svg.h"
+#include "core/base/error.h"
 #include "core/project/atomic_file.h"
 #include "ui/basics/quantity.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSvgRenderer>
@@ -119,11 +121,18 @@ public:
         if (in_row_ == 0) { html_ += "<table cellspacing=\"0\" cellpadding=\"3\">"; }
         if (in_row_++ % 2 == 0) { html_ += "<tr>"; }
         const QString width = block.width_mm > 0 ? QString(" width=\"%1\"").arg(block.width_mm * pixels_per_mm) : QString();
-        html_ += QString("<td><img src=\"%1\"%2><br>%3</td>").arg(name, width, escaped(block.caption));
+        const QString bar = block.width_mm > 0 ? barOf10mm() : QString();
+        html_ += QString("<td><img src=\"%1\"%2><br>").arg(name, width) + bar + escaped(block.caption) + "</td>";
     }
 
 private:
     static QString escaped(const std::string& text) { return QString::fromStdString(escaped_markup(text)); }
+    QString barOf10mm()
+    {
+        const QString name = pictures_.add("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"10\" height=\"1\" viewBox=\"0 0 10 1\">"
+                                           "<rect width=\"10\" height=\"1\"/></svg>");
+        return QString("<img src=\"%1\" width=\"%2\"> 10 mm<br>").arg(name).arg(10 * pixels_per_mm);
+    }
     void heading(const std::string& text, int level)
     {
         const char* style = broken_.contains(headings_++) ? " style=\"page-break-before: always\"" : "";
@@ -240,7 +249,19 @@ std::string pdfOf(const ReportPage& page)
 void writeReport(const ReportPage& page, const QString& file)
 {
     const bool pdf = file.endsWith(".pdf", Qt::CaseInsensitive);
-    write_file(file.toStdString(), pdf ? pdfOf(page) : written_as(page, file.toStdString()));
+    const std::string bytes = pdf ? pdfOf(page) : written_as(page, file.toStdString());
+    if (bytes.empty())
+        throw Error(QObject::tr("%1: A report is a .pdf, .html, .txt or .json file. Give a name with one of these endings.")
+                        .arg(file)
+                        .toStdString());
+    write_file(file.toStdString(), bytes);
+}
+
+QString withKnownEnding(const QString& file, const QString& usual, const FileKind& first, const FileKind& second)
+{
+    for (const FileKind& kind : {first, second})
+        if (file.endsWith("." + kind.ending, Qt::CaseInsensitive)) return file;
+    return file + "." + usual;
 }
 
 QString askForFile(QWidget* parent, const QString& title, const QString& folder, const QString& name, const FileKind& first,
@@ -254,7 +275,13 @@ QString askForFile(QWidget* parent, const QString& title, const QString& folder,
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog,
                      [&](const QString& chosen) { dialog.setDefaultSuffix((chosen == filter(second) ? second : first).ending); });
     dialog.selectFile(QString(name).replace('/', '-') + "." + first.ending);
-    return dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty() ? dialog.selectedFiles().front() : QString();
+    while (dialog.exec() == QDialog::Accepted && !dialog.selectedFiles().isEmpty()) {
+        const QString chosen = dialog.selectedFiles().front();
+        const QString file = withKnownEnding(chosen, dialog.defaultSuffix(), first, second);
+        if (file == chosen || !QFileInfo::exists(file)) return file;
+        dialog.selectFile(file); // once more: now it asks
+    }
+    return {};
 }
 
 QString askForReportFile(QWidget* parent, const QString& folder, const QString& name)

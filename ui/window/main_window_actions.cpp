@@ -91,6 +91,7 @@ void MainWindow::buildFileMenu()
                        tr("Write yarns or fibres for modelling and rendering programs.")),
             &QAction::triggered, this, &MainWindow::exportMesh);
     auto* card = new CardExport(document_, this);
+    connect(card, &CardExport::making, this, [this](const QString& sentence) { showMessage(sentence); });
     connect(card, &CardExport::written, this, [this](const QString& sentence) { showMessage(sentence); });
     connect(card, &CardExport::failed, this, &MainWindow::showProblem);
     connect(addCommand(menu, {}, tr("Technical Car&d…"), {},
