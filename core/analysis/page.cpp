@@ -73,7 +73,7 @@ struct TextWriter {
         const std::vector<std::size_t> widths = widths_of(block);
         for (const PageRow& row : block.rows) text += line_of(row, widths);
     }
-    void operator()(const PageDrawing& block) { caption(block.caption); }
+    void operator()(const PageDrawing& block) { caption(block.caption.empty() ? "curves" : block.caption); }
     void operator()(const PagePicture& block) { caption(block.caption); }
 
     static std::string rule(const std::string& under, char mark) { return std::string(width_as_seen(under), mark) + "\n"; }

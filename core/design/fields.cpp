@@ -137,8 +137,7 @@ template <> std::span<const Field<Yarn>> fields_of()
          "Coefficient of variation of the linear density along the yarn (Uster CVm). Leave empty for what is usual of such a yarn. Acts in "
          "the closure “pores” only.",
          construction, Need::pores},
-        {"price", &Y::price, "Price", "price of a yarn", 0, 1e6, "Of a kilogram, in the currency that the card then tells costs in.",
-         look}};
+        {"price", &Y::price, "Price", "price of a yarn", 0, 1e6, "Of a kilogram. The card tells costs in the same currency.", look}};
     return rows;
 }
 

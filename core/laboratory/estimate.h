@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A number and between what it may lie.
+// A number and its range.
 #pragma once
 
 #include <algorithm>

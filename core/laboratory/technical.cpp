@@ -76,8 +76,11 @@ void note_loom(TechnicalCard& card, const Fabric& fabric, const CardRequest& req
                             in_reed, card.ends, card.width_cm));
     }
     if (const auto& shrinks = card.loom.width_shrinks_percent; shrinks && (*shrinks < -2 || *shrinks > 40))
-        card.notes.push_back(fmt::format("A cloth of {:.4g} cm does not come from a reed of {:.4g} cm. State the finished width.",
-                                         card.width_cm, *card.loom.reed_width_cm));
+        card.notes.push_back(
+            fmt::format("A cloth of {:.4g} cm does not come from a reed of {:.4g} cm.", card.width_cm, *card.loom.reed_width_cm));
+    if (const auto& shrinks = card.loom.length_shrinks_percent; shrinks && (*shrinks < -2 || *shrinks > 40))
+        card.notes.push_back(fmt::format("A cloth of {:.4g} picks/cm does not come from {:.4g} picks/cm on the loom.", fabric.picks_per_cm,
+                                         *card.loom.picks_per_cm));
 }
 
 } // namespace

@@ -2157,8 +2157,8 @@
         <translation>Kettdichte im Blatt</translation>
     </message>
     <message>
-        <source>Of a kilogram, in the currency that the card then tells costs in.</source>
-        <translation>Eines Kilogramms, in der Währung, in der die Karte dann Kosten nennt.</translation>
+        <source>Of a kilogram. The card tells costs in the same currency.</source>
+        <translation>Eines Kilogramms. Die Karte nennt Kosten in derselben Währung.</translation>
     </message>
     <message>
         <source>Of the reed.</source>
@@ -2956,8 +2956,8 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>Eine andere Karte wird noch geschrieben. Speichern Sie diese, wenn jene fertig ist.</translation>
     </message>
     <message>
-        <source>The fabric has errors; see Issues. A card needs a fabric without.</source>
-        <translation>Das Gewebe hat Fehler; siehe Meldungen. Eine Karte braucht ein Gewebe ohne.</translation>
+        <source>The fabric has errors; see Issues. Mend them first.</source>
+        <translation>Das Gewebe hat Fehler; siehe Meldungen. Beheben Sie diese zuerst.</translation>
     </message>
     <message>
         <source>%1, card</source>

@@ -52,6 +52,7 @@ def verbs(root):
              "--set", "experiments[vertical wicking].duration_s=1.5", "--set", "experiments[vertical wicking].strip_mm=[3,30]"]
     return [
         (["check", project], []),
+        (["card", *one, "-o", "card.html", "--quiet"], ["card.html"]),
         (["plan", *one, *drop, "--fidelity", "draft"], []),
         (["simulate", *one, *drop, *short, "-o", "run.hygrorec"], ["run.hygrorec"]),
         (["measure", "run.hygrorec", "--map", "top", "-o", "map.png", "--report", "report.html", "--quiet"], ["map.png", "report.html"]),

@@ -112,6 +112,9 @@ private Q_SLOTS:
         QVERIFY(!told(card, "is wrong"));
         card = card_of_fabric(fabric, {150});
         QVERIFY(told(card, "is wrong") && told(card, "does not come from a reed of 106 cm"));
+        QVERIFY(!told(card, "picks/cm on the loom"));
+        fabric.loom.picks_per_cm = 2 * fabric.picks_per_cm;
+        QVERIFY(told(card_of_fabric(fabric), "picks/cm on the loom"));
         fabric.warp.price = 0;
         fabric.weft.price = 0;
         QVERIFY(!card_of_fabric(fabric).yarn_cost_per_metre); // nobody's price

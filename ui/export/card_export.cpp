@@ -19,7 +19,7 @@ void CardExport::save()
         return;
     }
     if (!document_.fitted()) {
-        Q_EMIT failed(tr("The fabric has errors; see Issues. A card needs a fabric without."));
+        Q_EMIT failed(tr("The fabric has errors; see Issues. Mend them first."));
         return;
     }
     const QString folder = document_.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
