@@ -42,18 +42,7 @@ void write_card(const Card& card, const Fabric& fabric, const FittedFabric& fitt
 void print_card(const Card& card)
 {
     print_result("{}\n", card.fabric);
-    const LoomState& loom = card.technical.loom;
-    const auto setting = [](const char* name, const std::optional<double>& value, const char* unit) {
-        if (value) print_result("  {:<44} {:>7} {}\n", name, rounded_text(*value, 3), unit);
-    };
-    setting("ends, finished", card.ends_per_cm, "/cm");
-    setting("picks, finished", card.picks_per_cm, "/cm");
-    setting("ends on the loom", loom.ends_per_cm, "/cm");
-    setting("picks on the loom", loom.picks_per_cm, "/cm");
-    setting("reed", loom.dents_per_10_cm, "dents/10 cm");
-    setting("reed width", loom.reed_width_cm, "cm");
-    setting("shrinks in width", loom.width_shrinks_percent, "%");
-    setting("shrinks in length", loom.length_shrinks_percent, "%");
+    for (const PageRow& row : construction_rows(card)) print_result("  {:<44} {:>7} {}\n", row[0].text, row[1].text, row[2].text);
     for (const YarnUse& use : card.technical.yarns)
         print_result("  {:<44} {:>7.4g} g/m     {:.3g} tex, crimp {:.3g} %, take-up {:.3g} %\n", name_of(use), use.grams_per_metre, use.tex,
                      use.crimp_percent, use.take_up_percent());

@@ -53,27 +53,6 @@ void add_if(std::vector<PageRow>& rows, const char* name, const std::optional<do
     if (value) rows.push_back(row(name, rounded_text(*value, 4), unit));
 }
 
-PageBlocks construction_table(const Card& card)
-{
-    const FabricQuantities& q = card.quantities;
-    const LoomState& loom = card.technical.loom;
-    std::vector<PageRow> rows{row("Ends, finished", text(card.ends_per_cm), "/cm"), row("Picks, finished", text(card.picks_per_cm), "/cm")};
-    add_if(rows, "Ends on the loom", loom.ends_per_cm, "/cm");
-    add_if(rows, "Picks on the loom", loom.picks_per_cm, "/cm");
-    add_if(rows, "Reed", loom.dents_per_10_cm, "dents/10 cm");
-    add_if(rows, "Reed width", loom.reed_width_cm, "cm");
-    add_if(rows, "Shrinks in width", loom.width_shrinks_percent, "%");
-    add_if(rows, "Shrinks in length", loom.length_shrinks_percent, "%");
-    rows.push_back(row("Width, finished", rounded_text(card.technical.width_cm, 4), "cm"));
-    rows.push_back(row("Ends, all", fmt::format("{:.0f}", card.technical.ends), ""));
-    for (const auto& [name, yarn] : {std::pair("Warp", &q.warp), std::pair("Weft", &q.weft)}) {
-        rows.push_back(row(fmt::format("{}: count", name), text(yarn->linear_density_tex), "tex",
-                           fmt::format("Ne {:.3g}", ne_from_tex(yarn->linear_density_tex))));
-        rows.push_back(row(fmt::format("{}: crimp", name), text(yarn->crimp_percent), "%"));
-    }
-    return table(rows);
-}
-
 PageBlocks consumption_table(const Card& card)
 {
     std::vector<PageRow> rows;
@@ -109,6 +88,27 @@ std::string name_of(const YarnUse& use)
 {
     const std::string system = use.warp ? "warp" : "weft";
     return use.yarn == 0 ? system : fmt::format("{}, extra yarn {}", system, use.yarn);
+}
+
+std::vector<PageRow> construction_rows(const Card& card)
+{
+    const FabricQuantities& q = card.quantities;
+    const LoomState& loom = card.technical.loom;
+    std::vector<PageRow> rows{row("Ends, finished", text(card.ends_per_cm), "/cm"), row("Picks, finished", text(card.picks_per_cm), "/cm")};
+    add_if(rows, "Ends on the loom", loom.ends_per_cm, "/cm");
+    add_if(rows, "Picks on the loom", loom.picks_per_cm, "/cm");
+    add_if(rows, "Reed", loom.dents_per_10_cm, "dents/10 cm");
+    add_if(rows, "Reed width", loom.reed_width_cm, "cm");
+    add_if(rows, "Shrinks in width", loom.width_shrinks_percent, "%");
+    add_if(rows, "Shrinks in length", loom.length_shrinks_percent, "%");
+    rows.push_back(row("Width, finished", rounded_text(card.technical.width_cm, 4), "cm"));
+    rows.push_back(row("Ends, all", fmt::format("{:.0f}", card.technical.ends), ""));
+    for (const auto& [name, yarn] : {std::pair("Warp", &q.warp), std::pair("Weft", &q.weft)}) {
+        rows.push_back(row(fmt::format("{}: count", name), text(yarn->linear_density_tex), "tex",
+                           fmt::format("Ne {:.3g}", ne_from_tex(yarn->linear_density_tex))));
+        rows.push_back(row(fmt::format("{}: crimp", name), text(yarn->crimp_percent), "%"));
+    }
+    return rows;
 }
 
 Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request)
@@ -207,11 +207,12 @@ ReportPage card_page(const Card& card, const std::vector<ReportPicture>& picture
     const char* about =
         "Computed from the drawn cloth, not measured. The range after a value holds what the description leaves open and the error of the "
         "computation, not what the physics leaves out. Where a number was compared with measurements, it says so.";
-    return {card.fabric, joined({sentence(fmt::format("Technical card. {}, {}", made_by(), card.made_at)),
-                                 pictures.empty() ? sentence("No picture: a repeat is more than 10 cm wide or high.") : blocks_of(pictures),
-                                 section("Construction", construction_table(card)), section("Yarn for a metre", consumption_table(card)),
-                                 section("Laboratory", joined({sentence(about), laboratory_table(card)})),
-                                 table_of_inputs("The fabric as the project has it", Json::parse(card.description))})};
+    return {card.fabric,
+            joined({sentence(fmt::format("Technical card. {}, {}", made_by(), card.made_at)),
+                    pictures.empty() ? sentence("No picture: a repeat is more than 10 cm wide or high.") : blocks_of(pictures),
+                    section("Construction", table(construction_rows(card))), section("Yarn for a metre", consumption_table(card)),
+                    section("Laboratory", joined({sentence(about), laboratory_table(card)})),
+                    table_of_inputs("The fabric as the project has it", Json::parse(card.description))})};
 }
 
 } // namespace hygroloom

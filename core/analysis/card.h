@@ -27,6 +27,8 @@ Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fit
 
 /// "warp", "weft, extra yarn 1".
 std::string name_of(const YarnUse& use);
+/// Setts, loom, width, counts and crimps, each a name, a number and its unit.
+std::vector<PageRow> construction_rows(const Card& card);
 /// {"fabric", "construction": {…}, "laboratory": {"air_permeability_mm_s": {"value", "low", "high", …}, …}}
 nlohmann::ordered_json card_json(const Card& card);
 /// {"air_permeability_mm_s": {"value", "low", "high", "unit", …}, …}

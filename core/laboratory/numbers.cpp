@@ -14,7 +14,7 @@
 namespace hygroloom {
 namespace {
 
-constexpr int room_voxels = 16; // as a draft has them
+constexpr int room_voxels = 16; // in the mean pitch, as `live` has them
 constexpr const char* not_compared = "";
 
 Estimate exact(double value) { return {value, value, value}; }
