@@ -85,26 +85,19 @@ std::vector<ReportPicture> maps_of(const std::vector<GarmentCandidate>& candidat
 {
     WearMapOptions how;
     how.crossings = 1; // as computed
-    double most = 0;
-    for (const FinishedGarment& first : firsts)
-        if (first.last) most = std::max(most, wear_map(first.record->layout, *first.last, how).most());
-    how.most = most;
     std::vector<std::string> names;
     for (const GarmentCandidate& candidate : candidates) names.push_back(candidate.name);
+    std::vector<GarmentAtEnd> ends;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+        if (firsts[i].last) ends.push_back({names[i], &firsts[i].record->layout, firsts[i].last});
+    std::vector<ReportPicture> pictures = pictures_on_one_scale(ends, how);
     const std::vector<std::string> stems = file_stems(names);
-    std::vector<ReportPicture> pictures;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
+    for (std::size_t i = 0; i < candidates.size() && !folder.empty(); ++i) {
         if (!firsts[i].last) continue;
         const WearLayout& layout = firsts[i].record->layout;
-        if (!folder.empty()) {
-            const std::string own = (std::filesystem::path(folder) / stems[i]).string();
-            make_folder(own);
-            write_wear_map(layout, *firsts[i].last, wear_map(layout, *firsts[i].last, how), own);
-        }
-        for (ReportPicture& picture : pictures_of_panels(layout, {firsts[i].last}, how)) {
-            picture.caption = names[i] + ": " + picture.caption;
-            pictures.push_back(std::move(picture));
-        }
+        const std::string own = (std::filesystem::path(folder) / stems[i]).string();
+        make_folder(own);
+        write_wear_map(layout, *firsts[i].last, wear_map(layout, *firsts[i].last, how), own);
     }
     return pictures;
 }

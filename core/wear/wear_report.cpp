@@ -207,6 +207,21 @@ std::vector<ReportPicture> pictures_of_panels(const WearLayout& layout, const st
     return pictures;
 }
 
+std::vector<ReportPicture> pictures_on_one_scale(const std::vector<GarmentAtEnd>& garments, WearMapOptions& how)
+{
+    how.most = 0;
+    double most = 0;
+    for (const GarmentAtEnd& garment : garments) most = std::max(most, wear_map(*garment.layout, *garment.frame, how).most());
+    how.most = most;
+    std::vector<ReportPicture> pictures;
+    for (const GarmentAtEnd& garment : garments)
+        for (ReportPicture& picture : pictures_of_panels(*garment.layout, {garment.frame}, how)) {
+            picture.caption = garment.name + ": " + picture.caption;
+            pictures.push_back(std::move(picture));
+        }
+    return pictures;
+}
+
 ReportPage wear_report(const WearRecord& record, const WearMetrics& metrics, const std::vector<ReportPicture>& pictures, bool finished,
                        const ReaderUnits& units)
 {

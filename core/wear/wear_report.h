@@ -19,6 +19,15 @@ std::vector<ReportPicture> pictures_of_panels(const WearLayout& layout, const st
 std::vector<ReportPicture> pictures_of_panels(const WearRecording& recording, const std::vector<int>& frames,
                                               const WearMapOptions& options);
 
+/// A garment as it is at the end of a run. Precondition: the layout outlives it.
+struct GarmentAtEnd {
+    std::string name;
+    const WearLayout* layout;
+    std::shared_ptr<const WearFrame> frame;
+};
+/// Every panel of all of them on one scale, whose end is put into `how`.
+std::vector<ReportPicture> pictures_on_one_scale(const std::vector<GarmentAtEnd>& garments, WearMapOptions& how);
+
 /// finished: the run came to its end. units: of the inputs.
 ReportPage wear_report(const WearRecord& record, const WearMetrics& metrics, const std::vector<ReportPicture>& pictures, bool finished,
                        const ReaderUnits& units = {});

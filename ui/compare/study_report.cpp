@@ -12,7 +12,7 @@
 #include <QCoreApplication>
 #include <QSettings>
 
-#include <algorithm>
+#include <deque>
 
 namespace hygroloom {
 
@@ -29,28 +29,17 @@ std::vector<ReportPicture> picturesOfGarments(const Comparison& comparison, cons
     WearMapOptions how;
     how.crossings = 1; // as computed
     how.units = unitsOfReader();
-    double most = 0;
-    std::vector<std::pair<std::string, WearRecording>> all;
+    std::deque<WearRecording> read; // whose layouts stay where they are
+    std::vector<GarmentAtEnd> ends;
     for (const Candidate& candidate : comparison.candidates) {
         const auto found = recordings.find(candidate.fabric);
         if (found == recordings.end()) { continue; }
-        all.emplace_back(candidate.fabric, WearRecording(found->second.toStdString()));
-        const WearRecording& recording = all.back().second;
-        if (recording.frames() == 0) {
-            all.pop_back();
-            continue;
-        }
-        most = std::max(most, wear_map(recording.record().layout, recording.frame(recording.frames() - 1), how).most());
+        const WearRecording& recording = read.emplace_back(found->second.toStdString());
+        if (recording.frames() == 0) { continue; }
+        ends.push_back(
+            {candidate.fabric, &recording.record().layout, std::make_shared<const WearFrame>(recording.frame(recording.frames() - 1))});
     }
-    how.most = most;
-    std::vector<ReportPicture> pictures;
-    for (const auto& [name, recording] : all) {
-        for (ReportPicture& picture : pictures_of_panels(recording, {recording.frames() - 1}, how)) {
-            picture.caption = name + ": " + picture.caption;
-            pictures.push_back(std::move(picture));
-        }
-    }
-    return pictures;
+    return pictures_on_one_scale(ends, how);
 }
 
 } // namespace
