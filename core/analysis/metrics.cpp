@@ -131,12 +131,12 @@ double wet_crossings(const Textile& textile, const Frame& frame, bool along_weft
 }
 
 /// Mean over the yarns along the strip of how far each is wet above the liquid, m.
-double wick_height(const Textile& textile, const Frame& frame, const Experiment& experiment, int crossings_per_cell)
+double wick_height(const Textile& textile, const Frame& frame, const Experiment& experiment, const Bundling& bundling)
 {
     const YarnKind kind = experiment.along_weft ? YarnKind::weft : YarnKind::warp;
     const YarnSystem& across = textile.system(other_kind(kind));
     const int yarns = textile.system(kind).count;
-    const Bundles cells = bundles_of(across.count, crossings_per_cell);
+    const Bundles cells = bundles_of(across.count, bundling);
     const double surface = metre_from_mm(experiment.immersion_mm);
     double sum = 0;
     for (int yarn = 0; yarn < yarns; ++yarn)
@@ -250,7 +250,7 @@ void MetricsCollector::start(const RunRecord& run)
     textile_ = run.textile;
     const Experiment* experiment = find_experiment(run.design, run.experiment);
     experiment_ = experiment ? *experiment : Experiment{};
-    crossings_per_cell_ = run.plan.crossings_per_cell;
+    bundling_ = run.plan.bundling();
     metrics_ = {};
     absorbed_before_ = absorbed_before(run, experiment_);
     regain_at_start_.clear();
@@ -296,7 +296,7 @@ void MetricsCollector::add(const Frame& frame)
     s.regain_mean.push_back(mean_of(frame.regain));
     s.air_temperature.push_back(kelvin_from_celsius(climate_at(experiment_, frame.time).temperature_c));
     if (regain_at_start_.empty()) regain_at_start_ = frame.regain;
-    if (is_strip(experiment_.type)) s.wick_height.push_back(wick_height(textile_, frame, experiment_, crossings_per_cell_));
+    if (is_strip(experiment_.type)) s.wick_height.push_back(wick_height(textile_, frame, experiment_, bundling_));
     if (uses_field(experiment_.type, "feed_s")) {
         s.tester.push_back(pins_.read(frame, regain_at_start_));
         s.content_top.push_back(face_content(s.tester.back().top));

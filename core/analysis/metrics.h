@@ -38,7 +38,7 @@ private:
 
     Textile textile_;
     Experiment experiment_;
-    int crossings_per_cell_ = 1;
+    Bundling bundling_;
     Metrics metrics_;
     std::array<double, 2> absorbed_before_{0, 0}; ///< kg, top and bottom: of the test's water, by the fibres before the first frame
     std::vector<float> regain_at_start_;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace hygroloom {
 namespace {
@@ -257,14 +258,41 @@ double Textile::segment_length(YarnKind kind, int end, int pick) const
     return 0.5 * (path_after(kind, end - (along_warp ? 0 : 1), pick - (along_warp ? 1 : 0)).length + path_after(kind, end, pick).length);
 }
 
+namespace {
+
+/// Whole crossings that fit. Rounded to a millionth of a pitch first, so that 2 cm at 35 ends/cm are 70 ends and not 69.
+int whole(double crossings)
+{
+    if (!(crossings >= 1)) return 1; // nor is what is not a number
+    return static_cast<int>(std::floor(std::min(crossings + 1e-6, double(largest_yarn_order))));
+}
+
+/// The even number next to it; of less than two yarns one.
+int even(double crossings) { return whole(crossings) < 2 ? 1 : 2 * whole(0.5 * (std::min(crossings, double(largest_yarn_order)) + 1)); }
+
+/// From which yarn on so many have a repeat's first behind their middle.
+int first_about_a_repeat(const Fabric& fabric, bool warp, int yarns)
+{
+    std::int64_t ordered = 0;
+    for (const YarnRun& run : warp ? fabric.warp_order : fabric.weft_order) ordered += run.count;
+    const std::int64_t repeat =
+        std::lcm(std::int64_t{warp ? fabric.weave.ends() : fabric.weave.picks()}, std::max<std::int64_t>(1, ordered));
+    const std::int64_t before = yarns / 2 % repeat;
+    return static_cast<int>(before == 0 || repeat > most_yarns_before ? 0 : repeat - before);
+}
+
+} // namespace
+
 TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double height_mm)
 {
-    // Rounded to a millionth of a pitch first, so that 2 cm at 35 ends/cm are 70 ends and not 69.
-    const auto whole = [](double crossings) {
-        if (!(crossings >= 1)) return 1; // nor is what is not a number
-        return static_cast<int>(std::floor(std::min(crossings + 1e-6, double(largest_yarn_order))));
-    };
     return {0, 0, whole(0.1 * width_mm * fabric.ends_per_cm), whole(0.1 * height_mm * fabric.picks_per_cm)};
+}
+
+TextileRegion region_of_run(const Fabric& fabric, const Experiment& experiment)
+{
+    const auto [width, height] = sample_extent_mm(experiment);
+    const int ends = even(0.1 * width * fabric.ends_per_cm), picks = even(0.1 * height * fabric.picks_per_cm);
+    return {first_about_a_repeat(fabric, true, ends), first_about_a_repeat(fabric, false, picks), ends, picks};
 }
 
 Textile build_textile(const Design& design, const Fabric& fabric, const TextileRegion& region)
@@ -398,8 +426,7 @@ Textile textile_of_run(const Design& design, const Fabric& fabric, const Experim
 
 Textile textile_of_run(const Design& design, const Fabric& fabric, const Experiment& experiment, const FittedFabric* fitted)
 {
-    const auto [width, height] = sample_extent_mm(experiment);
-    return textile_of_run(design, fabric, experiment, region_of_sample(fabric, width, height), fitted);
+    return textile_of_run(design, fabric, experiment, region_of_run(fabric, experiment), fitted);
 }
 
 } // namespace hygroloom

@@ -134,6 +134,9 @@ struct Textile {
     double half_thickness() const { return 0.5 * thickness; }
 };
 
+/// Ends, or picks, of a fabric before a region.
+inline constexpr int most_yarns_before = 100'000'000;
+
 /// A rectangle of crossings.
 struct TextileRegion {
     int first_end = 0;
@@ -144,6 +147,9 @@ struct TextileRegion {
 
 /// The whole crossings that fit a sample of the given size, each way at least one and at most largest_yarn_order.
 TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double height_mm);
+/// The crossings of an experiment's sample: an even number each way, the one next to its size, and a repeat begins in the middle. So the
+/// middle is the same place of the cloth whatever the sample's size.
+TextileRegion region_of_run(const Fabric& fabric, const Experiment& experiment);
 
 /// Precondition: validate() found no error in the fabric. Cost does not depend on the region's size.
 Textile build_textile(const Design& design, const Fabric& fabric, const TextileRegion& region);

@@ -89,7 +89,7 @@ RunningCloth::RunningCloth(const Design& design, const Climate& air)
     run.device = backend_->device();
     Scene scene = build_scene(whole, run.textile, experiment, run.plan, run.seed);
     scene.supply.droplets.clear();
-    session_ = std::make_unique<Session>(*backend_, std::move(scene), run.plan.crossings_per_cell);
+    session_ = std::make_unique<Session>(*backend_, std::move(scene), run.plan.bundling());
     session_->load();
     first_ = std::make_shared<const Frame>(session_->of_single_yarns(session_->take_frame().get()));
     bound_at_start_ = first_->ledger.water_bound;

@@ -58,10 +58,11 @@ std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentTy
 {
     const int wanted = wanted_in_bundle(plan.knobs, textile, type);
     plan.crossings_per_cell = 1;
+    plan.whole_bundles = wets_a_spot(type);
     if (wanted <= 1) return "";
     const auto alike = [&](int of) {
-        return bundles_are_alike(textile, YarnKind::warp, bundles_of(textile.ends(), of)) &&
-               bundles_are_alike(textile, YarnKind::weft, bundles_of(textile.picks(), of));
+        return bundles_are_alike(textile, YarnKind::warp, bundles_of(textile.ends(), {of, plan.whole_bundles})) &&
+               bundles_are_alike(textile, YarnKind::weft, bundles_of(textile.picks(), {of, plan.whole_bundles}));
     };
     int most = wanted;
     while (most > 1 && !alike(most)) --most;
@@ -70,8 +71,8 @@ std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentTy
     if (why_not)
         return fmt::format(" Each crossing stays a cell of its own, although the fidelity would put {} ends and picks into one: {}.",
                            wanted, why_not);
-    const Bundles ends = bundles_of(textile.ends(), most), picks = bundles_of(textile.picks(), most);
     plan.crossings_per_cell = most;
+    const Bundles ends = bundles_of(textile.ends(), plan.bundling()), picks = bundles_of(textile.picks(), plan.bundling());
     return fmt::format(" The {} ends and {} picks are simulated as {} and {} bundles; what a frame shows of a yarn is its bundle's.",
                        ends.yarns, picks.yarns, ends.count, picks.count);
 }
@@ -89,7 +90,7 @@ void decide_shown_cells(ModelPlan& plan, const Textile& textile, ExperimentType 
     plan.not_in_cells = why_not_in_cells(textile, type);
     if (!plan.not_in_cells.empty()) return;
     const auto cells = [&](int yarns) {
-        const int simulated = bundles_of(yarns, plan.crossings_per_cell).count;
+        const int simulated = bundles_of(yarns, plan.bundling()).count;
         return std::min(simulated, std::max(1, static_cast<int>(std::lround(yarns / wanted))));
     };
     plan.shown_ends = cells(textile.ends());

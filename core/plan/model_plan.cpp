@@ -32,8 +32,8 @@ std::vector<std::string> notes_of(const ModelPlan& plan)
     std::vector<std::string> notes;
     if (plan.crossings_per_cell > 1)
         notes.push_back(fmt::format("Yarns side by side went in bundles: {} ends and {} picks as {} and {}.", plan.region.ends,
-                                    plan.region.picks, bundles_of(plan.region.ends, plan.crossings_per_cell).count,
-                                    bundles_of(plan.region.picks, plan.crossings_per_cell).count));
+                                    plan.region.picks, bundles_of(plan.region.ends, plan.bundling()).count,
+                                    bundles_of(plan.region.picks, plan.bundling()).count));
     if (plan.shown_ends > 0)
         notes.push_back(fmt::format("Frames, maps and the recording show the sample in {} by {} cells, of about {:.3g} by {:.3g} yarns.",
                                     plan.shown_ends, plan.shown_picks, double(plan.region.ends) / plan.shown_ends,

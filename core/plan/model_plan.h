@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/textile.h"
+#include "core/plan/bundles.h"
 #include "core/plan/fidelity.h"
 
 #include <map>
@@ -64,6 +65,7 @@ struct ModelPlan {
     int segments = 0;
     int fibre_shells = 0;       ///< radial cells in a fibre
     int crossings_per_cell = 1; ///< ends, and picks, in a bundle that is simulated as one
+    bool whole_bundles = false; ///< see Bundling
     int shown_ends = 0;         ///< cells in which frames show the sample; 0: each segment
     int shown_picks = 0;
     std::string not_in_cells;  ///< why it is not shown in cells although it is large, or they were asked for
@@ -77,6 +79,7 @@ struct ModelPlan {
     std::map<std::string, double> expected_errors; ///< of each metric by its key, with what the reference itself lacks; see error_scale()
     std::string expectation_source;
 
+    Bundling bundling() const { return {crossings_per_cell, whole_bundles}; }
     bool on(const std::string& part) const;
     bool watches(const std::string& part) const;
 };

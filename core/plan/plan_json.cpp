@@ -162,6 +162,7 @@ Json plan_value(const ModelPlan& plan)
           {"segments", plan.segments},
           {"fibre_shells", plan.fibre_shells},
           {"crossings_per_cell", plan.crossings_per_cell},
+          {"whole_bundles", plan.whole_bundles},
           {"shown_ends", plan.shown_ends},
           {"shown_picks", plan.shown_picks},
           {"not_in_cells", plan.not_in_cells},
@@ -203,6 +204,7 @@ try {
     plan.segments = whole_number(resolution.at("segments"));
     plan.fibre_shells = whole_number(resolution.at("fibre_shells"));
     plan.crossings_per_cell = whole_number(resolution.value("crossings_per_cell", Json(1)));
+    plan.whole_bundles = resolution.value("whole_bundles", false);
     plan.shown_ends = whole_number(resolution.value("shown_ends", Json(0)));
     plan.shown_picks = whole_number(resolution.value("shown_picks", Json(0)));
     plan.not_in_cells = resolution.value("not_in_cells", "");

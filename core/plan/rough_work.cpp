@@ -20,8 +20,9 @@ namespace {
 /// Segments that are simulated: bundles', where yarns go in bundles.
 double cells_of(const ModelPlan& plan)
 {
-    const int wanted = plan.crossings_per_cell;
-    return wanted > 1 ? 2.0 * bundles_of(plan.region.ends, wanted).count * bundles_of(plan.region.picks, wanted).count : plan.segments;
+    const Bundling wanted = plan.bundling();
+    return wanted.yarns > 1 ? 2.0 * bundles_of(plan.region.ends, wanted).count * bundles_of(plan.region.picks, wanted).count
+                            : plan.segments;
 }
 
 bool flows_by_suction(const ModelPlan& plan) { return plan.counts.closure == name_of(Closure::pores); }

@@ -21,7 +21,6 @@ namespace hygroloom {
 
 namespace {
 
-constexpr int most_yarns_before = 100'000'000; ///< a region's place in the fabric
 constexpr std::uint64_t base_frame_bytes = 80 << 20;
 
 double time_from(const RunFileReader& file, const char* name)
@@ -75,7 +74,7 @@ std::string read_provenance(const RunFileReader& file, RunRecord& run)
 }
 
 /// Ends, or picks, as they were simulated.
-int simulated(int yarns, const ModelPlan& plan) { return bundles_of(yarns, plan.crossings_per_cell).count; }
+int simulated(int yarns, const ModelPlan& plan) { return bundles_of(yarns, plan.bundling()).count; }
 
 /// Whether frames show cells. Throws FileError where those cannot be. Precondition: the region can be.
 bool shows_cells(const ModelPlan& plan)
@@ -98,11 +97,10 @@ void rebuild_textile(RunRecord& run, const std::string& project)
     const Validation valid = validate_and_fit(run.design);
     if (!fabric || !experiment || has_error(valid.issues)) throw FileError("the recording's design is not valid; it is damaged.");
     const TextileRegion& region = run.plan.region;
-    const std::array<double, 2> sample = sample_extent_mm(*experiment);
-    const TextileRegion most = region_of_sample(*fabric, sample[0], sample[1]);
+    const TextileRegion most = region_of_run(*fabric, *experiment);
     const auto is_place = [](int yarns) { return yarns >= 0 && yarns <= most_yarns_before; };
-    if (region.ends < 1 || region.picks < 1 || region.ends > most.ends || region.picks > most.picks || !is_place(region.first_end) ||
-        !is_place(region.first_pick))
+    if (region.ends < 1 || region.picks < 1 || region.ends > most.ends + 1 || region.picks > most.picks + 1 ||
+        !is_place(region.first_end) || !is_place(region.first_pick))
         throw FileError("the recording's region does not lie in its sample; it is damaged.");
     const auto place = static_cast<std::size_t>(fabric - run.design.fabrics.data());
     run.textile = textile_of_run(run.design, *fabric, *experiment, region, valid.fabrics[place].get());
@@ -196,7 +194,7 @@ Frame Recording::File::values_of(const StoredFrame& stored, std::span<const Fram
     frame.ledger = stored.ledger;
     frame.water_top = row.number("water_top_kg");
     frame.water_bottom = row.number("water_bottom_kg");
-    if (in_bundles && !of_bundles) of_bundles.emplace(run.textile, run.plan.crossings_per_cell);
+    if (in_bundles && !of_bundles) of_bundles.emplace(run.textile, run.plan.bundling());
     const std::size_t n = of_bundles ? of_bundles->segments() : static_cast<std::size_t>(run.textile.segments());
     for (const FrameField& field : fields) field.in(frame) = values_of(row, stored, field, n);
     const std::uint64_t left = room() - sizeof(float) * std::size(frame_fields) * n; // the constructor saw that they fit

@@ -113,7 +113,7 @@ std::vector<RunColumn> columns_of_frames()
 std::size_t values_of(const RunRecord& run, bool in_bundles)
 {
     if (!in_bundles) return static_cast<std::size_t>(run.textile.segments());
-    const auto yarns = [&](int single) { return static_cast<std::size_t>(bundles_of(single, run.plan.crossings_per_cell).count); };
+    const auto yarns = [&](int single) { return static_cast<std::size_t>(bundles_of(single, run.plan.bundling()).count); };
     return 2 * yarns(run.plan.region.ends) * yarns(run.plan.region.picks);
 }
 

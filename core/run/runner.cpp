@@ -42,7 +42,7 @@ RunRecord run_experiment(const Design& design, const std::string& fabric_name, c
     backend.set_threads(options.threads);
     run.device = backend.device();
 
-    Session session(backend, build_scene(design, textile, *experiment, run.plan, options.seed), run.plan.crossings_per_cell);
+    Session session(backend, build_scene(design, textile, *experiment, run.plan, options.seed), run.plan.bundling());
     Publisher publisher(run, experiment->duration_s, session, callbacks, start, options.recording);
     go_through(frame_times(*experiment, run.plan.frame_interval), session, publisher, options, control);
     publisher.finish();

@@ -10,11 +10,12 @@
 
 namespace hygroloom {
 
-Session::Session(Backend& backend, Scene scene, int crossings_per_cell) : backend_(&backend), scene_(std::move(scene))
+Session::Session(Backend& backend, Scene scene, const Bundling& bundling)
+    : backend_(&backend), bundling_(bundling), scene_(std::move(scene))
 {
-    if (crossings_per_cell <= 1) return;
+    if (bundling.yarns <= 1) return;
     single_ = std::move(scene_);
-    scene_ = coarsened(*single_, crossings_per_cell);
+    scene_ = coarsened(*single_, bundling);
 }
 
 void Session::load()
@@ -99,7 +100,7 @@ void Session::move_to(std::unique_ptr<Backend> backend)
 Frame Session::of_single_yarns(Frame frame) const
 {
     if (!single_ || scene_.cloth.shown_ends > 0) return frame; // a conditional expression would copy it
-    return refined(std::move(frame), scene_, *single_);
+    return refined(std::move(frame), scene_, *single_, bundling_);
 }
 
 void Session::go_on_from(const std::vector<std::byte>& state)

@@ -2,6 +2,7 @@
 // A scene on a machine: it is advanced, gives frames and states, and can go on from a state, also on another machine.
 #pragma once
 
+#include "core/plan/bundles.h"
 #include "core/scene/scene.h"
 #include "core/solver/backend.h"
 
@@ -30,8 +31,8 @@ struct Squeeze {
 
 class Session {
 public:
-    /// The scene is that of single yarns; where crossings_per_cell is over 1 it is simulated in bundles. Loads nothing yet.
-    Session(Backend& backend, Scene scene, int crossings_per_cell);
+    /// The scene is that of single yarns; where bundles are of several yarns it is simulated in them. Loads nothing yet.
+    Session(Backend& backend, Scene scene, const Bundling& bundling);
     /// The scene stays where it is, and must outlive the session; nothing can be put on it.
     Session(Backend& backend, const Scene* scene) : backend_(&backend), given_(scene) {}
 
@@ -75,7 +76,8 @@ private:
 
     double time_ = 0, until_ = 0; ///< s: reached, and asked for
     std::unique_ptr<Backend> moved_to_;
-    Backend* backend_;             ///< the one it began on, or moved_to_
+    Backend* backend_; ///< the one it began on, or moved_to_
+    Bundling bundling_;
     const Scene* given_ = nullptr; ///< in place of scene_
     Scene scene_;
     std::optional<Scene> single_; ///< where scene_ has bundles

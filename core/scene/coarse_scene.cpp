@@ -77,13 +77,30 @@ struct Blocks {
     std::size_t coarse_segments() const { return static_cast<std::size_t>(2 * ends.count * picks.count); }
     /// How many yarns a coarse segment stands for side by side.
     double yarns_of(std::size_t coarse_segment) const { return coarse_segment < coarse_segments() / 2 ? ends.size() : picks.size(); }
+    /// Of each coarse segment, the crossings that it stands for over those that are in it: 1 but at the edges.
+    std::vector<double> filled_up() const
+    {
+        std::vector<double> all;
+        all.reserve(coarse_segments());
+        const auto add = [&all](const Bundles& own, const Bundles& crossed) {
+            for (int bundle = 0; bundle < own.count; ++bundle)
+                for (int across = 0; across < crossed.count; ++across)
+                    all.push_back(own.size() / own.held(bundle) * (crossed.size() / crossed.held(across)));
+        };
+        add(ends, picks);
+        add(picks, ends);
+        return all;
+    }
 };
 
+/// Of all that a coarse segment stands for.
 template <typename T> std::vector<double> summed(const Blocks& blocks, const std::vector<T>& values)
 {
-    std::vector<double> sums(values.empty() ? 0 : blocks.coarse_segments());
-    if (!values.empty())
-        blocks.each_part([&](std::size_t i, std::size_t c, double share) { sums[c] += share * static_cast<double>(values[i]); });
+    if (values.empty()) return {};
+    std::vector<double> sums(blocks.coarse_segments());
+    blocks.each_part([&](std::size_t i, std::size_t c, double share) { sums[c] += share * static_cast<double>(values[i]); });
+    const std::vector<double> filled_up = blocks.filled_up();
+    for (std::size_t c = 0; c < sums.size(); ++c) sums[c] *= filled_up[c];
     return sums;
 }
 
@@ -109,11 +126,12 @@ std::vector<double> touching_bundles(const Blocks& blocks, const std::vector<dou
                 if (crossed.first_of(at) <= across && across <= crossed.last_of(at))
                     sum += crossed.share(at, across) *
                            fine[(is_warp ? 0 : fine_crossings) + static_cast<std::size_t>(yarn * crossed.yarns + at)];
-            return sum;
+            return sum * (crossed.size() / crossed.held(across));
         };
         for (int bundle = 0; bundle < own.count; ++bundle)
             for (int across = 0; across < crossed.count; ++across) {
-                const double begin = (bundle + 0.5) * own.size() - 0.5, end = begin + own.size(); // in yarns' middles
+                const double from = own.middle(bundle) - 0.5; // in yarns' middles
+                const double begin = std::max(0.0, from), end = std::min(from + own.size(), own.yarns - 1.0);
                 double resistance = bundle + 1 < own.count ? 0 : std::numeric_limits<double>::infinity();
                 for (int yarn = static_cast<int>(begin); yarn < end && std::isfinite(resistance); ++yarn)
                     resistance += std::max(0.0, std::min(end, yarn + 1.0) - std::max(begin, double(yarn))) / joint(yarn, across);
@@ -234,9 +252,9 @@ void add_up_faces(Frame& frame, const Scene& scene)
 
 } // namespace
 
-Scene coarsened(const Scene& fine, int crossings_per_cell)
+Scene coarsened(const Scene& fine, const Bundling& bundling)
 {
-    const Blocks blocks{bundles_of(fine.cloth.ends, crossings_per_cell), bundles_of(fine.cloth.picks, crossings_per_cell)};
+    const Blocks blocks{bundles_of(fine.cloth.ends, bundling), bundles_of(fine.cloth.picks, bundling)};
     const double ends = blocks.ends.size(), picks = blocks.picks.size();
     Scene coarse = fine;
     coarse.cloth.ends = blocks.ends.count;
@@ -249,7 +267,7 @@ Scene coarsened(const Scene& fine, int crossings_per_cell)
     coarse.cloth.warp_up_share = warp_up_shares(blocks, fine.cloth.warp_up);
     coarse.cloth.warp_up.clear();
     for (float share : coarse.cloth.warp_up_share) coarse.cloth.warp_up.push_back(share >= 0.5f);
-    coarse.cloth.threads_per_cell = crossings_per_cell;
+    coarse.cloth.threads_per_cell = bundling.yarns;
     coarse.cloth.shown_ends = std::min(fine.cloth.shown_ends, blocks.ends.count);
     coarse.cloth.shown_picks = std::min(fine.cloth.shown_picks, blocks.picks.count);
     coarse.cloth.type = types(blocks, fine.cloth.type);
@@ -292,6 +310,7 @@ Frame on_yarns(Frame frame, const Blocks& blocks, const std::vector<double>& len
     const std::size_t shells = cells.shells.size() / coarse_length.size();
     frame.shells.assign(shells * length.size(), 0.0F);
     const std::vector<FieldCopy> fields = copies(cells, frame);
+    const std::vector<double> filled_up = blocks.filled_up();
     const float* shells_of = cells.shells.data();
     float* shells_to = frame.shells.data();
     const auto add = [](float& to, double factor, float value) { to += static_cast<float>(factor * static_cast<double>(value)); };
@@ -299,7 +318,7 @@ Frame on_yarns(Frame frame, const Blocks& blocks, const std::vector<double>& len
         for (std::size_t k = 0; k < parts.count; ++k) {
             const std::size_t c = parts.coarse[k];
             const double share = parts.share[k];
-            const double part = share * length[i] / (blocks.yarns_of(c) * coarse_length[c]); // of the cell's pores
+            const double part = share * length[i] * filled_up[c] / (blocks.yarns_of(c) * coarse_length[c]); // of the cell's pores
             for (const FieldCopy& field : fields) add(field.to[i], field.is_amount ? part : share, field.from[c]);
             for (std::size_t s = 0; s < shells; ++s) add(shells_to[i * shells + s], share, shells_of[c * shells + s]);
         }
@@ -309,17 +328,17 @@ Frame on_yarns(Frame frame, const Blocks& blocks, const std::vector<double>& len
 
 } // namespace
 
-Frame refined(Frame frame, const Scene& coarse, const Scene& fine)
+Frame refined(Frame frame, const Scene& coarse, const Scene& fine, const Bundling& bundling)
 {
-    const Blocks blocks{{fine.cloth.ends, coarse.cloth.ends}, {fine.cloth.picks, coarse.cloth.picks}};
+    const Blocks blocks{bundles_of(fine.cloth.ends, bundling), bundles_of(fine.cloth.picks, bundling)};
     frame = on_yarns(std::move(frame), blocks, fine.cloth.length, coarse.cloth.length);
     add_up_faces(frame, fine);
     return frame;
 }
 
-YarnsOfBundles::YarnsOfBundles(const Textile& textile, int crossings_per_cell)
-    : ends_(bundles_of(textile.ends(), crossings_per_cell)), picks_(bundles_of(textile.picks(), crossings_per_cell)),
-      lengths_(segment_lengths(textile)), bundled_(lengths({ends_, picks_}, lengths_))
+YarnsOfBundles::YarnsOfBundles(const Textile& textile, const Bundling& bundling)
+    : ends_(bundles_of(textile.ends(), bundling)), picks_(bundles_of(textile.picks(), bundling)), lengths_(segment_lengths(textile)),
+      bundled_(lengths({ends_, picks_}, lengths_))
 {
 }
 

@@ -12,16 +12,16 @@ namespace hygroloom {
 /// to the same; along and across bundles passes what passes along and across their yarns side by side. A bundle lies on a face with as
 /// much of it as its yarns do.
 /// Precondition: no liquid is free, and the yarns of a bundle are of one type.
-Scene coarsened(const Scene& fine, int crossings_per_cell);
+Scene coarsened(const Scene& fine, const Bundling& bundling);
 
 /// What a frame of coarsened(fine, …) means for each segment of the fine scene: all of a block are alike. Masses add up to the same; the
 /// faces' totals are those of the fine weave.
-Frame refined(Frame frame, const Scene& coarse, const Scene& fine);
+Frame refined(Frame frame, const Scene& coarse, const Scene& fine, const Bundling& bundling);
 
 /// The same of frames whose scenes are gone, as recordings keep them: of the fields that a frame has; the faces' totals stay.
 class YarnsOfBundles {
 public:
-    YarnsOfBundles(const Textile& textile, int crossings_per_cell);
+    YarnsOfBundles(const Textile& textile, const Bundling& bundling);
     /// How many values each field of a frame of bundles has.
     std::size_t segments() const { return bundled_.size(); }
     Frame refined(Frame frame) const;

@@ -116,7 +116,7 @@ FabricCells fabric_cells(const Design& design, const Fabric& fabric, const WearE
     Scene scene = build_scene(design, textile, experiment, plan, 1);
     scene.cloth.pores.clear(); // even yarns
     scene.cloth.room_along.clear();
-    cells.tile = k > 1 ? coarsened(scene, k) : std::move(scene);
+    cells.tile = k > 1 ? coarsened(scene, {k}) : std::move(scene);
     cells.ends = ends / k;
     cells.picks = picks / k;
     cells.end_pitch = k * warp_pitch;

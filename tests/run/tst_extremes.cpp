@@ -185,7 +185,7 @@ private:
         try {
             const ModelPlan plan = plan_run(design, design.fabrics[0], experiment, Fidelity::draft, random_parts(index), few_particles);
             scene = build_scene(design, build_textile(design, design.fabrics[0], plan.region), experiment, plan, 1);
-            if (plan.crossings_per_cell > 1) scene = coarsened(scene, plan.crossings_per_cell);
+            if (plan.crossings_per_cell > 1) scene = coarsened(scene, plan.bundling());
             solver.load(scene);
         } catch (const std::exception& error) {
             if (std::string(error.what()).find("of water at most") != std::string::npos) return {}; // refused, with what fits

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// What a run finds at a time depends neither on how long it goes on nor on when frames are taken.
+// What a run finds at a time depends neither on how long it goes on nor on when frames are taken, nor on the sample's size while water is
+// far from its edges.
 #include "core/verify/set_ups.h"
 #include "tests/support/run.h"
 
@@ -81,6 +82,36 @@ private Q_SLOTS:
         QCOMPARE(a->ledger.water_evaporated, b->ledger.water_evaporated);
         QVERIFY(a->ledger.water_delivered > 0);
         QVERIFY(std::abs(a->ledger.water_imbalance()) < 1e-12 * a->ledger.water_delivered);
+    }
+    void aLargerSampleHasTheSameStain_data()
+    {
+        QTest::addColumn<QString>("fabric");
+        QTest::addColumn<int>("fidelity");
+        QTest::addColumn<double>("volume"); // ul
+        QTest::addColumn<double>("within");
+        QTest::newRow("poplin, live") << "Poplin shirting" << static_cast<int>(Fidelity::live) << 2.0 << 0.02;
+        QTest::newRow("twill, live") << "Denim" << static_cast<int>(Fidelity::live) << 5.0 << 0.02;
+        QTest::newRow("twill, draft") << "Textile F" << static_cast<int>(Fidelity::draft) << 2.0 << 0.005;
+    }
+    void aLargerSampleHasTheSameStain()
+    {
+        QFETCH(QString, fabric);
+        QFETCH(int, fidelity);
+        QFETCH(double, volume);
+        QFETCH(double, within);
+        Experiment experiment = standard_experiment(ExperimentType::droplet);
+        experiment.droplets[0].volume_ul = volume;
+        experiment.duration_s = 2;
+        RunOptions how;
+        how.fidelity = static_cast<Fidelity>(fidelity);
+        std::vector<double> radii;
+        for (double side : {15.0, 15.4, 17.3, 19.9}) { // odd and even numbers of ends, of picks, and halves of those
+            experiment.sample_mm = {side, side};
+            const Run found = run(design_of(library_fabric(fabric.toStdString()), experiment), how);
+            radii.push_back(found.metrics.equal_area_radius_top);
+        }
+        const auto [least, most] = std::minmax_element(radii.begin(), radii.end());
+        QVERIFY2(*least > 0 && *most < (1 + within) * *least, qPrintable(QString("%1 to %2 m").arg(*least).arg(*most)));
     }
 };
 

@@ -83,7 +83,7 @@ class TestSession : public QObject {
         const Scene scene = scene_of(design, {{"heat", false}}, {{"step_error", 1e-6}});
         const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
         const auto backend = make_cpu_backend();
-        Session session(*backend, scene, 1);
+        Session session(*backend, scene, {1});
         session.load();
         advance(session, 5);
         const double before = frame(session).ledger.water_evaporated;
@@ -101,7 +101,7 @@ private Q_SLOTS:
         design.experiments[0].closure = Closure::pores;
         const Scene scene = scene_of(design, {});
         const auto backend = make_cpu_backend();
-        Session session(*backend, scene, 1);
+        Session session(*backend, scene, {1});
         session.load();
         advance(session, 1);
         QCOMPARE(backend->particles(), 0); // though what was left slept
@@ -127,7 +127,7 @@ private Q_SLOTS:
         const Scene scene = scene_of(design, {}, {});
         const double end = scene.supply.pools.at(0).end;
         const auto backend = make_cpu_backend();
-        Session session(*backend, scene, 1);
+        Session session(*backend, scene, {1});
         session.load();
         advance(session, end + 2);
         const Ledger ledger = frame(session).ledger;
@@ -138,7 +138,7 @@ private Q_SLOTS:
     {
         const Scene scene = one_drop();
         const auto backend = make_cpu_backend();
-        Session session(*backend, scene, 1);
+        Session session(*backend, scene, {1});
         session.load();
         advance(session, 0.05);
         const Frame before = frame(session);
@@ -176,7 +176,7 @@ private Q_SLOTS:
         const double bottom = drop.centre.z - std::cbrt(3 * drop.volume / (4 * pi)) - scene.cloth.half_thickness;
         const double landed = std::sqrt(2 * bottom / gravity_acceleration);
         const auto backend = make_cpu_backend();
-        Session session(*backend, scene, 1);
+        Session session(*backend, scene, {1});
         session.load();
         const auto fallen = [](double time) { return 0.5 * gravity_acceleration * time * time; };
         advance(session, 1e-3);
@@ -213,7 +213,7 @@ private Q_SLOTS:
             }
             scene.supply.droplets = {first, second};
             const auto backend = make_cpu_backend();
-            Session session(*backend, scene, 1);
+            Session session(*backend, scene, {1});
             session.load();
             advance(session, 7e-3);
             QCOMPARE(backend->liquid_steps() > 0, later > 0);
@@ -227,7 +227,7 @@ private Q_SLOTS:
         Scene scene = one_drop();
         scene.supply.droplets.clear();
         const auto backend = make_cpu_backend();
-        Session session(*backend, scene, 1);
+        Session session(*backend, scene, {1});
         session.load();
         advance(session, 0.01);
         QCOMPARE(frame(session).ledger.water_delivered, 0.0);
@@ -249,7 +249,7 @@ private Q_SLOTS:
         Scene without = planned;
         without.supply.droplets.pop_back();
         const auto one = make_cpu_backend(), other = make_cpu_backend();
-        Session from_start(*one, planned, 1), poked(*other, without, 1);
+        Session from_start(*one, planned, {1}), poked(*other, without, {1});
         from_start.load();
         poked.load();
         advance(from_start, second.time);
@@ -278,7 +278,7 @@ private Q_SLOTS:
         const Design design = drop_design(35, 2);
         const Textile textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
         const auto backend = make_cpu_backend();
-        Session session(*backend, scene, 1);
+        Session session(*backend, scene, {1});
         session.load();
         double put = 0;
         for (int k = 0; k < 12; ++k) {
@@ -305,7 +305,7 @@ private Q_SLOTS:
             Scene scene = two_caps();
             scene.supply.droplets.resize(1);
             const auto backend = make_cpu_backend();
-            Session session(*backend, scene, 1);
+            Session session(*backend, scene, {1});
             session.load();
             advance(session, 0.2);
             session.poke(Tilt{pull, 0});
@@ -322,9 +322,9 @@ private Q_SLOTS:
     void aDropThatCannotBeIsRefused()
     {
         const auto backend = make_cpu_backend();
-        Session dry(*backend, scene_of(wet_cloth(), {}), 1);
+        Session dry(*backend, scene_of(wet_cloth(), {}), {1});
         QVERIFY_EXCEPTION_THROWN(dry.poke(PutDrop{0, 0, 1e-9, 0, 0}), Error);
-        Session wet(*backend, one_drop(), 1);
+        Session wet(*backend, one_drop(), {1});
         QVERIFY_EXCEPTION_THROWN(wet.poke(PutDrop{}), Error);
     }
     /// Wet cloth of the air's temperature loses water with the air's lack of it: 1 - humidity.
@@ -345,7 +345,7 @@ private Q_SLOTS:
     {
         Scene scene = one_drop();
         const auto backend = make_cpu_backend();
-        Session session(*backend, scene, 1);
+        Session session(*backend, scene, {1});
         session.load();
         advance(session, 0.02);
         AirMoment warm = air_at(scene.climate, 0), cool = warm;

@@ -295,7 +295,7 @@ void TestShownCells::bundles_are_never_parted()
     const Run all = run(design, options), alike = run(design, shown(2, design, options)), few = run(design, shown(8, design, options));
     const Textile& fine = all.record.textile;
     QCOMPARE(all.record.plan.crossings_per_cell, 4);
-    QCOMPARE(alike.record.textile.ends(), bundles_of(fine.ends(), 4).count);
+    QCOMPARE(alike.record.textile.ends(), bundles_of(fine.ends(), {4}).count);
     QCOMPARE(few.record.textile.ends(), static_cast<int>(std::lround(fine.ends() / 8.0)));
     for (const Run* cells : {&alike, &few}) {
         QCOMPARE(which_ledger_differs(all.end().ledger, cells->end().ledger), nullptr);

@@ -48,7 +48,7 @@ Scene scene_of(Fabric fabric, const Experiment& experiment, const KnobSettings& 
     const Textile textile = textile_of_run(design, design.fabrics[0], experiment);
     const ModelPlan plan = plan_model(design, textile, experiment, Fidelity::draft, forced, knobs);
     Scene scene = build_scene(design, textile, experiment, plan, 1);
-    return plan.crossings_per_cell > 1 ? coarsened(scene, plan.crossings_per_cell) : scene;
+    return plan.crossings_per_cell > 1 ? coarsened(scene, plan.bundling()) : scene;
 }
 
 Fabric repellent(double angle)

@@ -130,7 +130,7 @@ private Q_SLOTS:
     {
         Scene fine = cut_of(1).scene;
         for (double& contact : fine.cloth.touching) contact = contact > 0 ? 6.0 : 0.0;
-        const Scene coarse = coarsened(fine, 3);
+        const Scene coarse = coarsened(fine, {3});
         const double ends = static_cast<double>(fine.cloth.ends) / coarse.cloth.ends,
                      picks = static_cast<double>(fine.cloth.picks) / coarse.cloth.picks;
         QVERIFY(ends > 2);

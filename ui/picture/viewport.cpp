@@ -90,7 +90,7 @@ void Viewport::showSample(const std::shared_ptr<const Design>& design, int fabri
     PreviewRequest wanted;
     wanted.design = design;
     wanted.fabric = fabric;
-    wanted.whole = region_of_sample(shown, sample_extent_mm(experiment)[0], sample_extent_mm(experiment)[1]);
+    wanted.whole = region_of_run(shown, experiment);
     request(Subject::sample, wanted, tr("%1, dry").arg(QString::fromStdString(shown.name)));
 }
 
