@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/wear/wear_metrics.h"
 
+#include "core/garment/outline.h"
 #include "core/physics/water.h"
 
 #include <algorithm>
@@ -9,15 +10,29 @@
 namespace hygroloom {
 namespace {
 
-void add_cell(WearNow& now, const WearFrame& frame, std::size_t i, const GarmentCell& cell)
+/// Of each cell, m2, so that those of a panel make up its pattern piece: cells at the outline are whole, and stick out or are missing.
+std::vector<double> areas_in(const WearLayout& layout)
+{
+    const auto panel_of = [](const GarmentCell& cell) { return static_cast<std::size_t>(cell.panel); };
+    std::vector<double> in_cells(layout.panels.size(), 0.0), factors, areas;
+    for (const GarmentCell& cell : layout.cells) in_cells[panel_of(cell)] += cell.area;
+    for (std::size_t panel = 0; panel < in_cells.size(); ++panel) {
+        const double drawn = std::abs(signed_area(layout.panels[panel].outline));
+        factors.push_back(drawn > 0 ? drawn / in_cells[panel] : 1.0); // a damaged file may have none
+    }
+    for (const GarmentCell& cell : layout.cells) areas.push_back(factors[panel_of(cell)] * cell.area);
+    return areas;
+}
+
+void add_cell(WearNow& now, const WearFrame& frame, std::size_t i, const GarmentCell& cell, double area)
 {
     const double water = frame.water(i);
     now.water += water;
     now.inside += frame.inside[i];
-    if (water > share_of_wet * cell.capacity) now.wet_area += cell.area;
+    if (water > share_of_wet * cell.capacity) now.wet_area += area;
     now.evaporated += frame.evaporated[i];
     now.on_skin += frame.on_skin[i];
-    now.temperature += static_cast<double>(frame.temperature[i]) * cell.area;
+    now.temperature += static_cast<double>(frame.temperature[i]) * area;
 }
 
 /// s, at which the water came to so much, between a frame that has passed it and the one before.
@@ -61,7 +76,7 @@ std::optional<double> WearPart::time_to_dry(double from) const
     return std::max(from, time_of(course, wet.base(), little)) - from;
 }
 
-WearMetrics::WearMetrics(const WearLayout& layout) : layout_(layout)
+WearMetrics::WearMetrics(const WearLayout& layout) : layout_(layout), areas_(areas_in(layout))
 {
     all_.name = layout.garment;
     for (const WearPanel& panel : layout.panels) panels_.push_back({panel.name, 0, 0, {}});
@@ -72,10 +87,11 @@ WearMetrics::WearMetrics(const WearLayout& layout) : layout_(layout)
         place = static_cast<int>(zones_.size());
         zones_.push_back({names[static_cast<std::size_t>(zone)], 0, 0, {}});
     }
-    for (const GarmentCell& cell : layout.cells) {
+    for (std::size_t i = 0; i < layout.cells.size(); ++i) {
+        const GarmentCell& cell = layout.cells[i];
         zone_of_.push_back(known[cell.zone]);
         for (WearPart* part : {&all_, &panels_[static_cast<std::size_t>(cell.panel)], &zones_[static_cast<std::size_t>(zone_of_.back())]}) {
-            part->area += cell.area;
+            part->area += areas_[i];
             part->capacity += cell.capacity;
         }
     }
@@ -89,9 +105,9 @@ void WearMetrics::add(const WearFrame& frame)
     for (std::size_t i = 0; i < layout_.cells.size(); ++i) {
         const GarmentCell& cell = layout_.cells[i];
         for (WearNow* now : {&all, &panels[static_cast<std::size_t>(cell.panel)], &zones[static_cast<std::size_t>(zone_of_[i])]})
-            add_cell(*now, frame, i, cell);
+            add_cell(*now, frame, i, cell, areas_[i]);
         const double skin = layout_.skin_temperature_at(cell.zone, frame.time);
-        flow += cell.skin_contact * cell.area * (skin - static_cast<double>(frame.temperature[i]));
+        flow += cell.skin_contact * areas_[i] * (skin - static_cast<double>(frame.temperature[i]));
     }
     if (!all_.course.empty()) from_skin_ += 0.5 * (flow + flow_before_) * (frame.time - all_.course.back().time);
     flow_before_ = flow;

@@ -64,6 +64,7 @@ public:
 
 private:
     const WearLayout& layout_;
+    std::vector<double> areas_; ///< m2, of each cell
     WearPart all_;
     std::vector<WearPart> panels_, zones_;
     std::vector<int> zone_of_; ///< of each cell, its place in zones_
