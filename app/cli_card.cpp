@@ -4,7 +4,6 @@
 #include "app/cli_report.h"
 
 #include "core/analysis/card.h"
-#include "core/base/text.h"
 #include "core/project/atomic_file.h"
 
 #include <fmt/format.h>
@@ -48,12 +47,11 @@ void print_card(const Card& card)
                      use.crimp_percent, use.take_up_percent());
     print_result("  {:<44} {:>7.4g} g/m     of {:.4g} cm\n", "yarn, together", card.technical.grams_per_metre, card.technical.width_cm);
     if (card.technical.yarn_cost_per_metre) print_result("  {:<44} {:>7.4g} a metre\n", "yarn cost", *card.technical.yarn_cost_per_metre);
-    for (const LaboratoryNumber& number : card.numbers) {
-        const Estimate& e = number.estimate;
-        const std::string range = e.low < e.high ? rounded_text(e.low, 3) + " to " + rounded_text(e.high, 3) : std::string();
-        print_result("  {:<44} {:>7} {:<12} {:<18} {}\n", number.title, rounded_text(e.value, 3), number.unit, range, number.standard);
-    }
-    for (const std::string& note : card.technical.notes) print_result("  {}\n", note);
+    for (const LaboratoryNumber& number : card.numbers.found)
+        print_result("  {:<44} {:>7} {:<12} {:<18} {}\n", number.title, value_text(number.estimate), number.unit,
+                     range_text(number.estimate), number.standard);
+    for (const auto* notes : {&card.technical.notes, &card.numbers.missing})
+        for (const std::string& note : *notes) print_result("  {}\n", note);
 }
 
 int card(const CardOptions& options)

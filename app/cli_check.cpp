@@ -247,7 +247,7 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
     row("areal density", text(q.areal_density_g_m2), "", made(m.areal_density_g_m2), "", "g/m2", text(fabric.measured.areal_density_g_m2));
     row("thickness of the yarns", text(q.yarn_layer_thickness_mm), "", made(m.yarn_layer_thickness_mm), "", "mm");
     row("thickness at 1 kPa", text(q.thickness_1kpa_mm), "", "", "", "mm");
-    row("thickness", text(q.thickness_mm), "", made(m.thickness_mm), "", "mm", text(fabric.thickness_mm));
+    row("thickness, as drawn", text(q.thickness_mm), "", made(m.thickness_mm), "", "mm", text(fabric.thickness_mm));
     row("share of air", text(q.porosity), "", made(m.porosity), "", "", text(fabric.measured.porosity));
     row("share of air less flyaways", text(q.rough_porosity), "", "", "", "");
     row("fibre volume fraction", text(q.fibre_volume_fraction), "", made(m.fibre_volume_fraction), "", "");
@@ -261,8 +261,8 @@ void print_fabric(const Fabric& fabric, const FabricQuantities& q, const std::ve
         "straight.\n"
         "  Cover: a yarn's width over the distance from yarn to yarn. Cover factor: the share of the area that yarns hide, seen from "
         "above.\n"
-        "  Share of air (porosity): of the fabric's volume, what is not fibre; less flyaways: without what loops and hairs take of "
-        "the faces. Smoothness: 1 less the flyaways' share of the fabric's volume.\n");
+        "  Share of air (porosity): of the volume of the fabric as drawn, what is not fibre; less flyaways: without what loops and hairs "
+        "take of the faces. Smoothness: 1 less the flyaways' share of the fabric's volume.\n");
     print_notes(fabric, q, geometry);
 }
 

@@ -146,10 +146,10 @@ void give_results(const CompareOptions& options, const Comparison& comparison, c
     }
 }
 
-std::map<std::string, std::vector<LaboratoryNumber>> cards_of(const Design& design, const FittedFabrics& fitted,
-                                                              const std::vector<std::string>& fabrics)
+std::map<std::string, LaboratoryNumbers> cards_of(const Design& design, const FittedFabrics& fitted,
+                                                  const std::vector<std::string>& fabrics)
 {
-    std::map<std::string, std::vector<LaboratoryNumber>> cards;
+    std::map<std::string, LaboratoryNumbers> cards;
     for (std::size_t i = 0; i < design.fabrics.size(); ++i)
         if (std::ranges::find(fabrics, design.fabrics[i].name) != fabrics.end())
             cards[design.fabrics[i].name] = laboratory_numbers(design, design.fabrics[i], *fitted[i]);

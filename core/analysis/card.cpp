@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <tuple>
 
 namespace hygroloom {
 namespace {
@@ -46,11 +47,39 @@ Json loom_json(const LoomState& loom)
             {"length_shrinks_percent", or_null(loom.length_shrinks_percent)}};
 }
 
-std::string text(double value) { return rounded_text(value, 3); }
+/// A number of the construction; key: as the card's CSV has it.
+struct ConstructionNumber {
+    std::string key, title;
+    double value = 0;
+    const char* unit = "";
+    int digits = 3;
+    std::string remark{};
+};
 
-void add_if(std::vector<PageRow>& rows, const char* name, const std::optional<double>& value, const char* unit)
+std::vector<ConstructionNumber> construction_numbers(const Card& card)
 {
-    if (value) rows.push_back(row(name, rounded_text(*value, 4), unit));
+    std::vector<ConstructionNumber> all{{"ends_per_cm", "Ends, finished", card.ends_per_cm, "/cm"},
+                                        {"picks_per_cm", "Picks, finished", card.picks_per_cm, "/cm"}};
+    const LoomState& loom = card.technical.loom;
+    const auto add_if = [&](const char* key, const char* title, const std::optional<double>& value, const char* unit) {
+        if (value) all.push_back({key, title, *value, unit, 4});
+    };
+    add_if("loom_ends_per_cm", "Ends on the loom", loom.ends_per_cm, "/cm");
+    add_if("loom_picks_per_cm", "Picks on the loom", loom.picks_per_cm, "/cm");
+    add_if("loom_dents_per_10_cm", "Reed", loom.dents_per_10_cm, "dents/10 cm");
+    add_if("loom_reed_width_cm", "Reed width", loom.reed_width_cm, "cm");
+    add_if("loom_width_shrinks_percent", "Shrinks in width", loom.width_shrinks_percent, "%");
+    add_if("loom_length_shrinks_percent", "Shrinks in length", loom.length_shrinks_percent, "%");
+    all.push_back({"width_cm", "Width, finished", card.technical.width_cm, "cm", 4});
+    constexpr int whole = 1; // digits of a whole number
+    all.push_back({"ends", "Ends, all", card.technical.ends, "", whole});
+    const FabricQuantities& q = card.quantities;
+    for (const auto& [key, name, yarn] : {std::tuple("warp", "Warp", &q.warp), std::tuple("weft", "Weft", &q.weft)}) {
+        all.push_back({fmt::format("{}_linear_density_tex", key), fmt::format("{}: count", name), yarn->linear_density_tex, "tex", 3,
+                       fmt::format("Ne {}", rounded_text(ne_from_tex(yarn->linear_density_tex), 3))});
+        all.push_back({fmt::format("{}_crimp_percent", key), fmt::format("{}: crimp", name), yarn->crimp_percent, "%"});
+    }
+    return all;
 }
 
 PageBlocks consumption_table(const Card& card)
@@ -64,22 +93,21 @@ PageBlocks consumption_table(const Card& card)
         rows.push_back(row(name_of(use), rounded_text(use.grams_per_metre, 4), "g/m", remark));
     }
     rows.push_back(row("Together", rounded_text(card.technical.grams_per_metre, 4), "g/m"));
-    add_if(rows, "Yarn cost", card.technical.yarn_cost_per_metre, "a metre");
+    if (const auto& cost = card.technical.yarn_cost_per_metre) rows.push_back(row("Yarn cost", rounded_text(*cost, 4), "a metre"));
     return joined({table(rows), list(card.technical.notes)});
 }
 
 PageBlocks laboratory_table(const Card& card)
 {
     std::vector<PageRow> rows;
-    for (const LaboratoryNumber& number : card.numbers) {
-        const Estimate& in = number.estimate;
-        std::string remark = in.low < in.high ? fmt::format("{} to {}", text(in.low), text(in.high)) : std::string();
+    for (const LaboratoryNumber& number : card.numbers.found) {
+        std::string remark = range_text(number.estimate);
         for (const std::string& more :
              {number.standard, number.conditions, number.model.empty() ? std::string() : "Compared: " + number.model})
             if (!more.empty()) remark += (remark.empty() ? "" : "; ") + more;
-        rows.push_back(row(number.title, text(in.value), number.unit, remark));
+        rows.push_back(row(number.title, value_text(number.estimate), number.unit, remark));
     }
-    return table(rows);
+    return joined({table(rows), list(card.numbers.missing)});
 }
 
 } // namespace
@@ -90,24 +118,19 @@ std::string name_of(const YarnUse& use)
     return use.yarn == 0 ? system : fmt::format("{}, extra yarn {}", system, use.yarn);
 }
 
+std::string value_text(const Estimate& estimate) { return rounded_text(estimate.value, 3); }
+
+std::string range_text(const Estimate& estimate)
+{
+    if (!(estimate.low < estimate.high)) return {};
+    return fmt::format("{} to {}", rounded_text(estimate.low, 3), rounded_text(estimate.high, 3));
+}
+
 std::vector<PageRow> construction_rows(const Card& card)
 {
-    const FabricQuantities& q = card.quantities;
-    const LoomState& loom = card.technical.loom;
-    std::vector<PageRow> rows{row("Ends, finished", text(card.ends_per_cm), "/cm"), row("Picks, finished", text(card.picks_per_cm), "/cm")};
-    add_if(rows, "Ends on the loom", loom.ends_per_cm, "/cm");
-    add_if(rows, "Picks on the loom", loom.picks_per_cm, "/cm");
-    add_if(rows, "Reed", loom.dents_per_10_cm, "dents/10 cm");
-    add_if(rows, "Reed width", loom.reed_width_cm, "cm");
-    add_if(rows, "Shrinks in width", loom.width_shrinks_percent, "%");
-    add_if(rows, "Shrinks in length", loom.length_shrinks_percent, "%");
-    rows.push_back(row("Width, finished", rounded_text(card.technical.width_cm, 4), "cm"));
-    rows.push_back(row("Ends, all", fmt::format("{:.0f}", card.technical.ends), ""));
-    for (const auto& [name, yarn] : {std::pair("Warp", &q.warp), std::pair("Weft", &q.weft)}) {
-        rows.push_back(row(fmt::format("{}: count", name), text(yarn->linear_density_tex), "tex",
-                           fmt::format("Ne {:.3g}", ne_from_tex(yarn->linear_density_tex))));
-        rows.push_back(row(fmt::format("{}: crimp", name), text(yarn->crimp_percent), "%"));
-    }
+    std::vector<PageRow> rows;
+    for (const ConstructionNumber& number : construction_numbers(card))
+        rows.push_back(row(number.title, rounded_text(number.value, number.digits), number.unit, number.remark));
     return rows;
 }
 
@@ -180,7 +203,8 @@ Json card_json(const Card& card)
               {"g_per_m", card.technical.grams_per_metre},
               {"yarn_cost_per_m", or_null(card.technical.yarn_cost_per_metre)},
               {"notes", card.technical.notes}}},
-            {"laboratory", laboratory_json(card.numbers)},
+            {"laboratory", laboratory_json(card.numbers.found)},
+            {"missing", card.numbers.missing},
             {"seconds", card.seconds}};
 }
 
@@ -193,12 +217,20 @@ std::string card_csv(const Card& card)
                            csv_field(standard), csv_field(conditions));
     };
     const auto exact = [](double value) { return Estimate{value, value, value}; };
-    for (const YarnUse& use : card.technical.yarns) line("yarn_g_per_m", name_of(use), exact(use.grams_per_metre), "g/m", "", "");
+    for (const ConstructionNumber& number : construction_numbers(card))
+        line(number.key, number.title, exact(number.value), number.unit, "", number.remark);
+    for (const YarnUse& use : card.technical.yarns) {
+        line("yarn_share_percent", name_of(use), exact(100 * use.share), "%", "", "of the system's threads");
+        line("yarn_linear_density_tex", name_of(use), exact(use.tex), "tex", "", "");
+        line("yarn_take_up_percent", name_of(use), exact(use.take_up_percent()), "%", "", "");
+        line("yarn_g_per_m", name_of(use), exact(use.grams_per_metre), "g/m", "", "");
+    }
     line("yarn_g_per_m", "together", exact(card.technical.grams_per_metre), "g/m", "", "");
     if (card.technical.yarn_cost_per_metre)
         line("yarn_cost_per_m", "Yarn cost", exact(*card.technical.yarn_cost_per_metre), "a metre", "", "");
-    for (const LaboratoryNumber& number : card.numbers)
+    for (const LaboratoryNumber& number : card.numbers.found)
         line(number.key, number.title, number.estimate, number.unit, number.standard, number.conditions);
+    for (const std::string& sentence : card.numbers.missing) csv += fmt::format("missing,{},,,,,,\n", csv_field(sentence));
     return csv;
 }
 

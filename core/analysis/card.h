@@ -16,7 +16,7 @@ struct Card {
     FabricQuantities quantities;
     double ends_per_cm = 0, picks_per_cm = 0;
     TechnicalCard technical;
-    std::vector<LaboratoryNumber> numbers;
+    LaboratoryNumbers numbers;
     double length_m = 0; ///< that is ordered
     std::string made_at; ///< UTC
     double seconds = 0;  ///< that the numbers took
@@ -29,11 +29,14 @@ Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fit
 std::string name_of(const YarnUse& use);
 /// Setts, loom, width, counts and crimps, each a name, a number and its unit.
 std::vector<PageRow> construction_rows(const Card& card);
-/// {"fabric", "construction": {…}, "laboratory": {"air_permeability_mm_s": {"value", "low", "high", …}, …}}
+/// A number of the laboratory, and its range "50 to 120", which is empty where the number is exact.
+std::string value_text(const Estimate& estimate);
+std::string range_text(const Estimate& estimate);
+/// {"fabric", "construction": {…}, "laboratory": {"air_permeability_mm_s": {"value", "low", "high", …}, …}, "missing": sentences}
 nlohmann::ordered_json card_json(const Card& card);
 /// {"air_permeability_mm_s": {"value", "low", "high", "unit", …}, …}
 nlohmann::ordered_json laboratory_json(const std::vector<LaboratoryNumber>& numbers);
-/// key, title, value, low, high, unit, standard, conditions.
+/// key, title, value, low, high, unit, standard, conditions. Of what could not be computed a row "missing" with a sentence as its title.
 std::string card_csv(const Card& card);
 /// The top face at true scale: as many repeats as make it 20 mm wide and high at least; none where a repeat is more than 100 mm.
 std::vector<ReportPicture> card_pictures(const Fabric& fabric, const FittedFabric& fitted);

@@ -284,6 +284,8 @@ std::vector<std::string> all_notes(const Comparison& comparison, const Candidate
         notes.push_back(fmt::format("In {} of {} replicates water reached the edge of the sample, after {:.3g} s at the earliest; a larger "
                                     "sample changes their numbers.",
                                     at_edge, runs, first));
+    if (const auto card = comparison.cards.find(candidate.fabric); card != comparison.cards.end())
+        notes.insert(notes.end(), card->second.missing.begin(), card->second.missing.end());
     return notes;
 }
 

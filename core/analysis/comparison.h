@@ -67,13 +67,13 @@ struct Comparison {
     std::string baseline; ///< fabric that the verdicts are against
     int replicates = 1;
     std::vector<Candidate> candidates;
-    std::vector<Compared> verdicts;                             ///< each candidate against the baseline, by each criterion
-    std::vector<LoneNumber> lone;                               ///< where there is no verdict, as only one of both has the number
-    LaboratoryTable measured;                                   ///< of a laboratory, beside the simulated
-    std::map<std::string, std::vector<LaboratoryNumber>> cards; ///< numbers of technical cards by fabric; empty: nobody asked
-    bool complete = false;                                      ///< whether all runs of all fabrics are among them
-    bool of_garments = false;                                   ///< the candidates are garments, whose numerical error is not known
-    std::shared_ptr<const Why> why;                             ///< of one fabric against another; nullptr: nobody asked
+    std::vector<Compared> verdicts;                 ///< each candidate against the baseline, by each criterion
+    std::vector<LoneNumber> lone;                   ///< where there is no verdict, as only one of both has the number
+    LaboratoryTable measured;                       ///< of a laboratory, beside the simulated
+    std::map<std::string, LaboratoryNumbers> cards; ///< of technical cards, by fabric; empty: nobody asked
+    bool complete = false;                          ///< whether all runs of all fabrics are among them
+    bool of_garments = false;                       ///< the candidates are garments, whose numerical error is not known
+    std::shared_ptr<const Why> why;                 ///< of one fabric against another; nullptr: nobody asked
 };
 
 /// The criterion of that key or full title, in small or capital letters; the first for an empty name. Throws Error naming those there are,
@@ -108,8 +108,12 @@ std::string rank_text(const Candidate& candidate);
 const Compared* verdict_of(const Comparison& comparison, const std::string& fabric, const std::string& metric);
 const LoneNumber* lone_number_of(const Comparison& comparison, const std::string& fabric, const std::string& metric);
 const LaboratoryValue* measured_of(const Comparison& comparison, const std::string& fabric, const std::string& metric);
+const LaboratoryNumber* card_number_of(const Comparison& comparison, const std::string& fabric, const std::string& key);
 
-/// What limits a candidate's numbers, in sentences: its notes, and in how many replicates water reached the edge.
+/// Each number that some technical card has, once, in the order of the cards.
+std::vector<const LaboratoryNumber*> card_numbers(const Comparison& comparison);
+
+/// What limits a candidate's numbers, in sentences: its notes, in how many replicates water reached the edge, what its card lacks.
 std::vector<std::string> all_notes(const Comparison& comparison, const Candidate& candidate);
 
 /// How many of its runs have come to their end.

@@ -88,18 +88,15 @@ std::string verdicts_table(const Comparison& comparison)
 std::string cards_table(const Comparison& comparison)
 {
     if (comparison.cards.empty()) return {};
-    Row titles{"    technical card"};
-    for (const auto& [fabric, numbers] : comparison.cards) titles.push_back(fabric);
-    std::vector<Row> rows{titles};
-    for (std::size_t i = 0; i < comparison.cards.begin()->second.size(); ++i) {
-        const LaboratoryNumber& first = comparison.cards.begin()->second[i];
-        Row row{fmt::format("    {}{}", first.title, first.unit.empty() ? "" : ", " + first.unit)};
-        for (const auto& [fabric, numbers] : comparison.cards) {
-            const Estimate& own = numbers[i].estimate;
-            row.push_back(own.low < own.high ? fmt::format("{:.3g} ({:.3g} to {:.3g})", own.value, own.low, own.high)
-                                             : fmt::format("{:.3g}", own.value));
+    std::vector<Row> rows{{"    technical card"}};
+    for (const Candidate& c : comparison.candidates) rows[0].push_back(c.fabric);
+    for (const LaboratoryNumber* number : card_numbers(comparison)) {
+        rows.push_back({fmt::format("    {}{}", number->title, number->unit.empty() ? "" : ", " + number->unit)});
+        for (const Candidate& c : comparison.candidates) {
+            const LaboratoryNumber* own = card_number_of(comparison, c.fabric, number->key);
+            const std::string range = own ? range_text(own->estimate) : std::string();
+            rows.back().push_back(!own ? "-" : value_text(own->estimate) + (range.empty() ? "" : " (" + range + ")"));
         }
-        rows.push_back(row);
     }
     return "\n" + aligned_columns(rows);
 }
@@ -147,6 +144,28 @@ const LaboratoryValue* measured_of(const Comparison& comparison, const std::stri
     for (const LaboratoryValue& value : comparison.measured)
         if (value.fabric == fabric && value.metric == metric) return &value;
     return nullptr;
+}
+
+const LaboratoryNumber* card_number_of(const Comparison& comparison, const std::string& fabric, const std::string& key)
+{
+    const auto card = comparison.cards.find(fabric);
+    if (card == comparison.cards.end()) return nullptr;
+    const std::vector<LaboratoryNumber>& all = card->second.found;
+    const auto number = std::find_if(all.begin(), all.end(), [&](const LaboratoryNumber& own) { return own.key == key; });
+    return number == all.end() ? nullptr : &*number;
+}
+
+std::vector<const LaboratoryNumber*> card_numbers(const Comparison& comparison)
+{
+    std::vector<const LaboratoryNumber*> all;
+    for (const auto& [fabric, card] : comparison.cards) {
+        auto next = all.begin();
+        for (const LaboratoryNumber& number : card.found) {
+            const auto same = std::find_if(all.begin(), all.end(), [&](const LaboratoryNumber* own) { return own->key == number.key; });
+            next = (same == all.end() ? all.insert(next, &number) : same) + 1;
+        }
+    }
+    return all;
 }
 
 std::string with_interval(const OutcomeInfo& criterion, const Interval& interval, const ReaderUnits& units)
@@ -212,8 +231,10 @@ std::string comparison_json(const Comparison& comparison)
             if (value.fabric == c.fabric)
                 candidate["measured"][value.metric] = {{"value", value.value},
                                                        {"spread", value.spread ? Json(*value.spread) : Json(nullptr)}};
-        if (const auto card = comparison.cards.find(c.fabric); card != comparison.cards.end())
-            candidate["laboratory"] = laboratory_json(card->second);
+        if (const auto card = comparison.cards.find(c.fabric); card != comparison.cards.end()) {
+            candidate["laboratory"] = laboratory_json(card->second.found);
+            if (!card->second.missing.empty()) candidate["laboratory_missing"] = card->second.missing;
+        }
         candidates.push_back(std::move(candidate));
     }
     Json json{{"format", "hygroloom-comparison"},
@@ -245,8 +266,8 @@ std::string comparison_csv(const Comparison& comparison)
         text += fmt::format(",{0},{0}_low,{0}_high,{0}_verdict", criterion.key);
         if (measured) text += fmt::format(",{}_measured", criterion.key);
     }
-    if (!comparison.cards.empty())
-        for (const LaboratoryNumber& number : comparison.cards.begin()->second) text += fmt::format(",{0},{0}_low,{0}_high", number.key);
+    const std::vector<const LaboratoryNumber*> numbers = card_numbers(comparison);
+    for (const LaboratoryNumber* number : numbers) text += fmt::format(",{0},{0}_low,{0}_high", number->key);
     text += ",wall_s,notes\n";
     for (const Candidate& c : comparison.candidates) {
         text += (c.rank > 0 ? std::to_string(c.rank) : std::string()) + "," + quoted_csv_field(c.fabric);
@@ -260,9 +281,10 @@ std::string comparison_csv(const Comparison& comparison)
             const LaboratoryValue* value = measured_of(comparison, c.fabric, criterion.key);
             if (measured) text += value ? fmt::format(",{:.6g}", value->value) : ",";
         }
-        if (const auto card = comparison.cards.find(c.fabric); card != comparison.cards.end())
-            for (const LaboratoryNumber& number : card->second)
-                text += fmt::format(",{:.6g},{:.6g},{:.6g}", number.estimate.value, number.estimate.low, number.estimate.high);
+        for (const LaboratoryNumber* number : numbers) {
+            const LaboratoryNumber* own = card_number_of(comparison, c.fabric, number->key);
+            text += own ? fmt::format(",{:.6g},{:.6g},{:.6g}", own->estimate.value, own->estimate.low, own->estimate.high) : ",,,";
+        }
         std::string notes = c.failure;
         for (const std::string& note : all_notes(comparison, c)) notes += (notes.empty() ? "" : " ") + note;
         text += fmt::format(",{:.4g},{}\n", c.wall, quoted_csv_field(notes));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/comparison_report.h"
 
+#include "core/analysis/card.h"
 #include "core/analysis/comparative.h"
 #include "core/analysis/experiment_rows.h"
 #include "core/analysis/line_chart.h"
@@ -251,6 +252,29 @@ PageBlocks calculated(const Comparison& comparison, const ReaderUnits& units)
     return rows.size() > 1 ? table(rows) : PageBlocks();
 }
 
+/// What their technical cards say: a row a number, a column a fabric, ranges below.
+PageBlocks cards(const Comparison& comparison, const ReaderUnits& units)
+{
+    if (comparison.cards.empty()) return {};
+    std::vector<PageRow> rows{row_of_headings({""})};
+    for (const Candidate& candidate : comparison.candidates) rows.front().push_back({candidate.fabric, Kind::heading});
+    for (const LaboratoryNumber* number : card_numbers(comparison)) {
+        const ReaderUnit unit = reader_unit(units, number->unit);
+        rows.push_back(row_of_headings({number->title + (unit.unit.empty() ? "" : ", " + unit.unit)}));
+        for (const Candidate& candidate : comparison.candidates) {
+            const LaboratoryNumber* own = card_number_of(comparison, candidate.fabric, number->key);
+            PageCell made{"–", Kind::number};
+            if (own) {
+                const Estimate seen{unit.of(own->estimate.value), unit.of(own->estimate.low), unit.of(own->estimate.high)};
+                made.text = value_text(seen);
+                made.below = range_text(seen);
+            }
+            rows.back().push_back(made);
+        }
+    }
+    return table(rows);
+}
+
 /// The fabrics that its runs were of, in the design that has them.
 std::pair<const Design*, std::vector<const Fabric*>> fabrics_of(const Candidate& candidate)
 {
@@ -361,7 +385,7 @@ ReportPage comparison_report(const Comparison& comparison, const std::vector<Rep
                     section("Experiment", experiment_table(comparison, units)), section("Results", results(comparison, units)),
                     section("Intervals", intervals), section("Why", comparison.why ? why_blocks(*comparison.why, units) : PageBlocks()),
                     section("Maps", maps_of(comparison, maps)), section("Over time", curves(comparison, units)),
-                    section("Fabrics", calculated(comparison, units)),
+                    section("Fabrics", calculated(comparison, units)), section("Technical cards", cards(comparison, units)),
                     section("What differs in the descriptions", differences(comparison, units)),
                     section("Computation", computation(comparison)), section("What is not known", unknown(comparison))})};
 }

@@ -49,7 +49,8 @@ public:
     {
         for (const auto& [key, member] : value.items()) {
             const KeyWords words = words_of(key);
-            const std::string name = before.empty() ? words.name : before + ", " + words.name;
+            const std::string own = key != "*" ? words.name : value.size() > 1 ? "all others" : "all"; // panels of a garment
+            const std::string name = before.empty() ? own : before + ", " + own;
             if (member.is_object())
                 add(member, name);
             else if (std::string said = text(member, words); !said.empty()) {

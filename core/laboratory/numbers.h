@@ -6,6 +6,7 @@
 #include "core/design/fitted_fabric.h"
 #include "core/laboratory/estimate.h"
 
+#include <functional>
 #include <string>
 
 namespace hygroloom {
@@ -14,13 +15,20 @@ struct LaboratoryNumber {
     std::string key; ///< with its unit at the end
     std::string title, unit, standard, conditions;
     Estimate estimate;
-    std::string model; ///< what it was compared with, and how far off it was; empty: nothing
+    std::string model; ///< what it was compared with, and the case of `verify` that says how far off it was; empty: nothing
 };
 
-/// From formulas and sections alone, at once: mass, thickness, cover, open area, porosity.
+struct LaboratoryNumbers {
+    std::vector<LaboratoryNumber> found; ///< in the order of a card
+    std::vector<std::string> missing;    ///< what could not be computed and why, a sentence or two each
+};
+
+/// From formulas and sections alone, at once: mass, thickness at 1 kPa, cover, open area, thickness as drawn, porosity.
 std::vector<LaboratoryNumber> quick_numbers(const FittedFabric& fitted);
-/// All, in the order of a card. Takes 1 to 10 s of a core where the room's tables are not kept yet. Precondition: validate() found no
-/// error.
-std::vector<LaboratoryNumber> laboratory_numbers(const Design& design, const Fabric& fabric, const FittedFabric& fitted);
+/// All. Takes 1 to 10 s of a core where the room's tables are not kept yet. Precondition: validate() found no error.
+LaboratoryNumbers laboratory_numbers(const Design& design, const Fabric& fabric, const FittedFabric& fitted);
+
+/// Adds what is computed. Where that throws Error, nothing of it is there, and `missing` says that what is called so is missing.
+void add_computed(LaboratoryNumbers& numbers, const char* what, const std::function<void(std::vector<LaboratoryNumber>&)>& compute);
 
 } // namespace hygroloom

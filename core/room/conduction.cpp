@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/room/conduction.h"
 
+#include "core/base/error.h"
+
 #include <Eigen/Sparse>
 
 #include <algorithm>
@@ -68,6 +70,7 @@ double conductivity_through(const DrawnLayer& layer, double growth, double room,
     solver.setTolerance(1e-7);
     solver.compute(matrix);
     const Numbers found = solver.solve(right);
+    if (solver.info() != Eigen::Success) throw Error("What the drawn yarns conduct could not be computed: its equations were not solved.");
     double flows = 0; // through the lower face, over the area of a voxel
     for (int i = 0; i < grid.nx * grid.ny; ++i) flows += to_face(first + static_cast<std::size_t>(i)) * layer.dz * found[i];
     const double thickness = layer.dz * (layer.last() - layer.first() + 1.0);

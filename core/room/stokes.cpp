@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/room/stokes.h"
 
+#include "core/base/error.h"
 #include "core/room/liquid_voxels.h"
 
 #include <Eigen/Sparse>
@@ -88,7 +89,7 @@ private:
         return {per_area / part, -1};
     }
 
-    /// Velocities under a unit force along an axis, with so much of the residual left.
+    /// Velocities under a unit force along an axis, with so much of the residual left. Throws Error where more is left.
     Numbers driven_along(int driven, double residual) const;
 
     const DrawnLayer& layer_;
@@ -133,7 +134,10 @@ Numbers StokesFlow::driven_along(int driven, double residual) const
     solver.setTolerance(residual);
     solver.setMaxIterations(3000);
     solver.compute(matrix);
-    return solver.solve(right).head(velocities);
+    const Numbers found = solver.solve(right);
+    if (solver.info() != Eigen::Success)
+        throw Error("The flow between the drawn yarns could not be computed: its equations were not solved.");
+    return found.head(velocities);
 }
 
 double StokesFlow::permeability(bool along_warp) const
@@ -176,8 +180,10 @@ FlowThrough StokesFlow::through() const
 } // namespace
 
 double stokes_permeability(const DrawnLayer& layer, double growth, bool along_warp)
-{
+try {
     return StokesFlow(layer, growth).permeability(along_warp);
+} catch (const Error& error) {
+    throw Error(std::string(error.what()) + " Choose the fidelity draft, which does without it.");
 }
 
 FlowThrough flow_through(const DrawnLayer& layer, double growth, double drag)

@@ -297,6 +297,40 @@ private Q_SLOTS:
                                Row{"outline", "0, 0 mm; 10, 5 mm"}, Row{"strip", "25 × 200 mm"}})
             QVERIFY2(std::find(rows.begin(), rows.end(), row) != rows.end(), row.first.c_str());
     }
+    void thePanelsOfAGarmentHaveWords()
+    {
+        using Rows = std::vector<std::pair<std::string, std::string>>;
+        ProjectJson garment;
+        garment["panels"]["*"]["fabric"] = "Denim";
+        QVERIFY((inputs_in_words(garment) == Rows{{"panels, all, fabric", "Denim"}}));
+        garment["panels"]["back"]["fabric"] = "Poplin";
+        QVERIFY((inputs_in_words(garment) == Rows{{"panels, all others, fabric", "Denim"}, {"panels, back, fabric", "Poplin"}}));
+    }
+    void cardsStandBesideEachOtherByTheirNumbers()
+    {
+        Comparison c = of_drops({{"a", 3.0}, {"b", 9.0}});
+        judge(c);
+        const LaboratoryNumber head{"hydrostatic_head_mm", "Hydrostatic head", "mm", "ISO 811", "", {14800, 9000, 21000}, ""},
+            air{"air_permeability_mm_s", "Air permeability", "mm/s", "ISO 9237", "", {0.1234, 0.1234, 0.1234}, ""};
+        c.cards["a"] = {{head}, {"Air permeability is missing. It was not found."}};
+        c.cards["b"].found = {air, head};
+        const std::string table = comparison_table(c), csv = comparison_csv(c), page = text_of(comparison_report(c, {}));
+        for (const std::string& text : {table, page}) {
+            QVERIFY2(text.find("14800") != std::string::npos && text.find("9000 to 21000") != std::string::npos, text.c_str());
+            QVERIFY2(text.find("0.123") != std::string::npos && text.find("e+0") == std::string::npos, text.c_str());
+            QVERIFY2(text.find("Air permeability is missing. It was not found.") != std::string::npos, text.c_str());
+        }
+        QVERIFY2(page.find("Technical cards") != std::string::npos, page.c_str());
+        QVERIFY2(csv.find(",air_permeability_mm_s,air_permeability_mm_s_low,air_permeability_mm_s_high,hydrostatic_head_mm,") !=
+                     std::string::npos,
+                 csv.c_str());
+        QVERIFY2(csv.find(",,,,14800,9000,21000,") != std::string::npos, csv.c_str()); // a's, behind the air that it lacks
+        QVERIFY2(csv.find(",0.1234,0.1234,0.1234,14800,9000,21000,") != std::string::npos, csv.c_str());
+        const QJsonArray candidates =
+            QJsonDocument::fromJson(QByteArray::fromStdString(comparison_json(c))).object()["candidates"].toArray();
+        for (const auto& each : candidates)
+            QCOMPARE(each.toObject()["laboratory_missing"].toArray().size(), each.toObject()["fabric"].toString() == "a" ? 1 : 0);
+    }
     void convertedInputsHaveFewDigits()
     {
         const ReaderUnits inches = [](const std::string& unit) {

@@ -28,6 +28,7 @@ private Q_SLOTS:
     {
         const Answer answer = run_cli({"card", poplin(), "--fabric", "Poplin shirting", "--json", "--width-cm", "100"});
         QVERIFY2(answer.code == 0, answer.err.constData());
+        QVERIFY(answer.json()["missing"].isArray() && answer.json()["missing"].toArray().isEmpty());
         const QJsonObject card = answer.json(), construction = card["construction"].toObject(), laboratory = card["laboratory"].toObject();
         QCOMPARE(card["fabric"].toString(), "Poplin shirting");
         QVERIFY(qAbs(construction["g_per_m"].toDouble() - construction["areal_density_g_m2"].toDouble()) < 0.2); // of one metre's width
@@ -65,14 +66,18 @@ private Q_SLOTS:
         QCOMPARE(run_cli({"card", poplin(), "-o", file("card.csv"), "-q"}).code, 0);
         const QByteArray table = content(file("card.csv"));
         QVERIFY(table.startsWith("key,title,value,low,high,unit,standard,conditions\n") && table.contains("\nret_m2pa_w,"));
+        for (const char* key : {"ends_per_cm", "picks_per_cm", "width_cm", "warp_linear_density_tex", "weft_crimp_percent",
+                                "yarn_share_percent", "yarn_take_up_percent", "mass_g_m2", "thickness_mm"})
+            QVERIFY2(table.contains(QByteArray("\n") + key + ','), key);
     }
     void comparedFabricsHaveItsNumbersBeside()
     {
         const QString cloths = file("cloths.hygro");
         run_cli({"presets", "Poplin shirting", "Sheeting", "--experiment", "droplet", "-o", cloths});
-        const Answer answer =
-            run_cli({"compare", cloths, "--card", "--json", "--fidelity", "live", "--backend", "cpu", "-q", "-o", file("compared")});
+        const Answer answer = run_cli({"compare", cloths, "--card", "--json", "--fidelity", "live", "--backend", "cpu", "-q", "-o",
+                                       file("compared"), "--report", file("compared.html")});
         QVERIFY2(answer.code == 0, answer.err.constData());
+        QVERIFY(content(file("compared.html")).contains("Air permeability at 100 Pa, mm/s"));
         double air[2] = {};
         for (const auto& each : answer.json()["candidates"].toArray()) {
             const QJsonObject candidate = each.toObject();

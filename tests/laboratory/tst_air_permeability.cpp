@@ -2,6 +2,7 @@
 // Air through holes that are known and through drawn cloth.
 #include "core/laboratory/air_permeability.h"
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/physics/laboratory.h"
 #include "core/room/room_tables.h"
@@ -65,6 +66,7 @@ private Q_SLOTS:
         QVERIFY2(with > 72e-6 * drag / share && with < 1.4 * 72e-6 * drag / share,
                  qPrintable(QString::number(with * share / drag / 72e-6)));
     }
+    void whatIsNotSolvedIsNoNumber() { QVERIFY_THROWS_EXCEPTION(Error, flow_through(tube(2, 2), 0, std::nan(""))); }
     void speedSolvesBothTerms()
     {
         QCOMPARE(speed_of_air(100, 50, 0), 2.0);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Heat and vapour through voxels, where they are known.
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/physics/laboratory.h"
 #include "core/room/conduction.h"
@@ -53,6 +54,10 @@ private Q_SLOTS:
     void anEvenLayerConductsAsItsSubstance()
     {
         QVERIFY(near_to(conductivity_through(cell(8, [](double, double) { return 1.0; }), 0, 0.026, 3), 0.026, 1e-6));
+    }
+    void whatIsNotSolvedIsNoNumber()
+    {
+        QVERIFY_THROWS_EXCEPTION(Error, conductivity_through(cell(4, [](double, double z) { return z; }), 0, 1, std::nan("")));
     }
     /// A row of rods between two faces of one temperature each is a square array by symmetry.
     void rodsConductAsRayleighSays()

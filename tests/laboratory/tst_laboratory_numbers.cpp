@@ -4,6 +4,7 @@
 #include "core/laboratory/numbers.h"
 #include "core/laboratory/wet_cloth.h"
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/physics/laboratory.h"
 #include "core/physics/water.h"
@@ -13,7 +14,10 @@
 
 #include <QTest>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <map>
 #include <set>
 
 using namespace hygroloom;
@@ -133,16 +137,50 @@ private Q_SLOTS:
         QVERIFY2(near_to(warp, weft, 0.02) && warp > 2e-3 && warp < 3e-2, qPrintable(QString("%1 %2").arg(warp).arg(weft)));
         QCOMPARE(wicking_speed(repellent(), *tables, YarnKind::warp).value, 0.0);
     }
+    void whatCannotBeComputedLeavesTheRest()
+    {
+        LaboratoryNumbers numbers;
+        const auto one = [](std::vector<LaboratoryNumber>& found) { found.push_back({"one", "One", "", "", "", {1, 1, 1}, ""}); };
+        add_computed(numbers, "One", one);
+        add_computed(numbers, "Air permeability", [&](std::vector<LaboratoryNumber>& found) {
+            one(found);
+            throw Error("It was not solved.");
+        });
+        add_computed(numbers, "One", one);
+        QCOMPARE(numbers.found.size(), std::size_t{2});
+        QCOMPARE(numbers.missing, std::vector<std::string>{"Air permeability is missing. It was not solved."});
+    }
+    /// Air is what mass over the fibres' density leaves of the thickness that is named as the porosity is.
+    void porosityIsOfTheThicknessBesideIt()
+    {
+        Design design;
+        design.fabrics = {library_fabric("Poplin shirting")};
+        const FittedFabric fitted = fit_fabric(design, design.fabrics[0]);
+        std::map<std::string, LaboratoryNumber> by_key;
+        for (const LaboratoryNumber& number : quick_numbers(fitted)) by_key[number.key] = number;
+        const LaboratoryNumber &thickness = by_key["thickness_drawn_mm"], &porosity = by_key["porosity_percent"];
+        const double fibre = build_textile(design.fabrics[0], fitted, {0, 0, 1, 1}).warp.types[0].fibre.density_kg_m3;
+        const double solid = by_key["mass_g_m2"].estimate.value / fibre; // mm
+        QVERIFY(near_to(porosity.estimate.value, 100 * (1 - solid / thickness.estimate.value), 1e-3));
+        QCOMPARE(thickness.title, std::string("Thickness, as drawn"));
+        QCOMPARE(porosity.title, std::string("Porosity, as drawn"));
+    }
     void everyNumberHasAKeyOfItsOwnAnUnitAndLiesInItsInterval()
     {
         Design design;
         design.fabrics = {library_fabric("Poplin shirting")};
         const FittedFabric fitted = fit_fabric(design, design.fabrics[0]);
         std::set<std::string> keys;
-        for (const LaboratoryNumber& number : laboratory_numbers(design, design.fabrics[0], fitted)) {
+        const LaboratoryNumbers numbers = laboratory_numbers(design, design.fabrics[0], fitted);
+        QVERIFY(numbers.missing.empty());
+        for (const LaboratoryNumber& number : numbers.found) {
             QVERIFY2(keys.insert(number.key).second, number.key.c_str());
             QVERIFY2(number.estimate.low <= number.estimate.value && number.estimate.value <= number.estimate.high, number.key.c_str());
             QVERIFY(!number.title.empty());
+            // How far off a number was stands in one place, to which the card points.
+            if (number.model.find("verify ") != std::string::npos)
+                QVERIFY2(std::none_of(number.model.begin(), number.model.end(), [](unsigned char c) { return std::isdigit(c); }),
+                         number.model.c_str());
         }
         for (const char* key : {"air_permeability_mm_s", "rct_m2k_w", "ret_m2pa_w", "hydrostatic_head_mm", "absorption_drained_g_m2"})
             QVERIFY2(keys.contains(key), key);
