@@ -6,6 +6,7 @@
 #include "ui/study/effect_curve.h"
 #include "ui/study/factor_form.h"
 #include "ui/study/field_picker.h"
+#include "ui/study/study_chart.h"
 #include "ui/study/study_data.h"
 #include "ui/study/study_table.h"
 
@@ -162,6 +163,23 @@ private Q_SLOTS:
         QCOMPARE(curve.points[1].mean, 10.0);
         QVERIFY(std::isnan(curve.points[1].off)); // of one row nothing is known
         QCOMPARE(curve.points[1].rows, std::size_t{1});
+    }
+
+    void everyWordOfAnAxisHasItsLabel()
+    {
+        StudyAxis factor;
+        factor.words = {"Poplin shirting, mercerized and finished", "Denim", "Sheeting, as it comes from the loom"};
+        factor.high = 2;
+        factor.empty = false;
+        const QRectF area(66, 0, 200, 100);
+        double from = 0;
+        const std::vector<TickLabel> labels = tickLabels(area, factor, QFontMetricsF(QFont()));
+        QCOMPARE(labels.size(), factor.words.size());
+        for (const TickLabel& label : labels) {
+            QVERIFY(!label.text.isEmpty() && label.left >= from);
+            from = label.left + label.width;
+        }
+        QVERIFY(from <= area.right() + 16);
     }
 
     void singleRowsOverARangeAreNotJoined()

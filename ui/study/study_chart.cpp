@@ -114,21 +114,37 @@ QColor studyColor(double share, const QPalette& palette)
     return waterColor(isDark(palette) ? 0.78 * (1 - share) : 1 - 0.85 * share, WaterColors::cividis);
 }
 
+std::vector<TickLabel> tickLabels(const QRectF& area, const StudyAxis& across, const QFontMetricsF& metrics)
+{
+    constexpr double widest = 120, gap = 6, beyond = 16; // pixels; beyond: to the area's right, where the next chart begins
+    const std::vector<double> ticks = across.ticks(std::max(3, static_cast<int>(area.width() / 50)));
+    const auto at = [&](double tick) { return area.left() + across.placeOf(tick) * area.width(); };
+    const bool words = !across.words.empty();
+    const double room = words && ticks.size() > 1 ? std::clamp(at(ticks[1]) - at(ticks[0]) - gap, 1.0, widest) : widest;
+    double free_from = area.left() - widest / 2;
+    std::vector<TickLabel> labels;
+    for (const double tick : ticks) {
+        TickLabel label{at(tick), 0, 0, {}};
+        const double right = words ? area.right() + beyond : label.at + widest;
+        label.text = metrics.elidedText(across.text(tick), Qt::ElideRight, std::min(room, right - free_from));
+        label.width = metrics.horizontalAdvance(label.text);
+        label.left = std::min(label.at - label.width / 2, right - label.width);
+        if (label.left < free_from) { label.text.clear(); }
+        if (!label.text.isEmpty()) { free_from = label.left + label.width + gap; }
+        labels.push_back(label);
+    }
+    return labels;
+}
+
 void drawAxes(QPainter& painter, const QRectF& area, const StudyAxis& across, const StudyAxis& up, const QPalette& palette)
 {
     const QFontMetricsF metrics(painter.font());
     const QColor ink = palette.color(QPalette::Text), grid = gridColor(palette);
-    double free_from = area.left() - 40;
-    for (const double tick : across.ticks(std::max(3, static_cast<int>(area.width() / 50)))) {
-        const double x = area.left() + across.placeOf(tick) * area.width();
+    for (const TickLabel& label : tickLabels(area, across, metrics)) {
         painter.setPen(grid);
-        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-        const QString text = metrics.elidedText(across.text(tick), Qt::ElideRight, 120);
-        const double width = metrics.horizontalAdvance(text), left = x - width / 2;
-        if (left < free_from) { continue; }
+        painter.drawLine(QPointF(label.at, area.top()), QPointF(label.at, area.bottom()));
         painter.setPen(ink);
-        painter.drawText(QRectF(left, area.bottom() + 2, width + 1, metrics.height()), Qt::AlignLeft, text);
-        free_from = left + width + 6;
+        painter.drawText(QRectF(label.left, area.bottom() + 2, label.width + 1, metrics.height()), Qt::AlignLeft, label.text);
     }
     for (const double tick : up.ticks(std::max(2, static_cast<int>(area.height() / 40)))) {
         const double y = area.bottom() - up.placeOf(tick) * area.height();

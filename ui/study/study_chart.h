@@ -4,6 +4,7 @@
 
 #include "ui/study/study_data.h"
 
+#include <QFontMetricsF>
 #include <QPixmap>
 #include <QWidget>
 
@@ -54,6 +55,14 @@ void fillAxes(QComboBox& box, const StudyData* data, bool factors, bool metrics,
 /// The axis that an entry of the box stands for; nullptr: none.
 const StudyAxis* chosenAxis(const QComboBox& box, const StudyData* data);
 
+/// What stands below a tick of the axis across: pixels, as the area.
+struct TickLabel {
+    double at = 0;              ///< of the tick
+    double left = 0, width = 0; ///< of its text
+    QString text;               ///< empty: there is no room for it
+};
+/// Each word has a text, cut where its neighbours leave no more room; of numbers those that have room.
+std::vector<TickLabel> tickLabels(const QRectF& area, const StudyAxis& across, const QFontMetricsF& metrics);
 /// Lines and numbers of two axes round an area.
 void drawAxes(QPainter& painter, const QRectF& area, const StudyAxis& across, const StudyAxis& up, const QPalette& palette);
 /// Of a value from 0 to 1: blue to yellow, as far as both are seen on the palette.
