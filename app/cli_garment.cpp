@@ -2,6 +2,7 @@
 // garment: what a garment's file holds, and a project with it.
 #include "app/cli_wear.h"
 
+#include "core/base/text.h"
 #include "core/base/utf8.h"
 #include "core/base/words.h"
 #include "core/design/wear.h"
@@ -133,9 +134,10 @@ void print_pattern(const GarmentOptions& options, const Garment& garment, const 
     double area = 0;
     for (const PatternPanel& panel : pattern.panels) {
         area += area_of(panel);
-        print_result("  {:<24} {:>9.5f} {:>6} {:>12.1f}\n", panel.name, area_of(panel), panel.edges.size(), 1e3 * perimeter_of(panel));
+        print_result("  {:<24} {:>9} {:>6} {:>12}\n", panel.name, rounded_text(area_of(panel), 4), panel.edges.size(),
+                     rounded_text(1e3 * perimeter_of(panel), 4));
     }
-    print_result("  {:<24} {:>9.5f}\n", "all", area);
+    print_result("  {:<24} {:>9}\n", "all", rounded_text(area, 4));
     print_result("  {} seams; {}.\n", pattern.seams.size(), pattern.is_draped ? "draped" : "flat, where its panels were placed");
     if (pattern.uv_scale > 0 && !garment.is_built_in())
         print_result("  A unit of the flat coordinates is {:.6g} mm{}.\n", 1e3 * pattern.uv_scale,

@@ -346,8 +346,8 @@ int plan_garment(const WearVerbOptions& options)
     }
     print_result("{} in \"{}\": {} cells; {}\n", layout.garment, wear.name, plan.cells, layout.cells_in_words);
     for (std::size_t k = 0; k < layout.panels.size(); ++k)
-        print_result("  {:<24} {:<24} {:>9.5f} m2 {:>9} cells\n", layout.panels[k].name, layout.panels[k].fabric,
-                     area_of(parts.pattern.panels[k]), plan.panel_cells[k]);
+        print_result("  {:<24} {:<24} {:>9} m2 {:>9} cells\n", layout.panels[k].name, layout.panels[k].fabric,
+                     rounded_text(area_of(parts.pattern.panels[k]), 4), plan.panel_cells[k]);
     print_result("Memory about {:.0f} MB; {} {} s, by the number of cells and how wet they get. {}\n", 1e-6 * plan.bytes,
                  plan.time.learned.empty() ? "on two cores some" : "here about", rounded_text(plan.time.seconds, 2),
                  plan.time.learned.empty() ? "Most runs at live and draft take from a third to three times that." : plan.time.learned);

@@ -393,6 +393,7 @@ constexpr std::pair<std::string_view, std::optional<Message> (*)(const std::stri
                                                                                                    {"extra_yarns", allowed<Yarn>},
                                                                                                    {"core", allowed<YarnCore>},
                                                                                                    {"experiments", allowed<Experiment>},
+                                                                                                   {"wears", allowed<WearExperiment>},
                                                                                                    {"climate", allowed<Climate>},
                                                                                                    {"initial", allowed<Climate>},
                                                                                                    {"droplets", allowed<Droplet>},

@@ -35,7 +35,7 @@ template <> std::span<const Field<PanelCut>> fields_of<PanelCut>();
 template <> std::span<const Field<OwnZone>> fields_of<OwnZone>();
 template <> std::span<const Field<Wearer>> fields_of<Wearer>();
 
-/// What the number at a place of the project may be; nothing where no row says it.
+/// What the number at a place of the project may be; nothing where no row says it. Places in experiments on garments begin with "wears".
 std::optional<Message> allowed_at(const Place& place);
 
 } // namespace hygroloom

@@ -76,13 +76,17 @@ public:
     bool number_integer(std::int64_t) override { return passed(); }
     bool number_unsigned(std::uint64_t) override { return passed(); }
     bool number_float(double, const std::string&) override { return passed(); }
-    bool string(std::string&) override { return passed(); }
+    bool string(std::string& text) override
+    {
+        if (!levels_.empty() && levels_.back().key == "type") levels_.back().worn = text == "wear";
+        return passed();
+    }
     bool binary(nlohmann::json::binary_t&) override { return passed(); }
     /// parse() reports all but numbers.
     bool parse_error(std::size_t end, const std::string& token, const nlohmann::json::exception& failure) override
     {
         if (dynamic_cast<const nlohmann::json::out_of_range*>(&failure) == nullptr || token.size() > end) return false;
-        const std::optional<Message> allowed = allowed_at(place());
+        const std::optional<Message> allowed = allowed_at(place_of_row());
         const std::string path = place().text();
         throw NumberTooLarge(fmt::format("{}: {}: {}: The number {} is beyond those that there are, up to {:.2g}.{}", name_,
                                          line_and_column(text_, end - token.size() + 1), path.empty() ? "the project" : path,
@@ -94,13 +98,14 @@ private:
         bool list = false;
         std::set<std::string> keys;
         std::string key;         ///< the last
+        bool worn = false;       ///< an experiment on a garment, as far as that is read
         std::size_t members = 0; ///< of a list, so far
     };
     bool deeper(bool list)
     {
         if (levels_.size() >= deepest)
             throw FileError(fmt::format("{}: Values are nested deeper than {} levels; this is no project.", name_, deepest));
-        levels_.push_back({list, {}, {}, 0});
+        levels_.push_back({list, {}, {}, false, 0});
         return true;
     }
     bool shallower()
@@ -118,6 +123,13 @@ private:
         Place place;
         for (const Level& level : levels_) place = level.list ? place / level.members : place / level.key;
         return place;
+    }
+    /// As allowed_at() looks for the number's row: experiments on garments have rows of their own.
+    Place place_of_row() const
+    {
+        const Place at = place();
+        const bool worn = std::any_of(levels_.begin(), levels_.end(), [](const Level& level) { return level.worn; });
+        return worn && at.key(0) == "experiments" ? at.with(0, std::string("wears")) : at;
     }
 
     std::string_view text_;

@@ -24,11 +24,13 @@ FinishedGarment run_garment(const GarmentParts& parts, const GarmentRunOptions& 
         *parts.design, wear_layout(parts, garment), name_of(options.how.fidelity), backend.name(), backend.device(), date_now()});
     std::optional<WearWriter> recording;
     if (!options.recording.empty()) recording.emplace(options.recording, *record);
-    if (callbacks.planned) callbacks.planned(plan_wear(garment, *parts.wear, options.how.fidelity, backend.name()));
+    WearPlan plan = plan_wear(garment, *parts.wear, options.how.fidelity);
+    const GarmentTime estimated = plan.time;
+    expect_as_learned(plan.time, backend.name());
+    if (callbacks.planned) callbacks.planned(plan);
     if (callbacks.started) callbacks.started(record);
     const auto metrics = std::make_shared<WearMetrics>(record->layout);
-    FinishedGarment finished{record, metrics, {}, parts.pattern.issues, 0, plan_wear(garment, *parts.wear, options.how.fidelity).time,
-                             true,   {}};
+    FinishedGarment finished{record, metrics, {}, parts.pattern.issues, 0, estimated, true, {}};
     WearCallbacks each;
     each.frame = [&](const std::shared_ptr<const WearFrame>& frame) {
         metrics->add(*frame);

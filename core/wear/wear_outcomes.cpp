@@ -250,6 +250,15 @@ std::string wear_json(const WearMetrics& metrics, const std::map<std::string, In
     return json.dump(2);
 }
 
+std::string text_in_table(const WearNumber& number, double value, const ReaderUnits& units)
+{
+    const ShownValue seen = shown(number.info, value);
+    const ReaderUnit own = reader_unit(units, seen.unit);
+    const int decimals = std::max(0, *number.decimals - static_cast<int>(std::lround(std::log10(own.per_one))));
+    const double there = own.of(seen.value), least = 0.5 * std::pow(10.0, -decimals);
+    return fmt::format("{:.{}f}", std::abs(there) < least ? 0.0 : there, decimals);
+}
+
 std::string table_of_parts(const WearMetrics& metrics)
 {
     const auto value_of = [&](const WearNumber& number, const WearPart& part) { return number.value({metrics, part, part.course.back()}); };
@@ -267,7 +276,7 @@ std::string table_of_parts(const WearMetrics& metrics)
         rows.push_back({part.name});
         for (const WearNumber* number : columns) {
             const Value value = value_of(*number, part);
-            rows.back().push_back(value ? fmt::format("{:.{}f}", shown(number->info, *value).value, *number->decimals) : "-");
+            rows.back().push_back(value ? text_in_table(*number, *value) : "-");
         }
     };
     for (const WearPart& panel : metrics.panels()) add(panel);

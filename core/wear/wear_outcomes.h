@@ -54,6 +54,9 @@ std::map<std::string, std::vector<double>> courses_of(const WearMetrics& metrics
 
 /// As `simulate --json` prints it. intervals: of replicates, by key; none: of one run, whose error is not known.
 std::string wear_json(const WearMetrics& metrics, const std::map<std::string, Interval>& intervals = {});
+/// A number as tables of parts print it, in the reader's unit: with the decimals of its column, and 0 without a sign. Precondition: the
+/// number has decimals.
+std::string text_in_table(const WearNumber& number, double value, const ReaderUnits& units = {});
 /// A table for people: a row for each panel and zone.
 std::string table_of_parts(const WearMetrics& metrics);
 

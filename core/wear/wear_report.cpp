@@ -48,9 +48,7 @@ PageBlocks parts_table(const char* title, const WearMetrics& metrics, const std:
         for (const WearNumber& number : wear_numbers()) {
             if (!number.decimals) continue;
             const std::optional<double> value = number.value({metrics, part, part.course.back()});
-            const ShownValue seen = shown(number.info, value.value_or(0));
-            rows.back().push_back({value ? fmt::format("{:.{}f}", reader_unit(units, seen.unit).of(seen.value), *number.decimals) : "–",
-                                   PageCell::Kind::number});
+            rows.back().push_back({value ? text_in_table(number, *value, units) : "–", PageCell::Kind::number});
         }
     }
     return table(rows);

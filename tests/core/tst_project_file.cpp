@@ -256,6 +256,9 @@ private Q_SLOTS:
             "The diameter of a yarn must be from 0.01 to 10 mm.");
         row("a count too large", replaced(good, "\"fibres_per_yarn\": 30", "\"fibres_per_yarn\": 1e400"),
             "fabrics[0].warp.fibres_per_yarn: The number 1e400 is beyond");
+        row("a garment's time too large", R"({"experiments": [{"type": "wear", "duration_s": 1e999}]})",
+            "experiments[0].duration_s: The number 1e999 is beyond those that there are, up to 1.8e+308. "
+            "The duration must be from 1 to 86400 s.");
         row("nothing but a number too large", "1e400", "the project: The number 1e400 is beyond");
         row("NaN", replaced(good, "0.635", "NaN"), "line");
         row("a list", "[1, 2]", "must be an object");

@@ -90,6 +90,17 @@ private Q_SLOTS:
         QCOMPARE(*found(outcomes_of(metrics), "dripped_g").value, 0.0);
     }
 
+    /// No "-0.00", and as many digits in another unit as in its own.
+    void tables_of_parts_round_alike()
+    {
+        const WearNumber &water = wear_number("water_g"), &area = wear_number("area_m2");
+        QCOMPARE(text_in_table(water, -1e-9), std::string("0.00"));
+        QCOMPARE(text_in_table(water, -1.234), std::string("-1.23"));
+        const ReaderUnits inches = [](const std::string& unit) { return unit == "m²" ? ReaderUnit{"in²", 1550.0031} : ReaderUnit{unit}; };
+        QCOMPARE(text_in_table(area, 0.2), std::string("0.200"));
+        QCOMPARE(text_in_table(area, 0.2, inches), std::string("310"));
+    }
+
     void files_and_tables_have_each_number()
     {
         const TwoPanels worn;
