@@ -4,9 +4,10 @@
 #include "app/cli_interrupt.h"
 #include "app/cli_report.h"
 
-#include "core/analysis/calibration.h"
 #include "core/project/atomic_file.h"
 #include "core/project/project_file.h"
+#include "core/queue/calibration_runs.h"
+#include "core/run/plan_run.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -96,12 +97,14 @@ int calibrate_verb(const CalibrateOptions& options)
     const FidelityChoice choice = chosen_fidelity(options, design, textiles, how.forced, how.knobs);
     how.fidelity = choice.fidelity;
     how.fidelity_reason = choice.reason;
-    const auto backends = open_backends(options, options.at_once, most, bytes_of_largest(design, experiment, textiles, how));
+    const auto places = open_places(options, options.at_once, most, bytes_of_largest(design, experiment, textiles, how));
 
-    RunControl control;
-    const InterruptCancels cancels(control.cancel);
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
+    RunQueue queue;
     try {
-        const Calibration result = fit(options, {design, fabric.name, experiment.name, data, inputs, how, backends, control});
+        const Calibration result = fit(options, {design, fabric.name, experiment.name, data, inputs, how, queue, places,
+                                                 expected_backend(backend_of(options)), cancel});
         write_results(options, design, result);
         return result.identifiable() ? exit_ok : exit_failed;
     } catch (const Cancelled&) {

@@ -12,7 +12,7 @@
 #include "core/design/unknowns.h"
 #include "core/laboratory/numbers.h"
 #include "core/project/atomic_file.h"
-#include "core/run/learned_times.h"
+#include "core/run/plan_run.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -48,45 +48,36 @@ void write_pictures(std::vector<std::optional<CandidateMaps>>& maps, const std::
 
 bool wants_maps(const CompareOptions& options) { return !options.output.empty() || !options.report.empty(); }
 
-/// A run with the maps of its end, where they are wanted.
-FinishedRun run_with_maps(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& how,
-                          Backend& backend, RunControl& control, RunBar& bar, std::size_t at, std::optional<CandidateMaps>* maps)
-{
-    std::shared_ptr<const Frame> first, last;
-    FinishedRun finished =
-        run_with_bar(design, fabric, experiment, how, backend, control, bar, at, [&](const std::shared_ptr<const Frame>& frame) {
-            if (!first) first = frame;
-            last = frame;
-        });
-    if (maps && first) {
-        const Frame start = start_of_maps(finished.run, *first);
-        maps->emplace(CandidateMaps{map_picture(finished.run, *last, start, MapSide::top, crossings_per_cell),
-                                    map_picture(finished.run, *last, start, MapSide::bottom, crossings_per_cell)});
-    }
-    return finished;
-}
-
-/// Each job on one of the backends. The numbers are written after every run, the maps of the first replicates, which are the
-/// cloths as given, kept. Throws what writing threw.
-void run_candidates(const std::vector<Job>& jobs, const std::vector<std::string>& fabrics, const CompareOptions& options,
-                    RunControl& control, const std::vector<std::unique_ptr<Backend>>& backends, Comparison& comparison,
+/// The numbers are written after every run, the maps of the first replicates, which are the cloths as given, kept. Throws what writing
+/// threw.
+void run_candidates(const std::vector<NamedJob>& candidates, const CompareOptions& options, const std::atomic<bool>& cancel,
+                    RunQueue& queue, const std::shared_ptr<RunPlaces>& places, Comparison& comparison,
                     std::vector<std::optional<CandidateMaps>>& maps)
 {
-    std::mutex one_on_cpu;
-    RunBar bar(options.quiet, jobs.size());
-    const auto run = [&](std::size_t i, Backend& backend) {
-        const Job& job = jobs[i];
-        RunOptions how = job.how;
-        how.one_on_cpu = &one_on_cpu;
-        FinishedRun finished = run_with_maps(job.drawn.design, job.fabric, comparison.experiment, how, backend, control, bar, i,
-                                             i < fabrics.size() && wants_maps(options) ? &maps[i] : nullptr);
-        if (backends.size() == 1 && finished.device_failure.empty()) learn_time(finished.run);
-        return candidate_of(job, std::move(finished));
+    RunBar bar(options.quiet, candidates.size() * static_cast<std::size_t>(comparison.replicates));
+    std::vector<std::shared_ptr<const Frame>> firsts(candidates.size()), lasts(candidates.size());
+    ComparedWatch watch;
+    watch.begins = [&](std::size_t i, RunJob& job) {
+        job.beside = shown_in(bar, i, job.fabric);
+        if (i < candidates.size() && wants_maps(options))
+            job.beside.frame = [&, i](const std::shared_ptr<const Frame>& frame) {
+                if (!firsts[i]) firsts[i] = frame;
+                lasts[i] = frame;
+            };
     };
-    run_comparison(comparison, fabrics, backends, control, run, [&](std::size_t i) {
+    watch.came = [&](std::size_t i, const RunResult& result) {
+        if (i >= candidates.size() || !firsts[i]) return;
+        const RunRecord& run = result.sample->run;
+        const Frame start = start_of_maps(run, *firsts[i]);
+        maps[i].emplace(CandidateMaps{map_picture(run, *lasts[i], start, MapSide::top, crossings_per_cell),
+                                      map_picture(run, *lasts[i], start, MapSide::bottom, crossings_per_cell)});
+        firsts[i] = lasts[i] = nullptr;
+    };
+    watch.ended = [&](std::size_t i) {
         bar.end(i);
         write_numbers(comparison, options.output);
-    });
+    };
+    run_comparison(comparison, candidates, queue, places, cancel, watch);
 }
 
 /// On one page, with the maps that there are.
@@ -189,16 +180,16 @@ int compare(CompareOptions options)
     if (options.card) comparison.cards = cards_of(design, fitted, fabrics);
     make_folder(options.output);
     write_numbers(comparison, options.output); // fails before the first run when the folder cannot be written to
-    const auto backends = open_backends(options, options.at_once, scenes, bytes_of_largest(design, experiment, all_textiles, how));
+    const auto places = open_places(options, options.at_once, scenes, bytes_of_largest(design, experiment, all_textiles, how));
 
-    RunControl control;
-    const InterruptCancels cancels(control.cancel);
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
+    RunQueue queue;
     std::vector<std::optional<CandidateMaps>> maps(fabrics.size());
-    const std::vector<Job> jobs = jobs_of(design, fabrics, experiment.name, textiles, how, options.replicates);
-    run_candidates(jobs, fabrics, options, control, backends, comparison, maps);
-    if (why && comparison.complete) find_why(comparison, *why, design, how, options.quiet, backends, control);
+    run_candidates(jobs_of(design, fabrics, experiment.name, textiles, how), options, cancel, queue, places, comparison, maps);
+    if (why && comparison.complete) find_why(comparison, *why, design, how, options.quiet, queue, places, cancel);
     give_results(options, comparison, choice, maps, fabrics);
-    if (control.cancel && comparison.complete) {
+    if (cancel && comparison.complete) {
         print_note("Cancelled after all runs; maps or reasons are missing.\n");
         return exit_cancelled;
     }

@@ -48,10 +48,11 @@ std::string difference_of(const WearExperiment& a, const WearExperiment& b)
 }
 
 /// Each project with its own experiment on a garment, named like its file. All experiments are alike.
-std::vector<GarmentCandidate> of_projects(const CompareOptions& options, const Design& design, const WearExperiment& wear)
+std::vector<NamedJob> of_projects(const CompareOptions& options, const Design& design, const WearExperiment& wear)
 {
     const auto named = [](const std::string& file) { return std::filesystem::path(file).stem().string(); };
-    std::vector<GarmentCandidate> all{{named(options.project), design, wear.name, folder_of(options.project)}};
+    std::vector<NamedJob> all{
+        {named(options.project), {std::make_shared<const Design>(design), wear.name, {}, folder_of(options.project)}}};
     for (const std::string& file : options.others) {
         ProjectOptions other = options;
         other.project = file;
@@ -63,30 +64,31 @@ std::vector<GarmentCandidate> of_projects(const CompareOptions& options, const D
             throw Stop(exit_usage, fmt::format("{}: The experiment \"{}\" is not \"{}\" of {}: they differ in {}. Garments are compared "
                                                "on the same experiment.",
                                                file, worn->name, wear.name, options.project, key));
-        all.push_back({named(file), own, worn->name, folder_of(file)});
-        const auto same = [&](const GarmentCandidate& before) { return before.name == all.back().name; };
+        all.push_back({named(file), {std::make_shared<const Design>(own), worn->name, {}, folder_of(file)}});
+        const auto same = [&](const NamedJob& before) { return before.name == all.back().name; };
         if (std::any_of(all.begin(), all.end() - 1, same)) all.back().name = file;
     }
     return all;
 }
 
-std::vector<GarmentCandidate> candidates_of(const CompareOptions& options, const Design& design, const WearExperiment& wear)
+std::vector<NamedJob> candidates_of(const CompareOptions& options, const Design& design, const WearExperiment& wear)
 {
     if (!options.others.empty()) return of_projects(options, design, wear);
-    std::vector<GarmentCandidate> all;
+    const auto shared = std::make_shared<const Design>(design);
+    std::vector<NamedJob> all;
     for (const std::string& fabric : chosen_fabrics(design, options.fabrics))
-        all.push_back(cut_from(design, wear.name, folder_of(options.project), fabric));
+        all.push_back({fabric, {shared, wear.name, fabric, folder_of(options.project)}});
     return all;
 }
 
 /// All panels of all candidates at their ends, on one scale; also to a folder each.
-std::vector<ReportPicture> maps_of(const std::vector<GarmentCandidate>& candidates, const std::vector<FinishedGarment>& firsts,
+std::vector<ReportPicture> maps_of(const std::vector<NamedJob>& candidates, const std::vector<FinishedGarment>& firsts,
                                    const std::string& folder)
 {
     WearMapOptions how;
     how.crossings = 1; // as computed
     std::vector<std::string> names;
-    for (const GarmentCandidate& candidate : candidates) names.push_back(candidate.name);
+    for (const NamedJob& candidate : candidates) names.push_back(candidate.name);
     std::vector<GarmentAtEnd> ends;
     for (std::size_t i = 0; i < candidates.size(); ++i)
         if (firsts[i].last) ends.push_back({names[i], &firsts[i].record->layout, firsts[i].last});
@@ -107,19 +109,19 @@ std::vector<ReportPicture> maps_of(const std::vector<GarmentCandidate>& candidat
 int compare_garments(const CompareOptions& options, const Design& design, const WearExperiment& wear)
 {
     refuse_what_samples_take(options);
-    const std::vector<GarmentCandidate> candidates = candidates_of(options, design, wear);
+    const std::vector<NamedJob> candidates = candidates_of(options, design, wear);
     if (candidates.size() < 2)
         throw Stop(exit_usage, "A comparison needs two or more fabrics that the garment is cut from, or two or more projects; use simulate "
                                "for one.");
     std::vector<std::string> names;
-    for (const GarmentCandidate& candidate : candidates) names.push_back(candidate.name);
+    for (const NamedJob& candidate : candidates) names.push_back(candidate.name);
     Comparison comparison = comparison_of(options, wear.name, compared_by_wear(), names);
     comparison.of_garments = true;
     make_folder(options.output);
     write_numbers(comparison, options.output); // fails before the first run when the folder cannot be written to
-    RunControl control;
-    const InterruptCancels cancels(control.cancel);
-    const std::vector<FinishedGarment> firsts = run_garments(comparison, candidates, wear_options(options), options.at_once, control,
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
+    const std::vector<FinishedGarment> firsts = run_garments(comparison, candidates, wear_options(options), options.at_once, cancel,
                                                              [&] { write_numbers(comparison, options.output); });
     const bool some = !comparison.candidates.empty();
     if (options.json)

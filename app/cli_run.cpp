@@ -129,33 +129,41 @@ RunOptions run_options(const RunVerbOptions& options)
     return run;
 }
 
-std::unique_ptr<Backend> open_backend(const RunVerbOptions& options) { return std::move(open_backends(options, 1, 1, 0).front()); }
+std::string backend_of(const RunVerbOptions& options)
+{
+    return as_usage([&] { return backend_for(options.backend, knob_settings(options)); });
+}
+
+namespace {
 
 std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int at_once, int scenes, std::size_t bytes_each)
 try {
-    const std::string backend = as_usage([&] { return backend_for(options.backend, knob_settings(options)); });
-    auto backends = make_backends(backend, at_once, scenes, bytes_each);
-    const auto asked = static_cast<std::size_t>(std::min(at_once, scenes));
-    if (!options.quiet && at_once > 0 && backends.size() < asked)
-        print_note("{} of the {} runs asked for go on at the same time: each takes about {} of memory.\n", backends.size(), asked,
-                   bytes_text(static_cast<double>(bytes_each)));
-    return backends;
+    return make_backends(backend_of(options), at_once, scenes, bytes_each);
 } catch (const DeviceError& error) {
     throw Stop(exit_no_device, std::string(error.what()) + " Use --backend cpu.");
 }
 
-FinishedRun run_with_bar(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
-                         Backend& backend, RunControl& control, RunBar& bar, std::size_t run,
-                         const std::function<void(const std::shared_ptr<const Frame>&)>& see,
-                         const std::function<void(const RunRecord&)>& started)
+} // namespace
+
+std::unique_ptr<Backend> open_backend(const RunVerbOptions& options) { return std::move(open_backends(options, 1, 1, 0).front()); }
+
+std::shared_ptr<RunPlaces> open_places(const RunVerbOptions& options, int at_once, int scenes, std::size_t bytes_each)
+{
+    auto places = std::make_shared<RunPlaces>(open_backends(options, at_once, scenes, bytes_each));
+    const auto asked = static_cast<std::size_t>(std::min(at_once, scenes));
+    if (!options.quiet && at_once > 0 && places->at_once() < asked)
+        print_note("{} of the {} runs asked for go on at the same time: each takes about {} of memory.\n", places->at_once(), asked,
+                   bytes_text(static_cast<double>(bytes_each)));
+    return places;
+}
+
+RunCallbacks shown_in(RunBar& bar, std::size_t run, const std::string& name)
 {
     RunCallbacks beside;
-    beside.started = started;
-    beside.frame = see;
-    beside.progress = [&](const RunProgress& progress) { bar.show(run, progress); };
-    beside.memory_is_short = [&](const std::string& sentence) { bar.note(sentence); };
-    beside.device_failed = [&](const std::string& sentence) { bar.say(fabric + ": " + sentence); };
-    return run_and_measure(design, fabric, experiment, options, backend, control, beside);
+    beside.progress = [&bar, run](const RunProgress& progress) { bar.show(run, progress); };
+    beside.memory_is_short = [&bar](const std::string& sentence) { bar.note(sentence); };
+    beside.device_failed = [&bar, name](const std::string& sentence) { bar.say(name + ": " + sentence); };
+    return beside;
 }
 
 void add_at_once_option(CLI::App& verb, int& at_once)

@@ -4,8 +4,7 @@
 
 #include "app/cli.h"
 
-#include "core/analysis/jobs.h"
-#include "core/solver/backend.h"
+#include "core/queue/run_queue.h"
 
 #include <chrono>
 #include <functional>
@@ -44,7 +43,9 @@ RunOptions run_options(const RunVerbOptions& options);
 /// Throws Stop.
 std::unique_ptr<Backend> open_backend(const RunVerbOptions& options);
 /// For runs side by side: see make_backends(). Says where memory holds fewer than were asked for. Throws Stop.
-std::vector<std::unique_ptr<Backend>> open_backends(const RunVerbOptions& options, int at_once, int scenes, std::size_t bytes_each);
+std::shared_ptr<RunPlaces> open_places(const RunVerbOptions& options, int at_once, int scenes, std::size_t bytes_each);
+/// "cpu" or "cuda", where they go. Throws Stop.
+std::string backend_of(const RunVerbOptions& options);
 
 /// --at-once.
 void add_at_once_option(CLI::App& verb, int& at_once);
@@ -83,11 +84,8 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), drawn_;
 };
 
-/// Runs to the end and shows its progress in the bar. Throws Cancelled and Error.
-FinishedRun run_with_bar(const Design& design, const std::string& fabric, const std::string& experiment, const RunOptions& options,
-                         Backend& backend, RunControl& control, RunBar& bar, std::size_t run,
-                         const std::function<void(const std::shared_ptr<const Frame>&)>& see = {},
-                         const std::function<void(const RunRecord&)>& started = {});
+/// That show a run's progress in the bar, which must outlive it. name: of its cloth.
+RunCallbacks shown_in(RunBar& bar, std::size_t run, const std::string& name);
 
 /// "a, b" -> "a", "b", without the spaces around; none of an empty text.
 std::vector<std::string> words_of(const std::string& list);

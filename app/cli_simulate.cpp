@@ -12,7 +12,8 @@
 #include "core/plan/frame_times.h"
 #include "core/plan/idle_keys.h"
 #include "core/plan/plan_json.h"
-#include "core/run/learned_times.h"
+#include "core/queue/compared_runs.h"
+#include "core/run/plan_run.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -135,25 +136,14 @@ void print_run(const FinishedRun& finished, const CommonOptions& options)
 /// What a run has given so far, for the case that it is cancelled.
 struct SoFar {
     RunRecord run;
-    MetricsCollector collector;
+    std::shared_ptr<const MetricsCollector> metrics; ///< nullptr: no frame yet
     int frames = 0;
-
-    void start(const RunRecord& record)
-    {
-        run = record;
-        collector.start(record);
-    }
-    void add(const Frame& frame)
-    {
-        collector.add(frame);
-        ++frames;
-    }
 };
 
 /// The last words, and the metrics up to there, unless that takes so long that the words are the last.
 int print_cancelled(const SoFar& so_far, bool json)
 {
-    const Metrics metrics = so_far.frames > 0 ? so_far.collector.metrics() : Metrics{};
+    const Metrics metrics = so_far.metrics ? so_far.metrics->metrics() : Metrics{};
     const LastWords* words = last_words.exchange(nullptr);
     write_note(words->note);
     if (so_far.frames == 0) {
@@ -197,20 +187,22 @@ int simulate_one(const SimulateOptions& options, const Design& design, const Fit
     const InterruptCancels cancels(control.cancel, &nothing);
     FinishedRun finished;
     SoFar so_far;
-    const auto see = [&](const std::shared_ptr<const Frame>& frame) {
-        so_far.add(*frame);
-        if (!options.output.empty() && so_far.frames >= frames_to_keep) last_words = &with_recording;
-    };
     try {
         RunBar bar(options.quiet, 1);
-        finished = run_with_bar(design, fabric.name, experiment.name, how, *backend, control, bar, 0, see, [&](const RunRecord& record) {
-            so_far.start(record);
+        RunJob job{std::make_shared<const Design>(design), experiment.name, fabric.name, {}, how};
+        job.beside = shown_in(bar, 0, fabric.name);
+        job.measured = [&](const std::shared_ptr<const Frame>&, const std::shared_ptr<const MetricsCollector>& metrics) {
+            so_far.metrics = metrics;
+            if (++so_far.frames >= frames_to_keep && !options.output.empty()) last_words = &with_recording;
+        };
+        job.beside.started = [&](const RunRecord& record) {
+            so_far.run = record;
             bar.expect(seconds_to_wait(record.plan, !how.recording.empty()));
-        });
+        };
+        finished = std::move(*run_job(job, *backend, control).sample);
     } catch (const Cancelled&) {
         return print_cancelled(so_far, options.json);
     }
-    if (finished.device_failure.empty()) learn_time(finished.run);
     print_run(finished, options);
     if (options.profile) print_profile(backend->stage_times(), finished.run.wall, options.json);
     if (!options.output.empty() && !options.quiet) print_note("Recording: {}\n", options.output);
@@ -228,24 +220,21 @@ int simulate_replicates(const SimulateOptions& options, const Design& design, co
     how.fidelity_reason = choice.reason;
     how.recording = options.output;
     announce_scenes(options.at_once, options.replicates);
-    const auto backends = open_backends(options, options.at_once, options.replicates, bytes_of_largest(design, experiment, textiles, how));
-    const std::vector<Job> jobs = jobs_of(design, fabric, experiment.name, textiles, how, options.replicates);
+    const auto places = open_places(options, options.at_once, options.replicates, bytes_of_largest(design, experiment, textiles, how));
     Comparison all;
     all.experiment = experiment.name;
     all.criteria = compared_by(experiment.type);
     all.ranked_by = all.criteria.front();
     all.replicates = options.replicates;
-    RunControl control;
-    const InterruptCancels cancels(control.cancel);
-    std::mutex one_on_cpu;
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
     {
-        RunBar bar(options.quiet, jobs.size());
-        const auto run = [&](std::size_t i, Backend& backend) {
-            RunOptions own = jobs[i].how;
-            own.one_on_cpu = &one_on_cpu;
-            return candidate_of(jobs[i], run_with_bar(jobs[i].drawn.design, fabric[0], experiment.name, own, backend, control, bar, i));
-        };
-        run_comparison(all, fabric, backends, control, run, [&](std::size_t i) { bar.end(i); });
+        RunBar bar(options.quiet, static_cast<std::size_t>(options.replicates));
+        RunQueue queue;
+        ComparedWatch watch;
+        watch.begins = [&](std::size_t i, RunJob& job) { job.beside = shown_in(bar, i, fabric[0]); };
+        watch.ended = [&](std::size_t i) { bar.end(i); };
+        run_comparison(all, jobs_of(design, fabric, experiment.name, textiles, how), queue, places, cancel, watch);
     }
     if (!all.complete) throw Stop(exit_cancelled, "Cancelled.");
     const Candidate& found = all.candidates.front();
@@ -269,34 +258,37 @@ int simulate_several(const SimulateOptions& options, const Design& design, const
     for (const Textile& textile : textiles) choices.push_back(chosen_fidelity(options, design, {textile}, how.forced, how.knobs));
     how.fidelity = Fidelity::draft;
     for (const FidelityChoice& choice : choices) how.fidelity = std::max(how.fidelity, choice.fidelity); // needs the most memory
-    const auto backends =
-        open_backends(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, textiles, how));
+    const std::vector<NamedJob> jobs = jobs_of(design, fabrics, experiment.name, textiles, how);
+    const auto places =
+        open_places(options, options.at_once, static_cast<int>(fabrics.size()), bytes_of_largest(design, experiment, textiles, how));
 
-    RunControl control;
-    const InterruptCancels cancels(control.cancel);
-    std::mutex one_on_cpu;
-    how.one_on_cpu = &one_on_cpu;
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
     std::vector<std::optional<FinishedRun>> runs(fabrics.size());
-    std::atomic<int> failed{0};
+    int failed = 0;
     {
         RunBar bar(options.quiet, fabrics.size());
-        run_side_by_side(backends, fabrics.size(), control, [&](std::size_t i, Backend& backend) {
-            RunOptions own = how;
-            own.fidelity = choices[i].fidelity;
-            own.fidelity_reason = choices[i].reason;
-            own.textile = std::make_shared<const Textile>(textiles[i]);
-            if (!options.output.empty()) own.recording = (std::filesystem::path(options.output) / (stems[i] + ".hygrorec")).string();
-            try {
-                runs[i] = run_with_bar(design, fabrics[i], experiment.name, own, backend, control, bar, i);
-            } catch (const Cancelled&) {
-                throw;
-            } catch (const std::exception& error) {
+        RunQueue queue;
+        RunBatch batch;
+        batch.count = fabrics.size();
+        batch.places = places;
+        batch.job = [&](std::size_t i) {
+            RunJob job = jobs[i].job;
+            job.how.fidelity = choices[i].fidelity;
+            job.how.fidelity_reason = choices[i].reason;
+            if (!options.output.empty()) job.how.recording = (std::filesystem::path(options.output) / (stems[i] + ".hygrorec")).string();
+            job.beside = shown_in(bar, i, fabrics[i]);
+            return job;
+        };
+        batch.ended = [&](std::size_t i, RunResult& result) {
+            runs[i] = std::move(result.sample);
+            if (const std::string failure = result.failure(); !failure.empty()) {
                 ++failed;
-                bar.say(fabrics[i] + ": " + error.what());
+                bar.say(fabrics[i] + ": " + failure);
             }
             bar.end(i);
-            return runs[i] && !runs[i]->device_failure.empty();
-        });
+        };
+        queue.run(std::move(batch), cancel);
     }
     if (options.json) print_result("[\n");
     const char* between = "";
@@ -308,7 +300,7 @@ int simulate_several(const SimulateOptions& options, const Design& design, const
         ++ended;
     }
     if (options.json) print_result("]\n");
-    if (control.cancel)
+    if (cancel)
         throw Stop(exit_cancelled, fmt::format("Cancelled after {} of {} fabrics.{}", ended, fabrics.size(),
                                                options.output.empty() ? "" : " The recordings so far are in " + options.output + "."));
     if (!options.output.empty() && !options.quiet) print_note("Recordings: {}\n", options.output);

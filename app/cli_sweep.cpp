@@ -155,15 +155,16 @@ int run_sweep(const SweepOptions& options)
     announce_scenes(options.jobs, scenes);
     const StudyShares shares = shares_of(options, needs);
     how.threads = shares.threads;
-    const auto backends = open_backends(options, options.jobs > 0 ? options.jobs : shares.jobs, scenes, needs.bytes_each);
+    const auto places = open_places(options, options.jobs > 0 ? options.jobs : shares.jobs, scenes, needs.bytes_each);
 
-    RunControl control;
+    std::atomic<bool> cancel{false};
+    RunQueue queue;
     const LastWords words = failure_words(
         options.json, exit_cancelled,
         fmt::format("Cancelled. {} keeps every run that has ended; --resume goes on, --merge makes the table of them.", options.folder));
     StudyOutcome outcome;
     {
-        const InterruptCancels cancels(control.cancel, &words);
+        const InterruptCancels cancels(cancel, &words);
         StudyBar bar(options.quiet);
         StudyCallbacks callbacks;
         callbacks.progress = [&](const StudyProgress& progress) { bar.show(progress); };
@@ -171,7 +172,7 @@ int run_sweep(const SweepOptions& options)
             bar.clear();
             print_note("{}\n", sentence);
         };
-        outcome = run_study(study.design, study.study, options.folder, how, backends, control, callbacks);
+        outcome = run_study(study.design, study.study, options.folder, how, queue, places, cancel, callbacks);
         last_words = nullptr; // what is left ends by itself
     }
     if (outcome.cancelled) {

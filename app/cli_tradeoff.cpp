@@ -71,12 +71,13 @@ std::string run_here(const TradeoffScene& scene, const TradeoffRun& variant, con
     options.shown_side = 1e-9; // m: each segment, so that all runs have the same ones
     const std::unique_ptr<Backend> backend = make_backend(backend_for(scene.backend, variant.settings));
     OutcomeCollector collector;
-    RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& record) { collector.start(record); };
-    callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) { collector.add(*frame); };
-    callbacks.progress = [&](const RunProgress& p) { progress(p.duration > 0 ? p.simulated / p.duration : 1.0); };
-    return outcome_json(
-        collector.outcome(run_experiment(scene.design, scene.fabric, scene.experiment, options, *backend, control, callbacks)));
+    RunJob job{std::make_shared<const Design>(scene.design), scene.experiment, scene.fabric, {}, options};
+    job.times_count = false; // its frames are finer than those of others
+    job.beside.started = [&](const RunRecord& record) { collector.start(record); };
+    job.beside.frame = [&](const std::shared_ptr<const Frame>& frame) { collector.add(*frame); };
+    job.beside.progress = [&](const RunProgress& p) { progress(p.duration > 0 ? p.simulated / p.duration : 1.0); };
+    const FinishedRun finished = std::move(*run_job(job, *backend, control).sample);
+    return outcome_json(collector.outcome(finished.run, finished.metrics));
 }
 
 /// In a process of its own, with its progress on the terminal. Precondition: this process has started no thread yet.

@@ -8,9 +8,9 @@
 
 #include "core/analysis/map_image.h"
 #include "core/base/text.h"
+#include "core/base/units.h"
 #include "core/base/words.h"
 #include "core/garment/check_garment.h"
-#include "core/wear/garment_run.h"
 #include "core/wear/wear_map.h"
 #include "core/wear/wear_outcomes.h"
 #include "core/wear/wear_report.h"
@@ -45,15 +45,16 @@ GarmentParts parts_of(const Design& design, const WearExperiment& wear, const st
     return as_invalid([&] { return garment_parts(design, wear, folder_of(project)); });
 }
 
-WearOptions how_of(const WearVerbOptions& options)
+RunOptions how_of(const WearVerbOptions& options)
 {
-    WearOptions how;
+    RunOptions how = run_options(options);
     how.fidelity = as_usage([&] { return fidelity_from_name(options.fidelity); });
-    how.cell_mm = options.cell_mm;
-    how.shown_mm = options.shown_mm;
+    how.cell_side = metre_from_mm(options.cell_mm);
+    how.shown_side = metre_from_mm(options.shown_mm);
     how.detail = options.detail;
-    how.knobs = knob_settings(options);
     how.memory = memory_rule(options, "larger cells");
+    how.may_go_on_on_cpu = true;
+    how.recording = options.output;
     return how;
 }
 
@@ -200,14 +201,12 @@ const WearExperiment& required_wear(const Design& design, const ProjectOptions& 
                                        did_you_mean(options.experiment, names), listed));
 }
 
-GarmentRunOptions run_options_of(const WearVerbOptions& options)
+RunJob job_of(const Design& design, const WearExperiment& wear, const WearVerbOptions& options)
 {
-    GarmentRunOptions how;
-    how.how = how_of(options);
-    how.threads = options.threads;
-    how.may_go_on_on_cpu = true;
-    how.recording = options.output;
-    return how;
+    RunJob job{std::make_shared<const Design>(design), wear.name};
+    job.base = folder_of(options.project);
+    job.how = how_of(options);
+    return job;
 }
 
 /// The garment with its replicates; the first is recorded.
@@ -219,10 +218,10 @@ int simulate_replicates(const Design& design, const WearExperiment& wear, const 
     all.ranked_by = all.criteria.front();
     all.replicates = options.replicates;
     all.of_garments = true;
-    RunControl control;
-    const InterruptCancels cancels(control.cancel);
+    std::atomic<bool> cancel{false};
+    const InterruptCancels cancels(cancel);
     const std::vector<FinishedGarment> firsts =
-        run_garments(all, {{wear.garment, design, wear.name, folder_of(options.project)}}, options, options.at_once, control, [] {});
+        run_garments(all, {{wear.garment, job_of(design, wear, options)}}, options, options.at_once, cancel, [] {});
     if (!all.complete) throw Stop(exit_cancelled, "Cancelled.");
     const Candidate& found = all.candidates.front();
     if (!firsts.front().metrics) throw Stop(exit_failed, fmt::format("The first replicate failed: {}", found.failure));
@@ -243,33 +242,36 @@ const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& op
 
 fs::path folder_of(const std::string& project) { return fs::absolute(project).parent_path(); }
 
-std::vector<FinishedGarment> run_garments(Comparison& comparison, const std::vector<GarmentCandidate>& candidates,
-                                          const WearVerbOptions& options, int at_once, RunControl& control,
-                                          const std::function<void()>& ended)
+std::vector<FinishedGarment> run_garments(Comparison& comparison, std::vector<NamedJob> candidates, const WearVerbOptions& options,
+                                          int at_once, const std::atomic<bool>& cancel, const std::function<void()>& ended)
 {
-    const GarmentRunOptions how = run_options_of(options);
-    for (const GarmentCandidate& candidate : candidates) {
-        if (options.quiet) break;
-        const WearExperiment& wear = *find_wear(candidate.design, candidate.experiment);
-        const GarmentParts parts = as_invalid([&] { return garment_parts(candidate.design, wear, candidate.base); });
-        print_misnamed(candidate.design, parts, candidate.name);
+    for (NamedJob& candidate : candidates) {
+        candidate.job.how = how_of(options);
+        if (options.quiet) continue;
+        const Design cut = cut_from(*candidate.job.design, candidate.job.experiment, candidate.job.fabric);
+        const GarmentParts parts =
+            as_invalid([&] { return garment_parts(cut, *find_wear(cut, candidate.job.experiment), candidate.job.base); });
+        print_misnamed(cut, parts, candidate.name);
     }
     const std::size_t runs = candidates.size() * static_cast<std::size_t>(comparison.replicates);
     announce_scenes(at_once, static_cast<int>(runs));
-    const std::size_t bytes = as_invalid([&] { return bytes_of_largest(candidates, how.how); });
-    const auto backends = open_backends(options, at_once, static_cast<int>(runs), bytes);
+    double bytes = 0;
+    for (const NamedJob& candidate : candidates) bytes = std::max(bytes, as_invalid([&] { return bytes_of(candidate.job); }));
+    const auto places = open_places(options, at_once, static_cast<int>(runs), static_cast<std::size_t>(bytes));
     RunBar bar(options.quiet, runs);
-    const auto callbacks = [&](std::size_t i) {
-        GarmentRunCallbacks of_run;
-        of_run.memory_is_short = [&](const std::string& sentence) { bar.note(sentence); };
-        of_run.device_failed = [&, i](const std::string& sentence) { bar.say(candidates[i % candidates.size()].name + ": " + sentence); };
-        of_run.progress = [&, i](const RunProgress& progress) { bar.show(i, progress); };
-        return of_run;
+    std::vector<FinishedGarment> firsts(candidates.size());
+    ComparedWatch watch;
+    watch.begins = [&](std::size_t i, RunJob& job) { job.beside = shown_in(bar, i, candidates[i % candidates.size()].name); };
+    watch.came = [&](std::size_t i, const RunResult& result) {
+        if (i < candidates.size()) firsts[i] = *result.garment;
     };
-    return run_comparison(comparison, candidates, how, options.seed, backends, control, callbacks, [&](std::size_t i) {
+    watch.ended = [&](std::size_t i) {
         bar.end(i);
         ended();
-    });
+    };
+    RunQueue queue;
+    run_comparison(comparison, candidates, queue, places, cancel, watch);
+    return firsts;
 }
 
 int simulate_wear(const Design& design, const WearExperiment& wear, const WearVerbOptions& options)
@@ -290,21 +292,18 @@ int simulate_wear(const Design& design, const WearExperiment& wear, const WearVe
     {
         const InterruptCancels cancels(control.cancel, &words);
         RunBar bar(options.quiet, 1);
-        GarmentRunCallbacks callbacks;
-        callbacks.memory_is_short = callbacks.device_failed = [&](const std::string& sentence) {
-            if (!options.quiet) print_note("{}\n", sentence);
-        };
-        callbacks.planned = [&](const WearPlan& plan) { bar.expect(plan.time.seconds); };
-        callbacks.started = [&](const std::shared_ptr<const WearRecord>& begun) { record = begun; };
-        callbacks.frame = [&](const std::shared_ptr<const WearFrame>&, const WearMetrics& metrics) { so_far.emplace(metrics); };
-        callbacks.progress = [&](const RunProgress& progress) { bar.show(0, progress); };
+        RunJob job = job_of(design, wear, options);
+        job.beside.memory_is_short = job.beside.device_failed = [&](const std::string& sentence) { bar.note(sentence); };
+        job.beside.progress = [&](const RunProgress& progress) { bar.show(0, progress); };
+        job.worn.planned = [&](const WearPlan& plan) { bar.expect(plan.time.seconds); };
+        job.worn.started = [&](const std::shared_ptr<const WearRecord>& begun) { record = begun; };
+        job.worn.frame = [&](const std::shared_ptr<const WearFrame>&, const WearMetrics& metrics) { so_far.emplace(metrics); };
         try {
-            finished = run_garment(parts, run_options_of(options), *backend, control, callbacks);
+            finished = *run_job(job, *backend, control).garment;
         } catch (const Cancelled&) {
             return print_cancelled(so_far, record.get(), options.json);
         }
     }
-    learn_time(finished);
     print_worn(*finished.metrics, *finished.record, options.json);
     if (options.profile) print_profile(backend->stage_times(), finished.wall, options.json);
     if (!options.quiet) {
@@ -321,7 +320,7 @@ int plan_garment(const WearVerbOptions& options)
     const WearExperiment& wear = required_wear(design, options);
     const GarmentParts parts = parts_of(design, wear, options.project);
     if (!options.quiet) print_misnamed(design, parts, options.project);
-    WearOptions how = how_of(options);
+    RunOptions how = how_of(options);
     how.memory = {false, "Take larger cells or a lower fidelity."};
     const GarmentScene garment = garment_scene(parts, resolution_of(how));
     const WearLayout layout = wear_layout(parts, garment);

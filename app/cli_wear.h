@@ -4,7 +4,8 @@
 
 #include "app/cli_run.h"
 
-#include "core/wear/garment_jobs.h"
+#include "core/queue/compared_runs.h"
+#include "core/wear/worn_candidate.h"
 
 namespace hygroloom {
 
@@ -22,11 +23,10 @@ struct WearVerbOptions : RunVerbOptions {
 const WearExperiment* chosen_wear(const Design& design, const ProjectOptions& options);
 /// The folder that files of the project's garments are relative to.
 std::filesystem::path folder_of(const std::string& project);
-/// Runs every candidate as often as the comparison has replicates, and judges it; ended: after each run. What the first of each gave, empty
-/// where it failed or was cancelled. Throws Stop.
-std::vector<FinishedGarment> run_garments(Comparison& comparison, const std::vector<GarmentCandidate>& candidates,
-                                          const WearVerbOptions& options, int at_once, RunControl& control,
-                                          const std::function<void()>& ended);
+/// Runs every candidate as the options say, as often as the comparison has replicates, and judges it; ended: after each run. What the first
+/// of each gave, empty where it failed or was cancelled. Throws Stop.
+std::vector<FinishedGarment> run_garments(Comparison& comparison, std::vector<NamedJob> candidates, const WearVerbOptions& options,
+                                          int at_once, const std::atomic<bool>& cancel, const std::function<void()>& ended);
 int simulate_wear(const Design& design, const WearExperiment& wear, const WearVerbOptions& options);
 int plan_garment(const WearVerbOptions& options);
 /// Prints what a recorded garment came to, and writes a report of it where its name is not empty; time: s, of its maps, less than 0: some.

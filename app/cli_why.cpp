@@ -14,50 +14,10 @@ const Candidate& candidate_named(const Comparison& comparison, const std::string
                          [&](const Candidate& candidate) { return candidate.fabric == fabric; });
 }
 
-/// One replicate of a mixture.
-struct MixtureJob {
-    Mixture mixture = 0;
-    int number = 0;
-    Job job;
-};
-
-std::vector<MixtureJob> jobs_of(const Design& design, const WhyPlan& plan, const RunOptions& how, int replicates)
-{
-    std::vector<MixtureJob> jobs;
-    for (int number = 0; number < replicates; ++number)
-        for (const Mixture mixture : plan.mixtures) {
-            MixtureJob one{
-                mixture,
-                number,
-                {drawn(mixed(design, plan, mixture), plan.fabric, plan.experiment, {how.seed, number, replicates}), plan.fabric, how}};
-            one.job.how.seed = one.job.drawn.seed;
-            one.job.how.recording.clear();
-            jobs.push_back(std::move(one));
-        }
-    return jobs;
-}
-
-CandidateRun run_of(const MixtureJob& one, const std::string& experiment, std::mutex& one_on_cpu, Backend& backend, RunControl& control,
-                    RunBar& bar, std::size_t i)
-{
-    try {
-        RunOptions how = one.job.how;
-        how.one_on_cpu = &one_on_cpu;
-        return candidate_of(one.job, run_with_bar(one.job.drawn.design, one.job.fabric, experiment, how, backend, control, bar, i));
-    } catch (const Cancelled&) {
-        throw;
-    } catch (const std::exception& error) {
-        CandidateRun failed;
-        failed.candidate.fabric = one.job.fabric;
-        failed.candidate.failure = error.what();
-        return failed;
-    }
-}
-
 } // namespace
 
-void find_why(Comparison& comparison, const WhyPlan& plan, const Design& design, const RunOptions& how, bool quiet,
-              const std::vector<std::unique_ptr<Backend>>& backends, RunControl& control)
+void find_why(Comparison& comparison, const WhyPlan& plan, const Design& design, const RunOptions& how, bool quiet, RunQueue& queue,
+              const std::shared_ptr<RunPlaces>& places, const std::atomic<bool>& cancel)
 {
     const Candidate &fabric = candidate_named(comparison, plan.fabric), &against = candidate_named(comparison, plan.against);
     const Why first = why_of(plan, comparison.ranked_by, fabric, against, comparison.replicates);
@@ -65,23 +25,35 @@ void find_why(Comparison& comparison, const WhyPlan& plan, const Design& design,
         comparison.why = std::make_shared<const Why>(first);
         return;
     }
-    const std::vector<MixtureJob> jobs = jobs_of(design, plan, how, comparison.replicates);
-    if (!quiet && !jobs.empty()) print_note("Why: {} runs of mixtures of {} and {}.\n", jobs.size(), plan.fabric, plan.against);
+    const std::vector<Mixture> all(plan.mixtures.begin(), plan.mixtures.end());
+    const std::size_t count = all.size() * static_cast<std::size_t>(comparison.replicates);
+    if (!quiet && count > 0) print_note("Why: {} runs of mixtures of {} and {}.\n", count, plan.fabric, plan.against);
     std::map<Mixture, Candidate> mixtures;
-    std::mutex mutex, one_on_cpu;
     std::size_t done = 0;
-    RunBar bar(quiet, std::max<std::size_t>(jobs.size(), 1));
-    run_side_by_side(backends, jobs.size(), control, [&](std::size_t i, Backend& backend) {
-        CandidateRun finished = run_of(jobs[i], plan.experiment, one_on_cpu, backend, control, bar, i);
-        const std::lock_guard lock(mutex);
-        add_replicate(mixtures[jobs[i].mixture], finished.candidate, jobs[i].number);
-        ++done;
+    RunBar bar(quiet, std::max<std::size_t>(count, 1));
+    RunBatch batch;
+    batch.count = count;
+    batch.places = places;
+    batch.job = [&](std::size_t i) {
+        RunJob job{std::make_shared<const Design>(mixed(design, plan, all[i % all.size()])), plan.experiment, plan.fabric};
+        job.how = how;
+        job.how.recording.clear();
+        job.replicate = static_cast<int>(i / all.size());
+        job.replicates = comparison.replicates;
+        job.beside = shown_in(bar, i, plan.fabric);
+        return job;
+    };
+    batch.ended = [&](std::size_t i, RunResult& result) {
         bar.end(i);
-        return finished.device_failed;
-    });
+        if (!result.ended() && result.failure().empty()) return;
+        const auto replicate = static_cast<int>(i / all.size());
+        add_replicate(mixtures[all[i % all.size()]], candidate_of(plan.fabric, replicate, result), replicate);
+        ++done;
+    };
+    queue.run(std::move(batch), cancel);
     bar.clear();
-    if (done < jobs.size()) {
-        if (!quiet) print_note("Why: cancelled after {} of {} runs of mixtures.\n", done, jobs.size());
+    if (done < count) {
+        if (!quiet) print_note("Why: cancelled after {} of {} runs of mixtures.\n", done, count);
         return;
     }
     comparison.why = std::make_shared<const Why>(explain(plan, comparison.ranked_by, fabric, against, mixtures, comparison.replicates));

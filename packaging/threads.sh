@@ -4,10 +4,10 @@
 # packaging/threads.sh    Takes some 30 minutes; exits with 1 where a race is found.
 set -eu
 cd "$(dirname "$0")/.."
-tests="tests_run/tst_side_by_side tests_run/tst_late_frames tests_run/tst_session tests_solver/tst_liquid tests_solver/tst_touching tests_solver/tst_mixed_yarns"
+tests="tests_queue/tst_run_queue tests_run/tst_late_frames tests_run/tst_session tests_solver/tst_liquid tests_solver/tst_touching tests_solver/tst_mixed_yarns"
 
 cmake --preset tsan --log-level=NOTICE >/dev/null
-cmake --build --preset tsan --target thread_check hygroloom-cli tests_run tests_solver
+cmake --build --preset tsan --target thread_check hygroloom-cli tests_queue tests_run tests_solver
 bin=build/tsan/bin
 TSAN_OPTIONS="suppressions=$PWD/tests/support/tsan.supp exitcode=0"
 export TSAN_OPTIONS QTEST_FUNCTION_TIMEOUT=3600000 # ms; what is checked is slow

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/base/units.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -53,26 +54,35 @@ RunOptions run_options(const RunArguments& arguments)
     return run;
 }
 
-GarmentRunOptions garment_options(const RunArguments& arguments)
+RunOptions garment_options(const RunArguments& arguments)
 {
-    GarmentRunOptions run;
-    run.how.fidelity = fidelity_from_name(arguments.fidelity);
-    run.how.cell_mm = arguments.cell_mm;
-    run.how.shown_mm = arguments.shown_mm;
-    run.how.detail = arguments.detail;
-    run.how.knobs = run_options(arguments).knobs;
-    run.how.memory = memory_rule(arguments, "larger cells");
-    run.threads = arguments.threads;
-    run.may_go_on_on_cpu = true;
-    run.recording = arguments.recording;
+    RunOptions run = run_options(arguments);
+    run.cell_side = metre_from_mm(arguments.cell_mm);
+    run.shown_side = metre_from_mm(arguments.shown_mm);
+    run.detail = arguments.detail;
+    run.memory = memory_rule(arguments, "larger cells");
     return run;
 }
+
+namespace {
 
 std::vector<std::unique_ptr<Backend>> open_backends(const RunArguments& arguments, int at_once, int scenes, std::size_t bytes_each)
 try {
     return make_backends(backend_for(arguments.backend, run_options(arguments).knobs), at_once, scenes, bytes_each);
 } catch (const DeviceError& error) {
     throw DeviceError(std::string(error.what()) + " Use backend=\"cpu\".");
+}
+
+} // namespace
+
+std::shared_ptr<RunPlaces> open_places(const RunArguments& arguments, int at_once, int scenes, std::size_t bytes_each)
+{
+    return std::make_shared<RunPlaces>(open_backends(arguments, at_once, scenes, bytes_each));
+}
+
+std::string backend_of(const RunArguments& arguments)
+{
+    return expected_backend(backend_for(arguments.backend, run_options(arguments).knobs));
 }
 
 std::unique_ptr<Backend> open_backend(const RunArguments& arguments)

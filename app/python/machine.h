@@ -4,8 +4,7 @@
 
 #include "app/python/watched.h"
 
-#include "core/solver/backend.h"
-#include "core/wear/garment_run.h"
+#include "core/queue/run_queue.h"
 
 #include <map>
 #include <memory>
@@ -22,7 +21,7 @@ struct RunArguments {
     int threads = 0;
     int at_once = 0;
     bool force = false;               ///< begins runs that take more memory than is free
-    double cell_mm = 0, shown_mm = 0; ///< of worn garments, see WearOptions
+    double cell_mm = 0, shown_mm = 0; ///< of worn garments, see RunOptions
     std::vector<std::string> detail;
 };
 
@@ -36,10 +35,12 @@ MemoryRule memory_rule(const RunArguments& arguments, const char* smaller = "a s
 RunOptions run_options(const RunArguments& arguments);
 
 /// Of a worn garment. Throws Error.
-GarmentRunOptions garment_options(const RunArguments& arguments);
+RunOptions garment_options(const RunArguments& arguments);
 
 /// For scenes side by side, each of which takes some bytes. Throws DeviceError, Error.
-std::vector<std::unique_ptr<Backend>> open_backends(const RunArguments& arguments, int at_once, int scenes, std::size_t bytes_each);
+std::shared_ptr<RunPlaces> open_places(const RunArguments& arguments, int at_once, int scenes, std::size_t bytes_each);
+/// "cpu" or "cuda", where runs go. Throws Error.
+std::string backend_of(const RunArguments& arguments);
 std::unique_ptr<Backend> open_backend(const RunArguments& arguments);
 
 /// "12.5 of 60 s"

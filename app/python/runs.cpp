@@ -4,13 +4,12 @@
 #include "app/python/machine.h"
 
 #include "core/analysis/card.h"
-#include "core/analysis/jobs.h"
 #include "core/analysis/metrics_json.h"
 #include "core/analysis/outcomes.h"
 #include "core/base/units.h"
+#include "core/queue/run_job.h"
 #include "core/run/recording.h"
 #include "core/verify/verify_json.h"
-#include "core/wear/garment_run.h"
 #include "core/wear/wear_outcomes.h"
 
 #include <fmt/format.h>
@@ -76,11 +75,11 @@ Results run_sample(const Design& design, const std::string& fabric_name, const s
     const Fabric& fabric = chosen_fabric(design, fabric_name);
     how.textile = std::make_shared<const Textile>(textiles_of_runs(design, fitted, {fabric.name}, experiment).front());
     const std::unique_ptr<Backend> backend = open_backend(arguments);
-    RunCallbacks beside;
+    RunJob job{std::make_shared<const Design>(design), experiment.name, fabric.name, {}, how};
     std::string shortage;
-    beside.memory_is_short = [&](const std::string& sentence) { shortage = sentence; };
-    beside.progress = [&](const RunProgress& progress) { watch.tell(share_of(progress), in_words(progress)); };
-    const FinishedRun finished = run_and_measure(design, fabric.name, experiment.name, how, *backend, watch.control, beside);
+    job.beside.memory_is_short = [&](const std::string& sentence) { shortage = sentence; };
+    job.beside.progress = [&](const RunProgress& progress) { watch.tell(share_of(progress), in_words(progress)); };
+    const FinishedRun finished = std::move(*run_job(job, *backend, watch.control).sample);
     Results results = results_of(finished.run, finished.metrics);
     if (!shortage.empty()) results.warnings.push_back(shortage);
     if (!finished.device_failure.empty()) results.warnings.push_back(finished.device_failure);
@@ -93,15 +92,13 @@ Results run_worn(const Design& design, const WearExperiment& wear, const std::st
     if (!arguments.physics.empty() || arguments.seed != RunArguments{}.seed)
         throw Error("A worn garment takes neither physics nor seed: its panels name their fabrics, and nothing of it is left to chance.");
     require_valid(design);
-    const GarmentParts parts =
-        garment_parts(design, wear, std::filesystem::absolute(folder), [&watch] { return watch.control.cancel.load(); });
     const std::unique_ptr<Backend> backend = open_backend(arguments);
     Results results{};
-    results.notes = parts.pattern.issues;
-    GarmentRunCallbacks callbacks;
-    callbacks.memory_is_short = callbacks.device_failed = [&](const std::string& sentence) { results.warnings.push_back(sentence); };
-    callbacks.progress = [&](const RunProgress& progress) { watch.tell(share_of(progress), in_words(progress)); };
-    const FinishedGarment finished = run_garment(parts, garment_options(arguments), *backend, watch.control, callbacks);
+    RunJob job{std::make_shared<const Design>(design), wear.name, {}, std::filesystem::absolute(folder), garment_options(arguments)};
+    job.beside.memory_is_short = job.beside.device_failed = [&](const std::string& sentence) { results.warnings.push_back(sentence); };
+    job.beside.progress = [&](const RunProgress& progress) { watch.tell(share_of(progress), in_words(progress)); };
+    const FinishedGarment finished = *run_job(job, *backend, watch.control).garment;
+    results.notes = finished.issues;
     results.metrics = wear_json(*finished.metrics);
     results.outcomes = dumped(outcome_list(outcomes_of(*finished.metrics)));
     results.end = finished.metrics->ledger().time;

@@ -4,12 +4,11 @@
 #include "app/python/machine.h"
 #include "app/python/unlocked.h"
 
-#include "core/analysis/calibration.h"
-#include "core/analysis/jobs.h"
 #include "core/project/atomic_file.h"
+#include "core/queue/calibration_runs.h"
+#include "core/queue/compared_runs.h"
+#include "core/run/plan_run.h"
 #include "core/run/recording_target.h"
-#include "core/run/side_by_side.h"
-#include "core/wear/garment_jobs.h"
 #include "core/wear/wear_outcomes.h"
 
 #include <fmt/format.h>
@@ -51,8 +50,10 @@ Calibrated calibrated(const Design& design, const std::string& fabric_name, cons
     const MeasuredData data = read_measured_data(measured, measured_name, design, fabric, experiment);
     const std::vector<Textile> textiles = textiles_of_runs(design, fitted, {fabric.name}, experiment);
     const int most = 2 * static_cast<int>(inputs.size()); // runs side by side
-    const auto backends = open_backends(arguments, arguments.at_once, most, bytes_of_largest(design, experiment, textiles, how));
-    CalibrationRuns runs{design, fabric.name, experiment.name, data, inputs, how, backends, watch.control};
+    const auto places = open_places(arguments, arguments.at_once, most, bytes_of_largest(design, experiment, textiles, how));
+    RunQueue queue;
+    CalibrationRuns runs{design, fabric.name,           experiment.name,     data, inputs, how, queue,
+                         places, backend_of(arguments), watch.control.cancel};
     std::optional<ManyRuns> round;
     runs.started = [&](std::size_t points) { round.emplace(watch, points); };
     runs.progress = [&](std::size_t point, const RunProgress& progress) { round->tell(point, share_of(progress)); };
@@ -94,25 +95,30 @@ Comparison comparison_of(const CompareArguments& asked, const std::string& exper
 }
 
 /// A garment cut from each of the fabrics.
-std::string compared_garments(const Design& design, const CompareArguments& asked, const WearExperiment& wear,
-                              const RunArguments& arguments, Watch& watch)
+std::vector<NamedJob> compared_garments(const Design& design, const CompareArguments& asked, const WearExperiment& wear,
+                                        const RunArguments& arguments)
 {
     if (!arguments.physics.empty()) throw Error("A worn garment does not take physics.");
-    const GarmentRunOptions how = garment_options(arguments);
-    std::vector<GarmentCandidate> candidates;
+    const auto shared = std::make_shared<const Design>(design);
+    std::vector<NamedJob> jobs;
     for (const std::string& fabric : asked.fabrics)
-        candidates.push_back(cut_from(design, wear.name, std::filesystem::absolute(asked.folder), fabric));
-    Comparison comparison = comparison_of(asked, wear.name, compared_by_wear());
-    comparison.of_garments = true;
-    const std::size_t runs = candidates.size() * static_cast<std::size_t>(asked.replicates);
-    const auto backends = open_backends(arguments, arguments.at_once, static_cast<int>(runs), bytes_of_largest(candidates, how.how));
+        jobs.push_back({fabric, {shared, wear.name, fabric, std::filesystem::absolute(asked.folder), garment_options(arguments)}});
+    return jobs;
+}
+
+std::string run_compared(Comparison comparison, const std::vector<NamedJob>& jobs, std::size_t bytes, const RunArguments& arguments,
+                         Watch& watch)
+{
+    const std::size_t runs = jobs.size() * static_cast<std::size_t>(comparison.replicates);
+    const auto places = open_places(arguments, arguments.at_once, static_cast<int>(runs), bytes);
     ManyRuns all(watch, runs);
-    const auto callbacks = [&](std::size_t i) {
-        GarmentRunCallbacks beside;
-        beside.progress = [&, i](const RunProgress& progress) { all.tell(i, share_of(progress)); };
-        return beside;
+    ComparedWatch compared;
+    compared.begins = [&](std::size_t i, RunJob& job) {
+        job.beside.progress = [&all, i](const RunProgress& progress) { all.tell(i, share_of(progress)); };
     };
-    run_comparison(comparison, candidates, how, arguments.seed, backends, watch.control, callbacks, [&](std::size_t i) { all.end(i); });
+    compared.ended = [&](std::size_t i) { all.end(i); };
+    RunQueue queue;
+    run_comparison(comparison, jobs, queue, places, watch.control.cancel, compared);
     return comparison_json(comparison);
 }
 
@@ -125,27 +131,20 @@ std::string compared(const Design& design, CompareArguments asked, const RunArgu
     for (const std::string& name : asked.fabrics)
         if (!seen.insert(chosen_fabric(design, name).name).second) throw Error(fmt::format("fabrics: \"{}\" is named twice.", name));
     if (asked.fabrics.size() < 2) throw Error("A comparison needs two or more fabrics; use simulate for one.");
-    if (const WearExperiment* wear = chosen_wear(design, asked.experiment))
-        return compared_garments(design, asked, *wear, arguments, watch);
+    if (const WearExperiment* wear = chosen_wear(design, asked.experiment)) {
+        const std::vector<NamedJob> jobs = compared_garments(design, asked, *wear, arguments);
+        Comparison comparison = comparison_of(asked, wear->name, compared_by_wear());
+        comparison.of_garments = true;
+        double bytes = 0;
+        for (const NamedJob& each : jobs) bytes = std::max(bytes, bytes_of(each.job));
+        return run_compared(comparison, jobs, static_cast<std::size_t>(bytes), arguments, watch);
+    }
     const RunOptions how = run_options(arguments);
     const Experiment& experiment = chosen_experiment(design, asked.experiment);
-    Comparison comparison = comparison_of(asked, experiment.name, compared_by(experiment.type));
     const std::vector<Textile> textiles = textiles_of_runs(design, fitted, asked.fabrics, experiment);
-    const std::vector<Job> jobs = jobs_of(design, asked.fabrics, experiment.name, textiles, how, asked.replicates);
-    const auto backends =
-        open_backends(arguments, arguments.at_once, static_cast<int>(jobs.size()), bytes_of_largest(design, experiment, textiles, how));
-    ManyRuns all(watch, jobs.size());
-    std::mutex one_on_cpu;
-    const auto run = [&](std::size_t i, Backend& backend) {
-        RunOptions own = jobs[i].how;
-        own.one_on_cpu = &one_on_cpu;
-        RunCallbacks beside;
-        beside.progress = [&](const RunProgress& progress) { all.tell(i, share_of(progress)); };
-        return candidate_of(jobs[i],
-                            run_and_measure(jobs[i].drawn.design, jobs[i].fabric, experiment.name, own, backend, watch.control, beside));
-    };
-    run_comparison(comparison, asked.fabrics, backends, watch.control, run, [&](std::size_t i) { all.end(i); });
-    return comparison_json(comparison);
+    return run_compared(comparison_of(asked, experiment.name, compared_by(experiment.type)),
+                        jobs_of(design, asked.fabrics, experiment.name, textiles, how), bytes_of_largest(design, experiment, textiles, how),
+                        arguments, watch);
 }
 
 py::str compare(const Design& design, const std::vector<std::string>& fabrics, const std::string& experiment, const std::string& by,

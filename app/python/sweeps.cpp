@@ -5,7 +5,7 @@
 #include "app/python/machine.h"
 
 #include "core/study/study_run.h"
-#include "core/wear/garment_jobs.h"
+#include "core/wear/worn_candidate.h"
 #include "gpu/backends.h"
 
 #include <fmt/format.h>
@@ -52,7 +52,8 @@ Swept swept(Design design, const SweepArguments& asked, const RunArguments& argu
     const StudyShares shares = shares_of(arguments, needs);
     options.threads = shares.threads;
     const int runs = static_cast<int>(std::max<std::size_t>(1, needs.rows));
-    const auto backends = open_backends(arguments, shares.jobs, runs, needs.bytes_each);
+    const auto places = open_places(arguments, shares.jobs, runs, needs.bytes_each);
+    RunQueue queue;
     Swept result;
     if (!shortage.empty()) result.notes.push_back(std::move(shortage));
     StudyCallbacks callbacks;
@@ -60,7 +61,7 @@ Swept swept(Design design, const SweepArguments& asked, const RunArguments& argu
         watch.tell(p.share, fmt::format("{} of {} runs, {} failed", p.ended, p.rows, p.failed));
     };
     callbacks.note = [&](const std::string& note) { result.notes.push_back(note); };
-    StudyOutcome outcome = run_study(design, study, asked.folder, options, backends, watch.control, callbacks);
+    StudyOutcome outcome = run_study(design, study, asked.folder, options, queue, places, watch.control.cancel, callbacks);
     if (outcome.cancelled) throw Cancelled();
     merge_study(asked.folder);
     result.table = collect_rows(read_study_folder(asked.folder), asked.folder);

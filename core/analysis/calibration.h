@@ -15,8 +15,6 @@
 
 namespace hygroloom {
 
-class Backend;
-
 struct FittedInput : FreeInput {
     double value = 0;
     double half = 0;      ///< half width of the 90 % interval
@@ -59,27 +57,6 @@ Calibration calibrate(const MeasuredData& data, const std::vector<FreeInput>& in
 
 /// Before any run: too few numbers, or all the same. Empty: it may be tried.
 std::string refusal_of(const MeasuredData& data, const std::vector<FreeInput>& inputs);
-
-/// A model of real runs, side by side on the backends. started() is called before the runs of some points, progress() from the threads of
-/// the runs. Throws Cancelled and Error.
-struct CalibrationRuns {
-    const Design& design;
-    std::string fabric, experiment;
-    const MeasuredData& data;
-    const std::vector<FreeInput>& inputs;
-    RunOptions how;
-    const std::vector<std::unique_ptr<Backend>>& backends;
-    RunControl& control;
-    std::function<void(std::size_t points)> started = {};
-    std::function<void(std::size_t point, const RunProgress&)> progress = {};
-
-    std::vector<std::vector<double>> operator()(const std::vector<std::vector<double>>& points) const;
-    /// By what the plan of such a run expects: of a metric its own, of a curve that of the metric which is read from it.
-    std::vector<NumberError> errors_of(const std::vector<double>& simulated) const;
-};
-
-/// calibrate() by real runs, with what was fitted to what.
-Calibration calibrate(const CalibrationRuns& runs);
 
 /// The project with the fitted values in its fabric, its `uncertainty` as the intervals are, and where they come from. Precondition: the
 /// data tell the inputs.

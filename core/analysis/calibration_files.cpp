@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace hygroloom {
 namespace {
@@ -208,6 +209,23 @@ ReportPage calibration_report(const Calibration& calibration)
                 section("What it rests on", list(basis)),
                 section("Computation",
                         table({row("program", std::string("Hygroloom ") + program_version(), ""), row("commit", program_commit(), "")}))})};
+}
+
+Design calibrated_design(const Design& design, const Calibration& calibration)
+{
+    std::vector<FreeInput> inputs(calibration.inputs.begin(), calibration.inputs.end());
+    std::vector<double> values;
+    for (const FittedInput& input : calibration.inputs) values.push_back(input.value);
+    Design other = with_inputs(design, calibration.fabric, inputs, values);
+    Fabric& fabric = other.fabrics[static_cast<std::size_t>(find_fabric(other, calibration.fabric) - other.fabrics.data())];
+    const std::string file = std::filesystem::path(calibration.data.file).filename().string(); // folders are this machine's
+    Calibrated from{file, calibration.experiment, name_of(calibration.fidelity), calibration.data.quantity, calibration.residual_rms, {}};
+    for (const FittedInput& input : calibration.inputs) {
+        if (input.half > 0) uncertainty_of(fabric, input.key) = input.half; // else nothing is known of it
+        before_of(from, input.key) = input.given;
+    }
+    fabric.calibrated = from;
+    return other;
 }
 
 } // namespace hygroloom

@@ -3,8 +3,8 @@ target_sources(hygroloom_core PRIVATE
   analysis/cairo_image.cpp
   analysis/calibration_files.cpp
   analysis/calibration_fit.cpp
-  analysis/calibration_runs.cpp
   analysis/calibration_verdict.cpp
+  analysis/card.cpp
   analysis/cell_map.cpp
   analysis/comparison.cpp
   analysis/comparison_files.cpp
@@ -12,7 +12,6 @@ target_sources(hygroloom_core PRIVATE
   analysis/enclosing_circle.cpp
   analysis/experiment_rows.cpp
   analysis/intervals.cpp
-  analysis/jobs.cpp
   analysis/laboratory.cpp
   analysis/laboratory_table.cpp
   analysis/line_chart.cpp
@@ -20,6 +19,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/map_image.cpp
   analysis/map_picture.cpp
   analysis/measured_data.cpp
+  analysis/measured_run.cpp
   analysis/metrics.cpp
   analysis/metrics_json.cpp
   analysis/moisture_tester.cpp
@@ -39,7 +39,6 @@ target_sources(hygroloom_core PRIVATE
   analysis/run_trace.cpp
   analysis/series_keys.cpp
   analysis/stain_shape.cpp
-  analysis/sweep.cpp
   analysis/trace_json.cpp
   analysis/tradeoff.cpp
   analysis/tradeoff_json.cpp
@@ -47,5 +46,4 @@ target_sources(hygroloom_core PRIVATE
   analysis/why.cpp
   analysis/why_json.cpp
   analysis/why_words.cpp
-  analysis/card.cpp
 )

@@ -124,7 +124,6 @@ KnobSettings refined(const KnobSettings& settings, double factor)
 
 void OutcomeCollector::start(const RunRecord& run)
 {
-    metrics_.start(run);
     outcome_ = {};
     bound_at_start_.reset();
     const Experiment* experiment = find_experiment(run.design, run.experiment);
@@ -134,7 +133,6 @@ void OutcomeCollector::start(const RunRecord& run)
 
 void OutcomeCollector::add(const Frame& frame)
 {
-    metrics_.add(frame);
     if (!bound_at_start_) {
         bound_at_start_ = frame.ledger.water_bound;
         return;
@@ -143,10 +141,10 @@ void OutcomeCollector::add(const Frame& frame)
     if (outcome_.moments.size() < moments && frame.time >= due * (1 - 1e-9)) outcome_.moments.push_back(moment_of(frame, *bound_at_start_));
 }
 
-TradeoffOutcome OutcomeCollector::outcome(const RunRecord& run) const
+TradeoffOutcome OutcomeCollector::outcome(const RunRecord& run, const Metrics& metrics) const
 {
     TradeoffOutcome outcome = outcome_;
-    for (const Outcome& number : outcomes_of(run, metrics_.metrics())) // but those in rings, which are the same numbers made coarse
+    for (const Outcome& number : outcomes_of(run, metrics)) // but those in rings, which are the same numbers made coarse
         if (!number.in_rings && number.text.empty()) outcome.metrics[number.key] = number.value;
     outcome.type = run.plan.counts.type;
     outcome.wall = run.wall;

@@ -32,11 +32,9 @@ class OutcomeCollector {
 public:
     void start(const RunRecord& run);
     void add(const Frame& frame);
-    /// run: as run_experiment() returned it.
-    TradeoffOutcome outcome(const RunRecord& run) const;
+    TradeoffOutcome outcome(const RunRecord& run, const Metrics& metrics) const;
 
 private:
-    MetricsCollector metrics_;
     TradeoffOutcome outcome_;
     double duration_ = 0;
     std::optional<double> bound_at_start_; ///< kg

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/run/plan_run.h"
 
+#include "core/base/error.h"
 #include "core/plan/expectation.h"
 #include "core/plan/planning.h"
 #include "core/run/learned_times.h"
+
+#include <algorithm>
 
 namespace hygroloom {
 
@@ -20,6 +23,21 @@ ModelPlan plan_run(const Design& design, const Textile& textile, const Experimen
     expect(plan, shipped_measurements(backend), shipped_measurements());
     expect_as_learned(plan, backend);
     return plan;
+}
+
+std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<Textile>& textiles,
+                             const RunOptions& how)
+{
+    double most = 0;
+    for (const Textile& textile : textiles) {
+        try {
+            const ModelPlan plan = plan_run(design, textile, experiment, how.fidelity, how.forced, how.knobs);
+            most = std::max(most, plan.expected_bytes);
+        } catch (const Error&) {
+            // The run reports it.
+        }
+    }
+    return static_cast<std::size_t>(most);
 }
 
 } // namespace hygroloom

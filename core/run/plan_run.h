@@ -2,7 +2,7 @@
 // The plan of one run: what it computes and what it is expected to take.
 #pragma once
 
-#include "core/plan/model_plan.h"
+#include "core/run/run_options.h"
 
 namespace hygroloom {
 
@@ -13,5 +13,9 @@ ModelPlan plan_run(const Design& design, const Fabric& fabric, const Experiment&
 /// The same of a textile that is there.
 ModelPlan plan_run(const Design& design, const Textile& textile, const Experiment& experiment, Fidelity fidelity,
                    const ForcedParts& forced = {}, const KnobSettings& settings = {}, const std::string& backend = "cpu");
+
+/// The memory (bytes) that the largest of the runs takes, by its plan; of the textiles of the experiment: see textile_of_run().
+std::size_t bytes_of_largest(const Design& design, const Experiment& experiment, const std::vector<Textile>& textiles,
+                             const RunOptions& how);
 
 } // namespace hygroloom

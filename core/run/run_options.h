@@ -11,9 +11,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
+#include <vector>
 
 namespace hygroloom {
 
+/// Of a sample or a worn garment; what is left to chance and what is switched on or off counts for samples alone.
 struct RunOptions {
     Fidelity fidelity = Fidelity::standard;
     std::string fidelity_reason; ///< for the plan
@@ -21,7 +24,9 @@ struct RunOptions {
     KnobSettings knobs; ///< on top of the fidelity's
     std::uint64_t seed = 1;
     double frame_interval = 0;              ///< s; 0: the plan's own
-    double shown_side = 0;                  ///< m, of the cells in which frames show the sample; 0: by its size: see decide_shown_cells()
+    double shown_side = 0;                  ///< m, of the cells in which frames show it; 0: by its size: see decide_shown_cells()
+    double cell_side = 0;                   ///< m, of a garment's computed cells, about; 0: by fidelity
+    std::vector<std::string> detail;        ///< panels of a garment whose computed cells are all shown: see ShownSize
     int threads = 0;                        ///< 0: all the machine has
     bool may_go_on_on_cpu = false;          ///< when the device fails
     MemoryRule memory;                      ///< asked before the scene is built
@@ -34,6 +39,7 @@ struct RunOptions {
 struct RunControl {
     std::atomic<bool> cancel{false};
     std::atomic<bool> pause{false};
+    std::atomic<bool> was_paused{false}; ///< at some time; its caller sets it
 };
 
 struct RunProgress {

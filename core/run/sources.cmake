@@ -20,7 +20,6 @@ target_sources(hygroloom_core PRIVATE
   run/run_tables.cpp
   run/runner.cpp
   run/session.cpp
-  run/side_by_side.cpp
   run/wal_pages.cpp
   run/writer_lock.cpp
 )

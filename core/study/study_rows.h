@@ -22,6 +22,7 @@ struct StudyOptions {
     bool retry_failed = false; ///< with resume: also runs the rows that failed
     int threads = 1;           ///< of each run on a CPU
     MemoryRule memory;         ///< of each run
+    std::string name = {};     ///< of its runs, in lists
     int task = 1, tasks = 1;   ///< the slice of the rows: task 1 of 1 has all
 };
 

@@ -2,7 +2,6 @@
 #include "core/study/study_run.h"
 
 #include "core/analysis/replicate_file.h"
-#include "core/analysis/sweep.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/design/unknowns.h"
@@ -11,9 +10,8 @@
 #include "core/project/atomic_file.h"
 #include "core/project/project_json.h"
 #include "core/run/plan_run.h"
-#include "core/run/side_by_side.h"
-#include "core/wear/garment_jobs.h"
 #include "core/wear/wear_outcomes.h"
+#include "core/wear/worn_candidate.h"
 
 #include <fmt/format.h>
 
@@ -29,15 +27,6 @@ namespace {
 
 constexpr std::size_t longest_reason = 300, most_named_failures = 1000;
 constexpr const char* renamed = "The point renames what it is to run.";
-
-WearOptions wear_options(Fidelity fidelity, const KnobSettings& knobs, const MemoryRule& memory)
-{
-    WearOptions how;
-    how.fidelity = fidelity;
-    how.knobs = knobs;
-    how.memory = memory;
-    return how;
-}
 
 /// Plans of each fabric on each experiment, as the project has them.
 std::vector<ModelPlan> plans_of(const StudyFrame& frame, const Design& design, const Study& study, Fidelity fidelity)
@@ -94,12 +83,6 @@ std::string first_error(const Design& part, const Design& whole)
     return {};
 }
 
-/// The garment of a row: of the experiment, cut from a fabric unless its name is empty.
-GarmentCandidate garment_of(const Design& design, const std::string& experiment, const std::string& fabric)
-{
-    return fabric.empty() ? GarmentCandidate{fabric, design, experiment, {}} : cut_from(design, experiment, {}, fabric);
-}
-
 /// Others that begin a study in the folder wait for it, so that the folder never has the study of one and the rows of another. None where
 /// the folder has a part: its study stays as it is from then on, and a thousand tasks need not wait for each other.
 std::unique_ptr<ChangeLock> lock_of(const std::filesystem::path& folder)
@@ -116,9 +99,8 @@ std::unique_ptr<ChangeLock> lock_of(const std::filesystem::path& folder)
 /// The runs of a study, side by side.
 class StudyWork {
 public:
-    StudyWork(const StudyFolder& study, const std::filesystem::path& folder, const StudyOptions& options, RunControl& control,
-              const StudyCallbacks& callbacks)
-        : study_(study), options_(options), control_(control), callbacks_(callbacks), frame_(study.study, study.design),
+    StudyWork(const StudyFolder& study, const std::filesystem::path& folder, const StudyOptions& options, const StudyCallbacks& callbacks)
+        : study_(study), options_(options), callbacks_(callbacks), frame_(study.study, study.design),
           points_(study_points(study.study, study.design)), project_(json_from_design(study.design)),
           fidelity_(fidelity_of(frame_, study.design, study.study)), alone_(lock_of(folder)), kept_(prepared_rows(study, folder, options))
     {
@@ -139,11 +121,17 @@ public:
         alone_.reset();
     }
 
-    StudyOutcome run(const std::vector<std::unique_ptr<Backend>>& backends)
+    StudyOutcome run(RunQueue& queue, const std::shared_ptr<RunPlaces>& places, const std::atomic<bool>& cancel)
     {
         report();
-        run_side_by_side(backends, rows_.size(), control_, [this](std::size_t i, Backend& backend) { return run_row(rows_[i], backend); });
-        outcome_.cancelled = control_.cancel && outcome_.progress.ended < outcome_.progress.rows;
+        RunBatch batch;
+        batch.name = options_.name;
+        batch.count = rows_.size();
+        batch.places = places;
+        batch.job = [this](std::size_t i) { return job_of(rows_[i]); };
+        batch.ended = [this](std::size_t i, RunResult& result) { take(rows_[i], result); };
+        queue.run(std::move(batch), cancel);
+        outcome_.cancelled = outcome_.progress.ended < outcome_.progress.rows;
         report();
         return std::move(outcome_);
     }
@@ -157,28 +145,42 @@ private:
         ++outcome_.progress.failed;
         if (outcome_.failures.size() < most_named_failures) outcome_.failures.emplace_back(row, reason);
     }
-    /// Whether the device failed.
-    bool run_row(std::size_t row, Backend& backend)
+    /// Throws Error where the row's point makes no run.
+    RunJob job_of(std::size_t row)
     {
-        StudyRowResult result;
-        result.row = row;
-        result.metrics.assign(frame_.metrics().size(), std::numeric_limits<double>::quiet_NaN());
-        const auto start = Clock::now();
-        bool device_failed = false;
-        try {
-            device_failed = run_point(frame_.row(row), row, backend, result);
-        } catch (const Cancelled&) {
-            throw;
-        } catch (const std::bad_alloc&) {
-            fail(result, "The memory does not suffice for this run.");
-        } catch (const std::exception& error) {
-            fail(result, error.what());
-        }
-        result.wall = since(start);
-        if (result.device.empty()) result.device = backend.device();
-        journal_->add(result);
-        ended(result);
-        return device_failed;
+        const StudyRun of = frame_.row(row);
+        const PointSetting setting = with_point(study_.study, project_, points_, of.point);
+        const std::string &fabric = frame_.fabrics()[of.fabric], &experiment = frame_.experiments()[of.experiment];
+        const bool worn = is_of_garments(study_.study, study_.design);
+        const Design part = worn ? part_of_garment(setting.design, experiment, fabric) : part_of_sample(setting.design, fabric, experiment);
+        const std::string error = first_error(part, setting.design);
+        if (!error.empty()) throw Error(error);
+        RunJob job{std::make_shared<const Design>(part), experiment, worn ? std::string() : fabric};
+        job.replicate = of.replicate;
+        job.replicates = study_.study.replicates;
+        job.how.fidelity = fidelity_.fidelity;
+        job.how.fidelity_reason = fidelity_.reason;
+        job.how.knobs = setting.knobs;
+        job.how.seed = study_.study.seed;
+        job.how.threads = options_.threads;
+        job.how.may_go_on_on_cpu = true;
+        job.how.memory = options_.memory;
+        job.beside.progress = [this, row](const RunProgress& progress) { under_way(row, progress); };
+        job.worn.frame = [this](const std::shared_ptr<const WearFrame>& frame, const WearMetrics& metrics) {
+            if (frame->time == 0) require_parts(metrics); // now rather than at the end of the run
+        };
+        return job;
+    }
+    static Design part_of_sample(const Design& design, const std::string& fabric, const std::string& experiment)
+    {
+        if (!find_fabric(design, fabric) || !find_experiment(design, experiment)) throw Error(renamed);
+        return part_of_run(design, fabric, experiment);
+    }
+    static Design part_of_garment(const Design& design, const std::string& experiment, const std::string& fabric)
+    {
+        const WearExperiment* const wear = find_wear(design, experiment);
+        if (!wear || !find_garment(design, wear->garment)) throw Error(renamed);
+        return part_of_run(cut_from(design, experiment, fabric), experiment);
     }
     static void fail(StudyRowResult& result, const std::string& reason)
     {
@@ -186,57 +188,6 @@ private:
         result.reason = cut_text(reason, longest_reason);
         for (char& letter : result.reason)
             if (letter == '\n' || letter == '\r') letter = ' ';
-    }
-    bool run_point(const StudyRun& of, std::size_t row, Backend& backend, StudyRowResult& result)
-    {
-        const PointSetting setting = with_point(study_.study, project_, points_, of.point);
-        return is_of_garments(study_.study, study_.design) ? run_garment_at(of, setting, row, backend, result)
-                                                           : run_sample_at(of, setting, row, backend, result);
-    }
-    bool run_sample_at(const StudyRun& of, const PointSetting& setting, std::size_t row, Backend& backend, StudyRowResult& result)
-    {
-        const std::string &fabric = frame_.fabrics()[of.fabric], &experiment = frame_.experiments()[of.experiment];
-        if (!find_fabric(setting.design, fabric) || !find_experiment(setting.design, experiment)) throw Error(renamed);
-        const Design part = part_of_run(setting.design, fabric, experiment);
-        const std::string error = first_error(part, setting.design);
-        if (!error.empty()) throw Error(error);
-        const Drawn drawing = drawn(part, fabric, experiment, {study_.study.seed, of.replicate, study_.study.replicates});
-        RunOptions how;
-        how.fidelity = fidelity_.fidelity;
-        how.fidelity_reason = fidelity_.reason;
-        how.knobs = setting.knobs;
-        how.seed = drawing.seed;
-        how.threads = options_.threads;
-        how.may_go_on_on_cpu = true;
-        how.memory = options_.memory;
-        how.one_on_cpu = &one_on_cpu_;
-        RunCallbacks beside;
-        beside.progress = [&](const RunProgress& progress) { under_way(row, progress); };
-        const FinishedRun finished = run_and_measure(drawing.design, fabric, experiment, how, backend, control_, beside);
-        return take(outcomes_of(finished.run, finished.metrics), finished.run.device, finished.device_failure, result);
-    }
-    bool run_garment_at(const StudyRun& of, const PointSetting& setting, std::size_t row, Backend& backend, StudyRowResult& result)
-    {
-        const std::string &fabric = frame_.fabrics()[of.fabric], &experiment = frame_.experiments()[of.experiment];
-        const WearExperiment* const wear = find_wear(setting.design, experiment);
-        if (!wear || !find_garment(setting.design, wear->garment)) throw Error(renamed);
-        const Design part = part_of_run(garment_of(setting.design, experiment, fabric).design, experiment);
-        const std::string error = first_error(part, setting.design);
-        if (!error.empty()) throw Error(error);
-        const Drawn drawing = drawn(part, fabrics_of(part.garments.front()), {study_.study.seed, of.replicate, study_.study.replicates});
-        GarmentRunOptions how;
-        how.how = wear_options(fidelity_.fidelity, setting.knobs, options_.memory);
-        how.threads = options_.threads;
-        how.may_go_on_on_cpu = true;
-        how.one_on_cpu = &one_on_cpu_;
-        GarmentRunCallbacks beside;
-        beside.progress = [&](const RunProgress& progress) { under_way(row, progress); };
-        beside.frame = [&](const std::shared_ptr<const WearFrame>& frame, const WearMetrics& metrics) {
-            if (frame->time == 0) require_parts(metrics); // now rather than at the end of the run
-        };
-        const GarmentParts parts = garment_parts(drawing.design, drawing.design.wears.front(), {});
-        const FinishedGarment finished = run_garment(parts, how, backend, control_, beside);
-        return take(outcomes_of(*finished.metrics), finished.record->device, finished.device_failure, result);
     }
     /// Which parts a garment has is known when its pattern has been read.
     void require_parts(const WearMetrics& metrics) const
@@ -246,20 +197,33 @@ private:
             if (std::none_of(outcomes.begin(), outcomes.end(), [&](const Outcome& outcome) { return outcome.key == metric; }))
                 throw Error(fmt::format("The garment has no part with the metric \"{}\".", metric));
     }
-    /// Whether the device failed.
-    bool take(const std::vector<Outcome>& outcomes, const std::string& device, const std::string& device_failure, StudyRowResult& result)
+    /// Of a run that was stopped there is no row.
+    void take(std::size_t row, const RunResult& run)
+    {
+        const std::string failure = run.failure();
+        if (!run.ended() && failure.empty()) return;
+        StudyRowResult result;
+        result.row = row;
+        result.wall = run.wall;
+        result.device = run.device;
+        result.metrics.assign(frame_.metrics().size(), std::numeric_limits<double>::quiet_NaN());
+        if (!failure.empty()) fail(result, failure);
+        if (run.sample) take(outcomes_of(run.sample->run, run.sample->metrics), result);
+        if (run.garment) take(outcomes_of(*run.garment->metrics), result);
+        journal_->add(result);
+        if (run.ended() && !run.device_failure().empty() && callbacks_.note) {
+            const std::lock_guard lock(mutex_);
+            callbacks_.note(run.device_failure());
+        }
+        ended(result);
+    }
+    void take(const std::vector<Outcome>& outcomes, StudyRowResult& result) const
     {
         for (const Outcome& outcome : outcomes) {
             const auto found = std::find(frame_.metrics().begin(), frame_.metrics().end(), outcome.key);
             if (found != frame_.metrics().end() && outcome.value)
                 result.metrics[static_cast<std::size_t>(found - frame_.metrics().begin())] = *outcome.value;
         }
-        result.device = device;
-        if (!device_failure.empty() && callbacks_.note) {
-            const std::lock_guard lock(mutex_);
-            callbacks_.note(device_failure);
-        }
-        return !device_failure.empty();
     }
     void under_way(std::size_t row, const RunProgress& progress)
     {
@@ -291,7 +255,6 @@ private:
 
     const StudyFolder& study_;
     const StudyOptions& options_;
-    RunControl& control_;
     const StudyCallbacks& callbacks_;
     const StudyFrame frame_;
     const StudyPoints points_;
@@ -301,7 +264,7 @@ private:
     const KeptRows kept_;
     std::optional<Journal> journal_;
     std::vector<std::size_t> rows_; ///< to run
-    std::mutex mutex_, one_on_cpu_;
+    std::mutex mutex_;
     std::map<std::size_t, double> shares_; ///< of rows under way
     StudyOutcome outcome_;
     Clock::time_point start_ = Clock::now(), reported_{};
@@ -322,10 +285,15 @@ StudyNeeds study_needs(const Design& design, const Study& study, const std::file
         most = std::max(most, plan.expected_bytes);
     needs.bytes_each = static_cast<std::size_t>(most);
     if (!is_of_garments(study, design)) return needs;
-    std::vector<GarmentCandidate> garments;
+    RunOptions how;
+    how.fidelity = *study.fidelity;
+    how.knobs = study.knobs;
+    how.memory = options.memory;
     for (const std::string& fabric : frame.fabrics())
-        for (const std::string& experiment : frame.experiments()) garments.push_back(garment_of(design, experiment, fabric));
-    needs.bytes_each = bytes_of_largest(garments, wear_options(*study.fidelity, study.knobs, options.memory));
+        for (const std::string& experiment : frame.experiments())
+            most = std::max(most, plan_worn(cut_from(design, experiment, fabric), experiment, {}, how, "cpu").bytes);
+    needs.bytes_each = static_cast<std::size_t>(most);
+    return needs;
     return needs;
 }
 
@@ -339,10 +307,11 @@ StudyShares shares_on_cpu(int jobs, int threads, int cores, const StudyNeeds& ne
 }
 
 StudyOutcome run_study(const Design& design, const Study& study, const std::filesystem::path& folder, const StudyOptions& options,
-                       const std::vector<std::unique_ptr<Backend>>& backends, RunControl& control, const StudyCallbacks& callbacks)
+                       RunQueue& queue, const std::shared_ptr<RunPlaces>& places, const std::atomic<bool>& cancel,
+                       const StudyCallbacks& callbacks)
 {
     const StudyFolder all = folder_of(design, study);
-    return StudyWork(all, folder, options, control, callbacks).run(backends);
+    return StudyWork(all, folder, options, callbacks).run(queue, places, cancel);
 }
 
 } // namespace hygroloom

@@ -3,12 +3,8 @@
 // study.sqlite are made from the parts. What a row holds depends neither on its order nor on who ran it.
 #pragma once
 
-#include "core/run/run_options.h"
-#include "core/solver/backend.h"
+#include "core/queue/run_queue.h"
 #include "core/study/study_folder.h"
-
-#include <functional>
-#include <memory>
 
 namespace hygroloom {
 
@@ -50,9 +46,10 @@ struct StudyShares {
 /// jobs, threads: as asked for; for 0 a run on each core, and the cores shared among them. No more runs than the memory holds.
 StudyShares shares_on_cpu(int jobs, int threads, int cores, const StudyNeeds& needs);
 
-/// Runs what the slice lacks, each run on one of the backends. Throws Error and FileError before the first run: the folder has another
-/// study or has rows and resume is not set, somebody else runs the slice. A run that fails is a row that failed.
+/// Runs what the slice lacks in the queue. Throws Error and FileError before the first run: the folder has another study or has rows and
+/// resume is not set, somebody else runs the slice. A run that fails is a row that failed.
 StudyOutcome run_study(const Design& design, const Study& study, const std::filesystem::path& folder, const StudyOptions& options,
-                       const std::vector<std::unique_ptr<Backend>>& backends, RunControl& control, const StudyCallbacks& callbacks);
+                       RunQueue& queue, const std::shared_ptr<RunPlaces>& places, const std::atomic<bool>& cancel,
+                       const StudyCallbacks& callbacks);
 
 } // namespace hygroloom

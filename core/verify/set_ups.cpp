@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/verify/set_ups.h"
 
+#include "core/analysis/measured_run.h"
 #include "core/base/error.h"
 #include "core/base/words.h"
 #include "core/physics/air.h"
@@ -231,16 +232,12 @@ WholeRun run_whole(const Design& design, Fidelity fidelity, Backend& backend, co
     options.knobs = knobs;
     RunControl control;
     WholeRun whole;
-    MetricsCollector collector;
     RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& run) { collector.start(run); };
-    callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) {
-        collector.add(*frame);
-        whole.last = *frame;
-    };
-    callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
-    whole.record = run_experiment(design, design.fabrics[0].name, design.experiments[0].name, options, backend, control, callbacks);
-    whole.metrics = collector.metrics();
+    callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) { whole.last = *frame; };
+    const FinishedRun finished =
+        run_and_measure(design, design.fabrics[0].name, design.experiments[0].name, options, backend, control, callbacks);
+    whole.record = finished.run;
+    whole.metrics = finished.metrics;
     return whole;
 }
 

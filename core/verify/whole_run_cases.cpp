@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Whole runs: what must stay, stays; and every machine computes the same.
+#include "core/analysis/measured_run.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/run/plan_run.h"
-#include "core/run/runner.h"
 #include "core/verify/set_ups.h"
 #include "core/verify/verify.h"
 
@@ -84,19 +84,14 @@ SmallRun run_small(const VerifyValues& v, Backend& backend)
     options.forced = {{"vapour", true}, {"heat", true}, {"sorption", true}};
     RunControl control;
     SmallRun run;
-    MetricsCollector collector;
     RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& record) {
-        collector.start(record);
-        run.pitch = std::max(record.textile.warp.pitch, record.textile.weft.pitch);
-    };
     callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) {
         run.drift.watch(frame->ledger);
-        collector.add(*frame);
         run.last = *frame;
     };
-    run_experiment(design, fabric.name, design.experiments[0].name, options, backend, control, callbacks);
-    run.metrics = collector.metrics();
+    const FinishedRun finished = run_and_measure(design, fabric.name, design.experiments[0].name, options, backend, control, callbacks);
+    run.pitch = std::max(finished.run.textile.warp.pitch, finished.run.textile.weft.pitch);
+    run.metrics = finished.metrics;
     return run;
 }
 

@@ -5,26 +5,13 @@
 #include "core/wear/wear_metrics.h"
 #include "core/wear/wear_recording.h"
 
-#include <mutex>
-
 namespace hygroloom {
 
-struct GarmentRunOptions {
-    WearOptions how;
-    int threads = 0;                  ///< 0: all the machine has
-    bool may_go_on_on_cpu = false;    ///< when the device fails
-    std::mutex* one_on_cpu = nullptr; ///< see RunOptions
-    std::filesystem::path recording;  ///< empty: none is written
-};
-
-/// All from the thread of the run.
-struct GarmentRunCallbacks {
-    std::function<void(const std::string&)> memory_is_short; ///< it takes much of what is free; a sentence
-    std::function<void(const WearPlan&)> planned;            ///< as learned, before the first step
+/// What a garment's run gives in place of a sample's record and frames. All from the thread of the run.
+struct WornCallbacks {
+    std::function<void(const WearPlan&)> planned; ///< as learned, before the first step
     std::function<void(std::shared_ptr<const WearRecord>)> started;
     std::function<void(std::shared_ptr<const WearFrame>, const WearMetrics&)> frame; ///< with what all frames so far come to
-    std::function<void(const RunProgress&)> progress;
-    std::function<void(const std::string&)> device_failed; ///< the run is about to go on on the CPU; a sentence
 };
 
 /// A run that came to its end, with its numbers.
@@ -39,10 +26,11 @@ struct FinishedGarment {
     std::string device_failure; ///< a sentence, after which the run went on on the CPU; empty: none
 };
 
-/// To the end, in the calling thread. Throws NotEnoughMemory before anything runs, Cancelled within 0.2 s when
-/// asked to stop (the recording so far is complete and readable), DeviceError, FileError or Error. Precondition: validate() found no error.
-FinishedGarment run_garment(const GarmentParts& parts, const GarmentRunOptions& options, Backend& backend, RunControl& control,
-                            const GarmentRunCallbacks& callbacks);
+/// To the end, in the calling thread. Of the first callbacks those count that are the same for samples. Throws NotEnoughMemory before
+/// anything runs, Cancelled within 0.2 s when asked to stop (the recording so far is complete and readable), DeviceError, FileError or
+/// Error. Precondition: validate() found no error.
+FinishedGarment run_garment(const GarmentParts& parts, const RunOptions& options, Backend& backend, RunControl& control,
+                            const RunCallbacks& beside, const WornCallbacks& worn = {});
 
 /// Takes up how long a garment's run took, where that was fair. Precondition: it was not paused.
 void learn_time(const FinishedGarment& finished);

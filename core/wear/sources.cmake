@@ -4,7 +4,6 @@ target_sources(hygroloom_core PRIVATE
   wear/fabric_cells.cpp
   wear/garment_files.cpp
   wear/garment_grid.cpp
-  wear/garment_jobs.cpp
   wear/garment_run.cpp
   wear/garment_scene.cpp
   wear/layer_joints.cpp
@@ -20,4 +19,5 @@ target_sources(hygroloom_core PRIVATE
   wear/wear_recording.cpp
   wear/wear_report.cpp
   wear/wear_run.cpp
+  wear/worn_candidate.cpp
 )

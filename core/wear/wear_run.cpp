@@ -2,7 +2,6 @@
 #include "core/wear/wear_run.h"
 
 #include "core/base/error.h"
-#include "core/base/units.h"
 #include "core/design/wear.h"
 #include "core/run/course.h"
 #include "core/scene/ledger_closes.h"
@@ -21,15 +20,15 @@ constexpr double side_of_cells[] = {12e-3, 6e-3, 3e-3, 1.5e-3}; // m: live, draf
 
 } // namespace
 
-double cell_side(const WearOptions& options)
+double cell_side(const RunOptions& options)
 {
-    return options.cell_mm > 0 ? metre_from_mm(options.cell_mm) : side_of_cells[static_cast<std::size_t>(options.fidelity)];
+    return options.cell_side > 0 ? options.cell_side : side_of_cells[static_cast<std::size_t>(options.fidelity)];
 }
 
-GarmentResolution resolution_of(const WearOptions& options)
+GarmentResolution resolution_of(const RunOptions& options)
 {
     GarmentResolution resolution{with_settings(knobs_of(options.fidelity), options.knobs), cell_side(options)};
-    resolution.shown = {metre_from_mm(options.shown_mm), options.detail};
+    resolution.shown = {options.shown_side, options.detail};
     resolution.memory = options.memory;
     return resolution;
 }

@@ -26,18 +26,9 @@ struct WearFrame {
 
 WearFrame wear_frame(const GarmentScene& garment, const Frame& frame);
 
-struct WearOptions {
-    Fidelity fidelity = Fidelity::standard;
-    double cell_mm = 0;              ///< sides of cells, about; 0: by fidelity
-    double shown_mm = 0;             ///< of the cells that frames show; 0: see ShownSize
-    std::vector<std::string> detail; ///< see ShownSize
-    KnobSettings knobs;              ///< on top of the fidelity's
-    MemoryRule memory;
-};
-
-/// m, of a fidelity's cells.
-double cell_side(const WearOptions& options);
-GarmentResolution resolution_of(const WearOptions& options);
+/// m, of a garment's computed cells.
+double cell_side(const RunOptions& options);
+GarmentResolution resolution_of(const RunOptions& options);
 
 /// What is expected before anything runs.
 struct WearPlan {

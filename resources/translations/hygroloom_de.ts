@@ -2764,6 +2764,10 @@
         <source>Not enough memory for these runs. Choose a smaller sample or a lower fidelity.</source>
         <translation>Der Speicher reicht für diese Läufe nicht. Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
     </message>
+    <message>
+        <source>Calibration of %1</source>
+        <translation>Kalibrierung von %1</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CandidateTable</name>
@@ -5301,12 +5305,8 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
 <context>
     <name>hygroloom::GarmentRun</name>
     <message>
-        <source>Not enough memory for this run. Choose a lower fidelity.</source>
-        <translation>Der Speicher reicht für diesen Lauf nicht. Wählen Sie eine geringere Genauigkeit.</translation>
-    </message>
-    <message>
-        <source>This run takes about %1 of memory; %2 are free. Choose a lower fidelity.</source>
-        <translation>Dieser Lauf belegt etwa %1 Speicher; %2 sind frei. Wählen Sie eine geringere Genauigkeit.</translation>
+        <source>Choose a lower fidelity.</source>
+        <translation>Wählen Sie eine geringere Genauigkeit.</translation>
     </message>
 </context>
 <context>
@@ -6323,7 +6323,7 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     </message>
     <message>
         <source>Paused</source>
-        <translation>Angehalten</translation>
+        <translation>Pausiert</translation>
     </message>
     <message>
         <source>This machine follows at %1 of real time.</source>
@@ -7348,6 +7348,14 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <source>Save construction, yarn for a metre and the laboratory&apos;s numbers of the selected fabric.</source>
         <translation>Bindung, Garn je Meter und die Zahlen des Labors für das ausgewählte Gewebe speichern.</translation>
     </message>
+    <message>
+        <source>Runs in Pro&amp;gress</source>
+        <translation>&amp;Laufende Läufe</translation>
+    </message>
+    <message>
+        <source>Show what runs, what waits and why.</source>
+        <translation>Zeigen, was läuft, was wartet und warum.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::NameDialog</name>
@@ -8251,6 +8259,139 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>In full: %1.</source>
         <translation>Vollständig: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::QueueButton</name>
+    <message>
+        <source>Show the runs that are on or wait; pause, stop or reorder them.</source>
+        <translation>Die laufenden und wartenden Läufe zeigen; anhalten, stoppen oder umordnen.</translation>
+    </message>
+    <message>
+        <source>Runs in progress: %1</source>
+        <translation>Laufende Läufe: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::QueueList</name>
+    <message>
+        <source>Running</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pausiert</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Wird gestoppt</translation>
+    </message>
+    <message>
+        <source>Waits for memory of the device</source>
+        <translation>Wartet auf Speicher des Geräts</translation>
+    </message>
+    <message>
+        <source>Waits until other runs are done</source>
+        <translation>Wartet, bis andere Läufe fertig sind</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs, %3</source>
+        <translation>%1 von %2 Läufen, %3</translation>
+    </message>
+    <message>
+        <source>, %1 failed</source>
+        <translation>, %1 gescheitert</translation>
+    </message>
+    <message>
+        <source>1 run on</source>
+        <translation>1 Lauf läuft</translation>
+    </message>
+    <message>
+        <source>%1 runs on</source>
+        <translation>%1 Läufe laufen</translation>
+    </message>
+    <message>
+        <source>%1, 1 waits</source>
+        <translation>%1, 1 wartet</translation>
+    </message>
+    <message>
+        <source>%1, %2 wait</source>
+        <translation>%1, %2 warten</translation>
+    </message>
+    <message>
+        <source>No run is on.</source>
+        <translation>Es läuft nichts.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stoppen</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Runs in Progress</source>
+        <translation>Laufende Läufe</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Pause the selected runs, or let them go on. Others may take their turn meanwhile.</source>
+        <translation>Die gewählten Läufe anhalten oder fortsetzen. Andere kommen inzwischen an die Reihe.</translation>
+    </message>
+    <message>
+        <source>Stop the selected runs. What has ended is kept.</source>
+        <translation>Die gewählten Läufe stoppen. Was fertig ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>Let the selected runs take their turn before those above.</source>
+        <translation>Die gewählten Läufe vor denen darüber an die Reihe lassen.</translation>
+    </message>
+    <message>
+        <source>Let those below take their turn first.</source>
+        <translation>Die darunter zuerst an die Reihe lassen.</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::QueuedRun</name>
+    <message>
+        <source>This run takes about %1 of memory; %2 are free. %3</source>
+        <translation>Dieser Lauf belegt etwa %1 Speicher; %2 sind frei. %3</translation>
+    </message>
+    <message>
+        <source>Not enough memory for this run. %1</source>
+        <translation>Der Speicher reicht für diesen Lauf nicht. %1</translation>
     </message>
 </context>
 <context>
@@ -9294,12 +9435,8 @@ Stattdessen auf der CPU rechnen?</translation>
 <context>
     <name>hygroloom::SimulationRun</name>
     <message>
-        <source>Not enough memory for this run. Choose a smaller sample or a lower fidelity.</source>
-        <translation>Der Speicher reicht für diesen Lauf nicht. Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
-    </message>
-    <message>
-        <source>This run takes about %1 of memory; %2 are free. Choose a smaller sample or a lower fidelity.</source>
-        <translation>Dieser Lauf belegt etwa %1 Speicher; %2 sind frei. Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
+        <source>Choose a smaller sample or a lower fidelity.</source>
+        <translation>Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
     </message>
 </context>
 <context>
@@ -9724,12 +9861,16 @@ Stattdessen auf der CPU rechnen?</translation>
 <context>
     <name>hygroloom::StudyRuns</name>
     <message>
-        <source>Not enough memory for this run. Choose a smaller sample or a lower fidelity.</source>
-        <translation>Der Speicher reicht für diesen Lauf nicht. Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
-    </message>
-    <message>
         <source>%1 of %2 runs done</source>
         <translation>%1 von %2 Läufen fertig</translation>
+    </message>
+    <message>
+        <source>Compare: %1</source>
+        <translation>Vergleich: %1</translation>
+    </message>
+    <message>
+        <source>Choose a smaller sample or a lower fidelity.</source>
+        <translation>Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
     </message>
 </context>
 <context>
@@ -9983,6 +10124,10 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>%1, %2 left</source>
         <translation>%1, noch %2</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,7 @@
 // The ranking of candidates, and the files of a comparison.
 #include "core/analysis/comparison.h"
 #include "core/analysis/comparison_report.h"
-#include "core/analysis/jobs.h"
+#include "core/analysis/measured_run.h"
 #include "core/analysis/report_inputs.h"
 #include "core/base/error.h"
 #include "core/run/plan_run.h"
@@ -267,24 +267,6 @@ private Q_SLOTS:
                                          std::string("mass per area, g/m²"), std::string("<td class=\"number\">180.0</td>")})
             QVERIFY2(page().find(words) != std::string::npos, words.c_str());
         for (const char* key : {"ends_per_cm", "--replicates"}) QVERIFY2(page().find(key) == std::string::npos, key);
-    }
-    /// As the command line and the window make it of the runs of their jobs.
-    void theReportOfJobsSaysWhatTheFabricsWeigh()
-    {
-        FinishedRun finished = full_run(ExperimentType::droplet);
-        const Design design = finished.run.design;
-        const std::string fabric = finished.run.fabric, experiment = finished.run.experiment;
-        finished.run.textile = textile_of_run(design, design.fabrics[0], design.experiments[0]);
-        const double weight = finished.run.textile.quantities.areal_density_g_m2;
-        QVERIFY(weight > 0 && finished.run.textile.ends() > 0);
-        const std::vector<Job> jobs = jobs_of(design, {fabric}, experiment, {finished.run.textile}, {}, 1);
-        Comparison c = of_drops({});
-        c.experiment = experiment;
-        c.candidates.push_back(candidate_of(jobs.at(0), std::move(finished)).candidate);
-        QCOMPARE(c.candidates[0].run->textile.ends(), 0); // which is large
-        QCOMPARE(c.candidates[0].run->textile.quantities.areal_density_g_m2, weight);
-        const std::string page = html_of(comparison_report(c, {}));
-        QVERIFY2(page.find("mass per area, g/m²") != std::string::npos, page.c_str());
     }
     /// Only two lengths of a size are a width and a height.
     void twoNumbersAreASizeOrNot()

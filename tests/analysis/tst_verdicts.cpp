@@ -3,7 +3,7 @@
 // HYGROLOOM_VERDICTS asks for another number of repeats, HYGROLOOM_VERDICTS_FROM for other seeds. What was found stands in
 // resources/help/limits.md.
 #include "core/analysis/comparison.h"
-#include "core/analysis/sweep.h"
+#include "core/analysis/measured_run.h"
 #include "core/design/unknowns.h"
 #include "core/verify/set_ups.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // What a study's point takes beside its run: 50 points of a drop that stands as a cap, run one by one and as a study, one thread.
-#include "core/analysis/sweep.h"
+#include "core/analysis/measured_run.h"
 #include "core/project/project_json.h"
 #include "core/study/study_run.h"
 #include "core/verify/set_ups.h"
+#include "tests/support/places.h"
 
 #include <benchmark/benchmark.h>
 
@@ -36,19 +37,12 @@ Study study()
     return study;
 }
 
-std::vector<std::unique_ptr<Backend>> cpu()
-{
-    std::vector<std::unique_ptr<Backend>> backends;
-    backends.push_back(make_cpu_backend());
-    return backends;
-}
-
 void runs_alone(benchmark::State& state)
 {
     const Design base = design();
     const Study of = study();
     const StudyPoints at = study_points(of, base);
-    const auto backends = cpu();
+    const auto backend = make_cpu_backend();
     RunControl control;
     RunOptions how;
     how.fidelity = Fidelity::live;
@@ -57,7 +51,7 @@ void runs_alone(benchmark::State& state)
     for (auto _ : state)
         for (std::size_t point = 0; point < at.size(); ++point) {
             const Design there = with_point(of, json_from_design(base), at, point).design;
-            run_and_measure(there, base.fabrics[0].name, base.experiments[0].name, how, *backends[0], control);
+            run_and_measure(there, base.fabrics[0].name, base.experiments[0].name, how, *backend, control);
         }
     state.counters["s/point"] = benchmark::Counter(points, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
@@ -65,11 +59,10 @@ void runs_alone(benchmark::State& state)
 void runs_of_a_study(benchmark::State& state)
 {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "hygroloom-bench-study";
-    const auto backends = cpu();
-    RunControl control;
+    RunQueue queue;
     for (auto _ : state) {
         std::filesystem::remove_all(folder);
-        run_study(design(), study(), folder, {}, backends, control, {});
+        run_study(design(), study(), folder, {}, queue, cpu_places(), false, {});
     }
     std::filesystem::remove_all(folder);
     state.counters["s/point"] = benchmark::Counter(points, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

@@ -2,9 +2,10 @@
 // Studies of garments that are worn: the same rows and tables as of samples.
 #include "core/project/library.h"
 #include "core/study/study_run.h"
-#include "core/wear/garment_jobs.h"
 #include "core/wear/wear_outcomes.h"
+#include "core/wear/worn_candidate.h"
 #include "tests/support/drop_design.h"
+#include "tests/support/places.h"
 #include "tests/support/worn_tee.h"
 
 #include <QTemporaryDir>
@@ -41,10 +42,8 @@ Study worn_study()
 
 StudyTable table_of(const Design& design, const Study& study, const std::filesystem::path& folder, StudyOutcome* outcome = nullptr)
 {
-    std::vector<std::unique_ptr<Backend>> backends;
-    backends.push_back(make_cpu_backend());
-    RunControl control;
-    StudyOutcome ended = run_study(design, study, folder, {}, backends, control, {});
+    RunQueue queue;
+    StudyOutcome ended = run_study(design, study, folder, {}, queue, cpu_places(), false, {});
     if (outcome) *outcome = std::move(ended);
     return collect_rows(read_study_folder(folder), folder);
 }

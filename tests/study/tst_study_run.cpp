@@ -4,6 +4,7 @@
 #include "core/study/slurm.h"
 #include "core/study/study_run.h"
 #include "tests/support/drop_design.h"
+#include "tests/support/places.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -45,13 +46,6 @@ Design quick_design(double duration)
     return design;
 }
 
-std::vector<std::unique_ptr<Backend>> cpus(int count)
-{
-    std::vector<std::unique_ptr<Backend>> backends;
-    while (static_cast<int>(backends.size()) < count) backends.push_back(make_cpu_backend());
-    return backends;
-}
-
 /// The table but for times.
 std::string text_of(const std::filesystem::path& folder)
 {
@@ -64,8 +58,8 @@ std::string text_of(const std::filesystem::path& folder)
 StudyOutcome run_in(const std::filesystem::path& folder, const Study& study, const StudyOptions& options, int jobs = 1,
                     const StudyCallbacks& callbacks = {})
 {
-    RunControl control;
-    return run_study(quick_design(0.01), study, folder, options, cpus(jobs), control, callbacks);
+    RunQueue queue;
+    return run_study(quick_design(0.01), study, folder, options, queue, cpu_places(jobs), false, callbacks);
 }
 
 } // namespace
@@ -156,10 +150,11 @@ private Q_SLOTS:
     {
         const QTemporaryDir place;
         const std::filesystem::path folder = place.filePath("out").toStdString();
-        RunControl control;
+        std::atomic<bool> cancel{false};
         StudyCallbacks callbacks;
-        callbacks.ended = [&](const StudyRowResult&) { control.cancel = true; };
-        const StudyOutcome outcome = run_study(quick_design(0.01), study_of(5), folder, {}, cpus(1), control, callbacks);
+        callbacks.ended = [&](const StudyRowResult&) { cancel = true; };
+        RunQueue queue;
+        const StudyOutcome outcome = run_study(quick_design(0.01), study_of(5), folder, {}, queue, cpu_places(), cancel, callbacks);
         QVERIFY(outcome.cancelled);
         QCOMPARE(outcome.progress.ended, std::size_t{1});
         QCOMPARE(collect_rows(read_study_folder(folder), folder).rows(), std::size_t{1});

@@ -19,7 +19,8 @@ struct Workplace {
     Recovery recovery{document};
     RunHistory history;
     ProjectRuns project{document, recovery, history};
-    StudyRuns runs{document, project, history};
+    WindowQueue queue;
+    StudyRuns runs{document, project, history, queue};
     CompareView view{document, history, runs};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Calibrating in the window: what it asks for, the fit of a strip that the program made, taken over and taken back, cancelled, refused.
-#include "core/analysis/sweep.h"
+#include "core/analysis/measured_run.h"
 #include "core/solver/backend.h"
 #include "ui/results/calibrate_dialog.h"
 
@@ -30,7 +30,7 @@ private Q_SLOTS:
             design.experiments = {strip};
         });
         QVERIFY(!document_.hasError());
-        dialog_ = std::make_unique<CalibrateDialog>(document_, Fidelity::draft, "cpu");
+        dialog_ = std::make_unique<CalibrateDialog>(document_, queue_, Fidelity::draft, "cpu");
         dialog_->show();
     }
     void cleanup() { dialog_.reset(); }
@@ -120,6 +120,7 @@ private:
 
     QTemporaryDir folder_;
     Document document_;
+    WindowQueue queue_;
     std::unique_ptr<CalibrateDialog> dialog_;
 };
 

@@ -55,7 +55,7 @@ private Q_SLOTS:
     void anEmptyHistorySaysWhatToDo()
     {
         Workplace place;
-        auto& [document, recovery, history, project, runs, view] = place;
+        auto& [document, recovery, history, project, queue, runs, view] = place;
         view.resize(900, 600);
         view.show();
         QVERIFY(view.chosen().isEmpty());
@@ -69,7 +69,7 @@ private Q_SLOTS:
     void untilTheRunsAreFoundNothingIsSaidOfThem()
     {
         Workplace place;
-        auto& [document, recovery, history, project, runs, view] = place;
+        auto& [document, recovery, history, project, queue, runs, view] = place;
         document.take(three_, "three");
         view.resize(900, 600);
         view.show();
@@ -108,7 +108,7 @@ private Q_SLOTS:
     void twoFabricsStandSideBySideInOneRange()
     {
         Workplace place;
-        auto& [document, recovery, history, project, runs, view] = place;
+        auto& [document, recovery, history, project, queue, runs, view] = place;
         view.resize(900, 600);
         view.show();
         history.keep(thick_);
@@ -199,7 +199,7 @@ private Q_SLOTS:
     void theNewestRunsThatGoTogetherAreProposed()
     {
         Workplace place;
-        auto& [document, recovery, history, project, runs, view] = place;
+        auto& [document, recovery, history, project, queue, runs, view] = place;
         for (const KeptRun& run : {hot_, thick_, thin_, cut_short_}) { history.keep(run); }
         QCOMPARE(view.chosen(), (QStringList{thin_.path, thick_.path}));
         view.choose(thin_.path, false);
@@ -284,7 +284,7 @@ private Q_SLOTS:
     void onlyRunsOfTheSameExperimentThatEndedAreTaken()
     {
         Workplace place;
-        auto& [document, recovery, history, project, runs, view] = place;
+        auto& [document, recovery, history, project, queue, runs, view] = place;
         for (const KeptRun& run : {thick_, hot_, cut_short_}) { history.keep(run); }
         view.choose(hot_.path, false);
         view.choose(thick_.path, true);
@@ -304,7 +304,7 @@ private Q_SLOTS:
     void tickingARunTakesIt()
     {
         Workplace place;
-        auto& [document, recovery, history, project, runs, view] = place;
+        auto& [document, recovery, history, project, queue, runs, view] = place;
         history.keep(thick_);
         QCOMPARE(view.chosen(), QStringList{thick_.path});
         auto* list = view.findChild<QTreeWidget*>();
@@ -340,7 +340,7 @@ private Q_SLOTS:
         const KeptRun& best = thickIsBest ? thick_ : thin_;
         const KeptRun& worse = thickIsBest ? thin_ : thick_;
         Workplace place;
-        auto& [document, recovery, history, project, runs, view] = place;
+        auto& [document, recovery, history, project, queue, runs, view] = place;
         for (const KeptRun& run : {worse, best}) { history.keep(run); }
         view.choose(worse.path, true);
         view.choose(best.path, true);
@@ -354,7 +354,7 @@ private Q_SLOTS:
     void runsOfOneFabricAreNumbered()
     {
         Workplace place;
-        auto& [document, recovery, history, project, runs, view] = place;
+        auto& [document, recovery, history, project, queue, runs, view] = place;
         KeptRun again = thick_;
         again.path = folder_.filePath("again.hygrorec");
         QVERIFY(QFile::copy(thick_.path, again.path));
@@ -373,7 +373,7 @@ private Q_SLOTS:
     void aRecordingThatWasReplacedIsNotDrawnAsTheOldRun()
     {
         Workplace place;
-        auto& [document, recovery, history, project, runs, view] = place;
+        auto& [document, recovery, history, project, queue, runs, view] = place;
         view.resize(900, 600);
         view.show();
         KeptRun replaced = thick_;

@@ -381,7 +381,8 @@ private Q_SLOTS:
         design->experiments = {experiment};
         Playback playback;
         const ResultsPanel panel(playback);
-        SimulationRun run;
+        WindowQueue queue;
+        SimulationRun run(queue);
         connect(&run, &SimulationRun::started, &playback,
                 [&](const std::shared_ptr<const RunRecord>& record) { playback.begin(record, {}); });
         connect(&run, &SimulationRun::frameArrived, &playback, &Playback::append);

@@ -46,7 +46,7 @@ private Q_SLOTS:
         window_ = std::make_unique<QMainWindow>();
         history_ = std::make_unique<RunHistory>();
         project_ = std::make_unique<ProjectRuns>(*document_, *recovery_, *history_);
-        workspace_ = std::make_unique<GarmentWorkspace>(*document_, *history_, *project_, *window_);
+        workspace_ = std::make_unique<GarmentWorkspace>(*document_, *history_, *project_, queue_, *window_);
         window_->setCentralWidget(&workspace_->view());
         window_->resize(1000, 700);
         window_->show();
@@ -441,6 +441,7 @@ private:
     std::unique_ptr<RunHistory> history_;
     std::unique_ptr<ProjectRuns> project_;
     std::unique_ptr<QMainWindow> window_;
+    WindowQueue queue_;
     std::unique_ptr<GarmentWorkspace> workspace_;
 };
 

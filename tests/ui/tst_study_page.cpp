@@ -53,7 +53,7 @@ Design quickDesign()
 
 /// A page with a small project, as it is seen.
 struct Bench {
-    explicit Bench(const Design& design = quickDesign()) : page(document)
+    explicit Bench(const Design& design = quickDesign()) : page(document, queue)
     {
         document.take(design, "drops");
         page.resize(1280, 700);
@@ -87,6 +87,7 @@ struct Bench {
 
     QTemporaryDir folder;
     Document document;
+    WindowQueue queue;
     StudyPage page;
     QStringList sentences, messages;
 };

@@ -37,7 +37,7 @@ constexpr const char* skin = "garments[0].wearer.skin_temperature_c";
 
 /// A page with that project, and a study of two points on the garment.
 struct WornBench {
-    WornBench() : page(document)
+    WornBench() : page(document, queue)
     {
         document.take(wornDesign(), "tee");
         QObject::connect(&page, &StudyPage::failed, [this](const QString& sentence) { sentences << sentence; });
@@ -67,6 +67,7 @@ struct WornBench {
 
     QTemporaryDir folder;
     Document document;
+    WindowQueue queue;
     StudyPage page;
     QStringList sentences;
 };

@@ -53,19 +53,20 @@ Ended run(Backend& backend, bool may_go_on, const std::filesystem::path& recordi
     Tee tee(120);
     tee.scene(40e-3, true, true); // fills in the parts
     Ended ended;
-    GarmentRunCallbacks callbacks;
-    callbacks.frame = [&](const std::shared_ptr<const WearFrame>& frame, const WearMetrics& metrics) {
+    WornCallbacks worn;
+    worn.frame = [&](const std::shared_ptr<const WearFrame>& frame, const WearMetrics& metrics) {
         ended.frames.push_back(*frame);
         ended.json = wear_json(metrics);
     };
-    callbacks.device_failed = [&](const std::string& sentence) { ended.said += sentence; };
-    GarmentRunOptions options;
-    options.how.fidelity = Fidelity::draft;
-    options.how.cell_mm = 40;
+    RunCallbacks beside;
+    beside.device_failed = [&](const std::string& sentence) { ended.said += sentence; };
+    RunOptions options;
+    options.fidelity = Fidelity::draft;
+    options.cell_side = 40e-3;
     options.may_go_on_on_cpu = may_go_on;
     options.recording = recording;
     RunControl control;
-    run_garment(tee.parts, options, backend, control, callbacks);
+    run_garment(tee.parts, options, backend, control, beside, worn);
     return ended;
 }
 

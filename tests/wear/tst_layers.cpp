@@ -227,7 +227,7 @@ private Q_SLOTS:
         const std::string folder = HYGROLOOM_SOURCE_DIR "/resources/examples";
         const Design design = read_project(folder + "/lined-singlet.hygro");
         const WearExperiment& wear = *find_wear(design, "wear");
-        WearOptions options;
+        RunOptions options;
         options.fidelity = Fidelity::live;
         fillUp(garment_scene(garment_parts(design, wear, folder), resolution_of(options)), wear.climate,
                design.garments[0].wearer.skin_temperature_c);

@@ -2,7 +2,7 @@
 #include "ui/compare/study.h"
 
 #include "core/design/unknowns.h"
-#include "core/wear/garment_jobs.h"
+#include "core/wear/worn_candidate.h"
 
 #include <algorithm>
 #include <utility>
@@ -54,9 +54,8 @@ void takeReplicates(StudyRow& row, const Design& design, const std::vector<Repli
 
 ReplicateKey keyOf(const Design& design, const StudyJob& job)
 {
-    Design part = find_wear(design, job.experiment)
-                      ? anywhere(part_of_run(cut_from(design, job.experiment, {}, job.fabric).design, job.experiment))
-                      : part_of_run(design, job.fabric, job.experiment);
+    Design part = find_wear(design, job.experiment) ? anywhere(part_of_run(cut_from(design, job.experiment, job.fabric), job.experiment))
+                                                    : part_of_run(design, job.fabric, job.experiment);
     return {std::move(part), job.fabric, job.experiment, job.fidelity, 1, job.of};
 }
 

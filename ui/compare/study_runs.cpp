@@ -2,22 +2,21 @@
 #include "ui/compare/study_runs.h"
 
 #include "core/base/error.h"
-#include "core/base/text.h"
 #include "core/plan/frame_times.h"
-#include "core/run/learned_times.h"
 #include "core/run/plan_run.h"
-#include "core/run/recording.h"
-#include "core/run/side_by_side.h"
+#include "core/wear/worn_candidate.h"
 #include "gpu/backends.h"
 #include "ui/basics/preferences.h"
 #include "ui/document/document.h"
 #include "ui/document/run_folder.h"
 #include "ui/results/device_choice.h"
 #include "ui/results/project_runs.h"
+#include "ui/results/queued_run.h"
 
 #include <QFileInfo>
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
 namespace hygroloom {
@@ -27,14 +26,16 @@ namespace {
 /// In the bar of progress.
 double weightOf(const StudyRuns::Expected& run) { return run.seconds > 0 ? std::max(0.1, run.seconds) : 1; }
 
-/// One scene fills a CPU. A GPU computes some drafts as fast as one, where its memory holds them: see the gate.
+/// s, of a run that came to its end.
+double wallOf(const RunResult& result) { return result.garment ? result.garment->wall : result.sample->run.wall; }
+
+/// One scene fills a CPU. A GPU computes some drafts as fast as one, where its memory holds them.
 std::size_t atOnce(Fidelity fidelity) { return expected_backend(backendOfMany()) == "cpu" || fidelity != Fidelity::draft ? 1 : 8; }
 
 } // namespace
 
-StudyRuns::StudyRuns(Document& document, ProjectRuns& runs, RunHistory& history, QObject* parent)
-    : QObject(parent), document_(document), runs_(runs), history_(history), store_(document, runs),
-      gate_([] { return memory_for_scenes("auto"); })
+StudyRuns::StudyRuns(Document& document, ProjectRuns& runs, RunHistory& history, WindowQueue& queue, QObject* parent)
+    : QObject(parent), document_(document), runs_(runs), history_(history), queue_(queue), store_(document, runs)
 {
     connect(&store_, &ReplicateStore::changed, this, &StudyRuns::changed);
     connect(&store_, &ReplicateStore::failed, this, &StudyRuns::failed);
@@ -46,200 +47,156 @@ StudyRuns::StudyRuns(Document& document, ProjectRuns& runs, RunHistory& history,
 
 StudyRuns::~StudyRuns()
 {
-    queue_.clear();
-    control_.cancel = true;
-    for (const auto& slot : slots_) {
-        if (slot->thread.joinable()) { slot->thread.join(); }
-    }
+    stopping_ = true;
+    for (const WorkPtr& work : works_) { queue_.runs().cancel(work->batch); }
+    for (const WorkPtr& work : works_) { queue_.runs().wait(work->batch); }
 }
 
 void StudyRuns::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
 
-void StudyRuns::postOf(Slot* slot, std::function<void()> work)
-{
-    post([this, slot, work = std::move(work)] {
-        if (std::any_of(slots_.begin(), slots_.end(), [slot](const auto& each) { return each.get() == slot; })) { work(); }
-    });
-}
-
 bool StudyRuns::start(const std::vector<Expected>& jobs)
 {
-    if (running() && control_.cancel) { return false; } // they are just ending
+    if (running() && stopping_) { return false; } // they are just ending
     if (!running()) {
-        control_.cancel = false;
+        stopping_ = false;
         all_seconds_ = done_seconds_ = 0;
         times_ = {};
         all_ = done_ = 0;
         clock_.start();
     }
+    std::vector<WorkPtr> added;
+    std::size_t at_once = 8;
     for (const Expected& each : jobs) {
         if (stateOf(each.job) != State::none) { continue; }
         failures_.erase(kindOf(each.job));
-        queue_.push_back({each, each.design ? each.design : document_.design(), document_.folder().toStdString()});
+        added.push_back(
+            std::make_shared<Work>(Work{each, each.design ? each.design : document_.design(), document_.folder().toStdString()}));
+        at_once = std::min(at_once, atOnce(each.job.fidelity));
         all_seconds_ += weightOf(each);
         ++all_;
     }
-    startNext();
+    if (added.empty()) { return true; }
+    works_.insert(works_.end(), added.begin(), added.end());
+    const auto id = std::make_shared<int>();
+    RunBatch batch;
+    batch.name = tr("Compare: %1").arg(QString::fromStdString(added.front()->expected.job.experiment)).toStdString();
+    batch.count = added.size();
+    batch.places = std::make_shared<RunPlaces>([] { return make_backend(backendOfMany()); }, at_once);
+    if (expected_backend(backendOfMany()) != "cpu") {
+        batch.room = [] { return memory_for_scenes("auto"); };
+    }
+    batch.job = [this, added](std::size_t i) { return jobOf(added[i]); };
+    batch.ended = [this, added](std::size_t i, RunResult& result) {
+        post([this, work = added[i], found = std::make_shared<RunResult>(std::move(result))] { end(work, found); });
+    };
+    batch.over = [this, id] { post([this, id] { endBatch(*id); }); };
+    *id = queue_.runs().add(std::move(batch));
+    for (const WorkPtr& work : added) { work->batch = *id; }
     Q_EMIT changed();
     return true;
 }
 
-void StudyRuns::startNext()
+/// In the run's thread.
+RunJob StudyRuns::jobOf(const WorkPtr& work)
 {
-    while (!queue_.empty() && slots_.size() < atOnce(queue_.front().expected.job.fidelity)) {
-        auto slot = std::make_unique<Slot>();
-        slot->work = queue_.front();
-        queue_.pop_front();
-        if (slot->work.expected.job.recorded) {
-            try {
-                slot->recording = runs_.reserve();
-            } catch (const Error& error) {
-                queue_.clear();
-                Q_EMIT failed(QString::fromStdString(error.what()));
-                break;
-            }
-        }
-        Slot* own = slot.get();
-        slots_.push_back(std::move(slot));
-        own->thread = std::jthread([this, own, work = own->work, recording = own->recording] {
-            const auto result = std::make_shared<Result>(run(work, recording, own));
-            post([this, own, result] { end(own, result); });
-        });
+    const StudyJob& asked = work->expected.job;
+    RunJob job{work->design, asked.experiment, asked.fabric, work->base};
+    job.replicate = asked.number;
+    job.replicates = asked.of;
+    job.how.fidelity = asked.fidelity;
+    job.how.may_go_on_on_cpu = true;
+    job.how.threads = preferences().threads;
+    job.how.recording = reserved(work).toStdString();
+    job.beside.progress = [this, work](const RunProgress& progress) { showProgress(work, progress); };
+    if (!asked.recorded && asked.mixture == 0) {
+        job.beside.started = [work](const RunRecord& record) { work->tracer.start(record); };
+        job.beside.frame = [work](const std::shared_ptr<const Frame>& frame) { work->tracer.add(*frame); };
     }
+    return job;
 }
 
-StudyRuns::Result StudyRuns::run(const Waiting& work, const QString& recording, Slot* slot)
+/// The path of its recording, which the window's thread knows; empty where none is recorded. Throws Cancelled and Error.
+QString StudyRuns::reserved(const WorkPtr& work)
 {
-    Result result;
-    try {
-        if (find_wear(*work.design, work.expected.job.experiment)) {
-            runGarment(work, recording, slot, result);
-        } else {
-            runSample(work, recording, slot, result);
+    constexpr std::chrono::milliseconds soon(20);
+    const auto promise = std::make_shared<std::promise<QString>>();
+    post([this, work, promise] {
+        work->state = State::running;
+        try {
+            if (work->expected.job.recorded && !stopping_) { work->recording = runs_.reserve(); }
+            promise->set_value(work->recording);
+        } catch (const Error& error) {
+            promise->set_exception(std::current_exception());
+            cancel();
+            Q_EMIT failed(QString::fromStdString(error.what()));
         }
-    } catch (const Cancelled&) {
-    } catch (const std::bad_alloc&) {
-        result.failure = tr("Not enough memory for this run. Choose a smaller sample or a lower fidelity.");
-    } catch (const std::exception& error) {
-        result.failure = QString::fromStdString(error.what());
+        Q_EMIT changed();
+    });
+    std::future<QString> path = promise->get_future();
+    while (path.wait_for(soon) != std::future_status::ready) {
+        if (stopping_) { throw Cancelled(); }
     }
-    return result;
+    return path.get();
 }
 
-void StudyRuns::showProgress(Slot* slot, const RunProgress& progress)
+void StudyRuns::showProgress(const WorkPtr& work, const RunProgress& progress)
 {
-    postOf(slot, [this, slot, share = progress.duration > 0 ? progress.simulated / progress.duration : 0] {
-        slot->share = share;
-        slot->course.emplace_back(share, slot->seconds());
+    post([this, work, wall = progress.wall, share = progress.duration > 0 ? progress.simulated / progress.duration : 0] {
+        work->share = share;
+        work->wall = wall;
+        work->course.emplace_back(share, wall);
         Q_EMIT progressed();
     });
 }
 
-void StudyRuns::waitForRoom(Slot* slot, std::optional<MemoryGate::Pass>& pass, const std::function<std::size_t()>& bytes)
+void StudyRuns::end(const WorkPtr& work, const std::shared_ptr<RunResult>& result)
 {
-    if (expected_backend(backendOfMany()) != "cpu") { pass.emplace(gate_, static_cast<double>(bytes()), control_.cancel); }
-    QElapsedTimer clock; // waiting for memory is no part of what a run takes
-    clock.start();
-    postOf(slot, [slot, clock] { slot->clock = clock; });
-}
-
-void StudyRuns::runSample(const Waiting& work, const QString& recording, Slot* slot, Result& result)
-{
-    const StudyJob& job = work.expected.job;
-    result.drawn = drawn(*work.design, job.fabric, job.experiment, {1, job.number, job.of});
-    RunOptions how;
-    how.fidelity = job.fidelity;
-    how.seed = result.drawn.seed;
-    how.may_go_on_on_cpu = true;
-    how.threads = preferences().threads;
-    how.one_on_cpu = &one_on_cpu_;
-    how.recording = recording.toStdString();
-    RunCallbacks callbacks;
-    callbacks.progress = [this, slot](const RunProgress& progress) { showProgress(slot, progress); };
-    MapTracer tracer;
-    const bool traced = !job.recorded && job.mixture == 0;
-    if (traced) {
-        callbacks.started = [&tracer](const RunRecord& record) { tracer.start(record); };
-        callbacks.frame = [&tracer](const std::shared_ptr<const Frame>& frame) { tracer.add(*frame); };
-    }
-    const Design& own = result.drawn.design;
-    const Experiment& experiment = *find_experiment(own, job.experiment);
-    std::optional<MemoryGate::Pass> pass;
-    waitForRoom(slot, pass,
-                [&] { return bytes_of_largest(own, experiment, {textile_of_run(own, *find_fabric(own, job.fabric), experiment)}, how); });
-    const std::unique_ptr<Backend> machine = make_backend(backendOfMany());
-    result.finished = run_and_measure(own, job.fabric, job.experiment, how, *machine, control_, callbacks);
-    if (traced) { result.maps = tracer.take(); }
-    if (result.finished->device_failure.empty()) { learn_time(result.finished->run); }
-}
-
-void StudyRuns::runGarment(const Waiting& work, const QString& recording, Slot* slot, Result& result)
-{
-    const StudyJob& job = work.expected.job;
-    const GarmentCandidate cut = cut_from(*work.design, job.experiment, work.base, job.fabric);
-    const WearExperiment& wear = *find_wear(cut.design, job.experiment);
-    result.drawn = drawn(cut.design, fabrics_of(*find_garment(cut.design, wear.garment)), {1, job.number, job.of});
-    GarmentRunOptions how;
-    how.how.fidelity = job.fidelity;
-    how.may_go_on_on_cpu = true;
-    how.threads = preferences().threads;
-    how.one_on_cpu = &one_on_cpu_;
-    how.recording = recording.toStdString();
-    GarmentRunCallbacks callbacks;
-    callbacks.progress = [this, slot](const RunProgress& progress) { showProgress(slot, progress); };
-    std::optional<MemoryGate::Pass> pass;
-    waitForRoom(slot, pass, [&] { return bytes_of_largest({cut}, how.how); });
-    const Design& own = result.drawn.design;
-    const GarmentParts parts = garment_parts(own, *find_wear(own, job.experiment), work.base, [this] { return control_.cancel.load(); });
-    const std::unique_ptr<Backend> machine = make_backend(backendOfMany());
-    result.worn = run_garment(parts, how, *machine, control_, callbacks);
-    learn_time(*result.worn);
-}
-
-void StudyRuns::end(Slot* slot, const std::shared_ptr<Result>& result)
-{
-    const auto at = std::find_if(slots_.begin(), slots_.end(), [slot](const auto& each) { return each.get() == slot; });
-    const std::unique_ptr<Slot> own = std::move(*at);
-    slots_.erase(at);
-    own->thread.join(); // it has posted its last
-    const StudyJob& job = own->work.expected.job;
-    done_seconds_ += weightOf(own->work.expected);
-    if (result->ended()) { times_.add(own->work.expected.seconds, own->seconds(), own->course); }
+    std::erase(works_, work);
+    const StudyJob& job = work->expected.job;
+    const QString failure = failureText(*result, tr("Choose a smaller sample or a lower fidelity."));
+    done_seconds_ += weightOf(work->expected);
+    if (result->ended()) { times_.add(work->expected.seconds, wallOf(*result), work->course); }
     ++done_;
     if (job.mixture != 0) {
-        handOver(job, *result);
+        handOver(job, *result, failure);
     } else if (job.recorded) {
-        keepRecorded(*own, *result);
+        keepRecorded(*work, *result, failure);
     } else if (result->ended()) {
-        keepNumbers(*own, *result);
+        keepNumbers(*work, *result);
     }
-    if (!result->failure.isEmpty() && job.mixture == 0) { failures_[kindOf(job)] = result->failure; }
-    startNext();
+    if (!failure.isEmpty() && job.mixture == 0) { failures_[kindOf(job)] = failure; }
+    Q_EMIT changed();
+}
+
+/// Those that did not begin are left.
+void StudyRuns::endBatch(int batch)
+{
+    std::erase_if(works_, [batch](const WorkPtr& work) { return work->batch == batch; });
     Q_EMIT changed();
     if (!running()) { Q_EMIT ended(); }
 }
 
-Candidate StudyRuns::candidateOf(const Result& result)
+Candidate StudyRuns::candidateOf(const RunResult& result)
 {
-    if (result.worn) { return candidate_of(*result.worn->record, *result.worn->metrics, result.worn->wall); }
-    return candidate_of(std::make_shared<const RunRecord>(result.finished->run), std::make_shared<const Metrics>(result.finished->metrics));
+    if (result.garment) { return candidate_of(*result.garment->record, *result.garment->metrics, result.garment->wall); }
+    return candidate_of(std::make_shared<const RunRecord>(result.sample->run), std::make_shared<const Metrics>(result.sample->metrics));
 }
 
 /// Of a run that was stopped nothing is kept: it has no numbers to compare.
-void StudyRuns::keepRecorded(Slot& slot, const Result& result)
+void StudyRuns::keepRecorded(const Work& work, const RunResult& result, const QString& failure)
 {
-    const QString path = runs_.settle(slot.recording);
+    const QString path = work.recording.isEmpty() ? QString() : runs_.settle(work.recording);
     if (path.isEmpty()) { return; }
-    if (!result.ended() && result.failure.isEmpty()) { return runs_.forget(path); }
+    if (!result.ended() && failure.isEmpty()) { return runs_.forget(path); }
     KeptRun kept{path, nullptr, nullptr};
     try {
         if (result.ended()) {
             const Candidate candidate = candidateOf(result);
             kept.run = candidate.run;
             kept.metrics = candidate.metrics;
-            if (result.worn) {
+            if (result.garment) {
                 kept.worn = true;
-                kept.run = runOfGarment(*result.worn->record, result.worn->wall);
+                kept.run = runOfGarment(*result.garment->record, result.garment->wall);
                 kept.numbers = std::make_shared<const Candidate>(candidate);
             }
         } else {
@@ -254,54 +211,55 @@ void StudyRuns::keepRecorded(Slot& slot, const Result& result)
     history_.keep(kept);
 }
 
-void StudyRuns::keepNumbers(const Slot& slot, const Result& result)
+void StudyRuns::keepNumbers(Work& work, const RunResult& result)
 {
-    ReplicateSet set{keyOf(*slot.work.design, slot.work.expected.job), result.drawn.names, {}};
+    ReplicateSet set{keyOf(*work.design, work.expected.job), result.drawn.names, {}};
     ReplicateRun run = *candidateOf(result).replicates.front();
     run.places = result.drawn.places;
     RunTrace trace = *run.trace;
-    trace.maps = result.maps;
+    if (result.sample) { trace.maps = work.tracer.take(); }
     run.trace = std::make_shared<const RunTrace>(std::move(trace));
-    set.runs[slot.work.expected.job.number] = std::move(run);
+    set.runs[work.expected.job.number] = std::move(run);
     store_.add(set);
 }
 
 /// Of a run that was cancelled there is nothing.
-void StudyRuns::handOver(const StudyJob& job, const Result& result)
+void StudyRuns::handOver(const StudyJob& job, const RunResult& result, const QString& failure)
 {
     Candidate candidate;
     candidate.fabric = job.fabric;
-    candidate.failure = result.failure.toStdString();
-    if (result.finished) {
+    candidate.failure = failure.toStdString();
+    if (result.sample) {
         candidate = candidateOf(result);
         candidate.replicates.front()->places = result.drawn.places;
         candidate.unknowns = result.drawn.names;
         candidate.run.reset(); // large, and nobody reads them
         candidate.metrics.reset();
     }
-    if (result.finished || !result.failure.isEmpty()) { Q_EMIT mixtureEnded(job, candidate); }
+    if (result.sample || !failure.isEmpty()) { Q_EMIT mixtureEnded(job, candidate); }
 }
 
 void StudyRuns::cancel()
 {
-    queue_.clear();
-    if (running()) { control_.cancel = true; }
+    if (!running()) { return; }
+    stopping_ = true;
+    for (const WorkPtr& work : works_) {
+        if (work->state == State::waiting) { work->state = State::none; }
+        queue_.runs().cancel(work->batch);
+    }
     Q_EMIT changed();
 }
 
 StudyRuns::State StudyRuns::stateOf(const StudyJob& job) const
 {
-    for (const auto& slot : slots_) {
-        if (slot->work.expected.job == job) { return State::running; }
-    }
-    const auto waits = [&job](const Waiting& each) { return each.expected.job == job; };
-    return std::any_of(queue_.begin(), queue_.end(), waits) ? State::waiting : State::none;
+    const auto found = std::find_if(works_.begin(), works_.end(), [&job](const WorkPtr& work) { return work->expected.job == job; });
+    return found == works_.end() ? State::none : (*found)->state;
 }
 
 double StudyRuns::share() const
 {
     double done = done_seconds_;
-    for (const auto& slot : slots_) { done += slot->share * weightOf(slot->work.expected); }
+    for (const WorkPtr& work : works_) { done += work->share * weightOf(work->expected); }
     return all_seconds_ > 0 ? std::clamp(done / all_seconds_, 0.0, 1.0) : 0;
 }
 
@@ -311,10 +269,16 @@ std::optional<double> StudyRuns::timeLeft() const
     if (clock_.elapsed() < soonest) { return std::nullopt; }
     std::vector<TimedRun> running;
     std::vector<double> waiting;
-    for (const auto& slot : slots_) { running.push_back({slot->work.expected.seconds, slot->seconds(), slot->share}); }
-    for (const Waiting& each : queue_) { waiting.push_back(each.expected.seconds); }
-    const Fidelity fidelity = queue_.empty() ? Fidelity::draft : queue_.front().expected.job.fidelity;
-    return times_.left(running, waiting, static_cast<int>(std::max(atOnce(fidelity), slots_.size())));
+    Fidelity next = Fidelity::draft;
+    for (const WorkPtr& work : works_) {
+        if (work->state == State::running) {
+            running.push_back({work->expected.seconds, work->wall, work->share});
+        } else {
+            if (waiting.empty()) { next = work->expected.job.fidelity; }
+            waiting.push_back(work->expected.seconds);
+        }
+    }
+    return times_.left(running, waiting, static_cast<int>(std::max(atOnce(next), running.size())));
 }
 
 QString StudyRuns::progressText() const { return tr("%1 of %2 runs done").arg(done_).arg(all_); }
@@ -330,9 +294,9 @@ double secondsToRun(const Design& design, const std::filesystem::path& base, con
     const std::string backend = expected_backend(backendOfMany());
     try {
         if (find_wear(design, job.experiment)) {
-            WearOptions how;
+            RunOptions how;
             how.fidelity = job.fidelity;
-            return plan_of(cut_from(design, job.experiment, base, job.fabric), how, backend).time.seconds;
+            return plan_worn(cut_from(design, job.experiment, job.fabric), job.experiment, base, how, backend).time.seconds;
         }
         const ModelPlan plan =
             plan_run(design, *find_fabric(design, job.fabric), *find_experiment(design, job.experiment), job.fidelity, {}, {}, backend);

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// Runs what is missing of a study in the background, one after the other on a CPU, several at a time on a GPU.
+// Runs what is missing of a comparison, in the window's queue.
 #pragma once
 
 #include "core/analysis/run_trace.h"
-#include "core/analysis/sweep.h"
-#include "core/run/memory_gate.h"
-#include "core/wear/garment_jobs.h"
 #include "ui/compare/replicate_store.h"
 #include "ui/compare/study.h"
 #include "ui/compare/time_of_runs.h"
+#include "ui/results/window_queue.h"
 
 #include <QElapsedTimer>
 
-#include <deque>
-#include <thread>
 #include <tuple>
 
 namespace hygroloom {
@@ -23,7 +19,7 @@ namespace hygroloom {
 class StudyRuns : public QObject {
     Q_OBJECT
 public:
-    StudyRuns(Document& document, ProjectRuns& runs, RunHistory& history, QObject* parent = nullptr);
+    StudyRuns(Document& document, ProjectRuns& runs, RunHistory& history, WindowQueue& queue, QObject* parent = nullptr);
     /// Cancels and waits, 0.2 s or so.
     ~StudyRuns() override;
 
@@ -39,7 +35,7 @@ public:
     /// Adds those that are neither waiting nor running. Precondition: validate() finds no error in the design.
     /// false: it takes none, because a cancel is just ending.
     bool start(const std::vector<Expected>& jobs);
-    bool running() const { return !slots_.empty(); }
+    bool running() const { return !works_.empty(); }
     /// What is done is kept.
     void cancel();
     State stateOf(const StudyJob& job) const;
@@ -63,52 +59,38 @@ Q_SIGNALS:
     void failed(const QString& sentence);
 
 private:
-    struct Waiting {
+    /// A run that waits or is on.
+    struct Work {
         Expected expected;
         std::shared_ptr<const Design> design;
         std::filesystem::path base; ///< the project's folder, which files of garments are named from
+        int batch = 0;              ///< in the queue
+        State state = State::waiting;
+        QString recording{}; ///< of a run that is recorded
+        double share = 0, wall = 0;
+        TimeOfRuns::Course course{}; ///< so far
+        MapTracer tracer{};          ///< of a run that is not recorded; in its thread
     };
-    struct Slot {
-        Waiting work;
-        QString recording; ///< of a run that is recorded
-        double share = 0;
-        QElapsedTimer clock;       ///< since it began; not while it waits for memory
-        TimeOfRuns::Course course; ///< so far
-        std::jthread thread;
-        double seconds() const { return clock.isValid() ? 1e-3 * static_cast<double>(clock.elapsed()) : 0; }
-    };
-    struct Result {
-        std::optional<FinishedRun> finished;   ///< of a sample
-        std::optional<FinishedGarment> worn{}; ///< of a garment
-        Drawn drawn;
-        std::vector<TracedMap> maps; ///< of a run that is not recorded
-        QString failure;
-        bool ended() const { return finished || worn; }
-    };
-    void startNext();
+    using WorkPtr = std::shared_ptr<Work>;
+
     void post(std::function<void()> work);
-    /// The same, unless the slot's end comes first.
-    void postOf(Slot* slot, std::function<void()> work);
-    Result run(const Waiting& work, const QString& recording, Slot* slot);
-    void runSample(const Waiting& work, const QString& recording, Slot* slot, Result& result);
-    void runGarment(const Waiting& work, const QString& recording, Slot* slot, Result& result);
-    /// Starts the slot's clock once a GPU has room for so many bytes.
-    void waitForRoom(Slot* slot, std::optional<MemoryGate::Pass>& pass, const std::function<std::size_t()>& bytes);
-    void showProgress(Slot* slot, const RunProgress& progress);
-    static Candidate candidateOf(const Result& result);
-    void end(Slot* slot, const std::shared_ptr<Result>& result);
-    void keepRecorded(Slot& slot, const Result& result);
-    void keepNumbers(const Slot& slot, const Result& result);
-    void handOver(const StudyJob& job, const Result& result);
+    RunJob jobOf(const WorkPtr& work);
+    QString reserved(const WorkPtr& work);
+    void showProgress(const WorkPtr& work, const RunProgress& progress);
+    static Candidate candidateOf(const RunResult& result);
+    void end(const WorkPtr& work, const std::shared_ptr<RunResult>& result);
+    void endBatch(int batch);
+    void keepRecorded(const Work& work, const RunResult& result, const QString& failure);
+    void keepNumbers(Work& work, const RunResult& result);
+    void handOver(const StudyJob& job, const RunResult& result, const QString& failure);
 
     Document& document_;
     ProjectRuns& runs_;
     RunHistory& history_;
+    WindowQueue& queue_;
     ReplicateStore store_;
-    RunControl control_;
-    std::mutex one_on_cpu_;
-    MemoryGate gate_;
-    std::deque<Waiting> queue_;
+    std::atomic<bool> stopping_ = false;
+    std::vector<WorkPtr> works_;                                 ///< in order
     using Kind = std::tuple<std::string, std::string, Fidelity>; ///< fabric, experiment
     static Kind kindOf(const StudyJob& job) { return {job.fabric, job.experiment, job.fidelity}; }
     std::map<Kind, QString> failures_;
@@ -116,7 +98,6 @@ private:
     TimeOfRuns times_;
     double all_seconds_ = 0, done_seconds_ = 0; ///< expected
     int all_ = 0, done_ = 0;
-    std::vector<std::unique_ptr<Slot>> slots_; // last: their threads are joined before the rest goes
 };
 
 /// s, that a run of the project in that folder is expected to take; 0: it cannot be known.

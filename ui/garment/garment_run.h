@@ -1,51 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// A run of a worn garment on a thread of its own, and reading one; signals come in the thread of this object.
+// The run of a worn garment that the window watches, and the reading of one on a thread of its own.
 #pragma once
 
-#include "core/wear/wear_run.h"
-#include "ui/basics/mailbox.h"
 #include "ui/garment/worn_run.h"
+#include "ui/results/queued_run.h"
 
-#include <QObject>
-
-#include <atomic>
 #include <thread>
 
 namespace hygroloom {
 
-class GarmentRun : public QObject {
+class GarmentRun : public QueuedRun {
     Q_OBJECT
 public:
-    enum class Outcome { finished, cancelled, memory_short, failed };
-
-    struct Request {
-        std::shared_ptr<const Design> design;
-        std::string garment, experiment;
-        std::filesystem::path base; ///< that the garment's source is relative to
-        WearOptions options;
-        std::string backend;
-        int threads = 0;                 ///< 0: all
-        std::filesystem::path recording; ///< empty: none is written
-    };
-
-    explicit GarmentRun(QObject* parent = nullptr);
-    /// Cancels and waits, 0.2 s or so.
+    explicit GarmentRun(WindowQueue& queue, QObject* parent = nullptr);
     ~GarmentRun() override;
 
-    /// Precondition: not running(), and validate() found no error.
-    void start(const Request& request);
+    /// base: that the garment's source is relative to. Precondition: not running(), and validate() found no error.
+    void start(const std::shared_ptr<const Design>& design, const std::string& experiment, const std::filesystem::path& base,
+               const RunOptions& options, const std::string& backend);
     /// Reads a recording. Precondition: not running().
     void open(const std::filesystem::path& recording);
-    bool running() const { return running_; }
+    bool running() const { return computing() || reading_; }
     /// Whether it computes; else it reads a recording, which has no pause.
-    bool computing() const { return running_ && computing_; }
-    bool paused() const { return running_ && control_.pause; }
-    void setPaused(bool paused);
+    bool computing() const { return QueuedRun::running(); }
     void cancel();
 
 Q_SIGNALS:
-    /// Before it begins: it takes much of the memory that is free.
-    void memoryIsShort();
     /// The device failed, and the run goes on on the CPU; a sentence.
     void deviceFailed(const QString& sentence);
     /// The first frame follows.
@@ -53,22 +33,14 @@ Q_SIGNALS:
     /// metrics: of all frames up to this one. most: of any cell in it.
     void frameArrived(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics,
                       const MostWater& most);
-    void progressed(const RunProgress& progress);
-    void pausedChanged(bool paused);
-    /// sentence: what went wrong, empty otherwise.
-    void ended(Outcome outcome, const QString& sentence);
 
 private:
-    void post(std::function<void()> work);
-    void begin(const std::function<void()>& work);
-    void compute(const Request& request);
+    void show(const std::shared_ptr<const WearRecord>& record, const std::shared_ptr<const WearFrame>& frame, const WearMetrics& metrics);
     void read(const std::filesystem::path& recording);
 
-    RunControl control_;
-    bool running_ = false, computing_ = false;
-    std::atomic<bool> was_paused_ = false;
-    Mailbox mail_;
-    std::jthread thread_;
+    bool reading_ = false;
+    std::atomic<bool> stop_reading_ = false;
+    std::jthread reader_;
 };
 
 /// Whether a file is the recording of a garment; false for whatever cannot be read.

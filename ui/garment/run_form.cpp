@@ -145,21 +145,17 @@ bool RunForm::canRun(QString* reason) const
 void RunForm::start(bool beyond_memory)
 {
     if (!canRun()) { return; }
-    GarmentRun::Request request;
-    request.design = choice_.document().design();
-    request.garment = choice_.garment()->name;
-    request.experiment = choice_.wear()->name;
-    request.base = choice_.base();
-    request.options.fidelity = fidelity();
-    request.options.memory.force = beyond_memory;
-    request.backend = backend();
-    request.threads = preferences().threads;
+    RunOptions options;
+    options.fidelity = fidelity();
+    options.memory.force = beyond_memory;
+    options.threads = preferences().threads;
+    options.may_go_on_on_cpu = true;
     if (place_) {
         const QString file = place_();
         if (file.isEmpty()) { return; }
-        request.recording = file.toStdString();
+        options.recording = file.toStdString();
     }
-    run_.start(request);
+    run_.start(choice_.document().design(), choice_.wear()->name, choice_.base(), options, backend());
     bar_->setValue(0);
     state_->setText(tr("Cutting the garment into cells."));
     showState();
@@ -181,7 +177,7 @@ void RunForm::estimate()
         QString text;
         try {
             const GarmentParts parts = garment_parts(*design, *find_wear(*design, wear), base, [&turn] { return turn.outdated(); });
-            WearOptions options;
+            RunOptions options;
             options.fidelity = fidelity;
             if (turn.outdated()) { return; }
             const GarmentScene scene = garment_scene(parts, resolution_of(options));
@@ -241,6 +237,7 @@ void RunForm::showEnd(GarmentRun::Outcome outcome, const QString& sentence)
         estimate(); // which has learned from it
         break;
     case GarmentRun::Outcome::cancelled: state_->setText(tr("Stopped.")); break;
+    case GarmentRun::Outcome::device_failed:
     case GarmentRun::Outcome::memory_short:
     case GarmentRun::Outcome::failed: state_->setText(sentence); break;
     }

@@ -2,10 +2,10 @@
 // A run of a worn garment as the window keeps it: what stays the same, its frames, its numbers.
 #pragma once
 
-#include "core/wear/garment_jobs.h"
 #include "core/wear/wear_map.h"
 #include "core/wear/wear_metrics.h"
 #include "core/wear/wear_recording.h"
+#include "core/wear/worn_candidate.h"
 #include "ui/garment/garment_drawing.h"
 
 namespace hygroloom {

@@ -40,11 +40,11 @@ QString inputTitle(const std::string& key)
 
 } // namespace
 
-CalibrateDialog::CalibrateDialog(Document& document, Fidelity fidelity, const std::string& backend, QWidget* parent)
+CalibrateDialog::CalibrateDialog(Document& document, WindowQueue& queue, Fidelity fidelity, const std::string& backend, QWidget* parent)
     : QDialog(parent), document_(document), backend_(backend), experiments_(new QComboBox), fidelity_(new QComboBox), file_(new QLineEdit),
       browse_(new QPushButton(tr("&Browse…"))), chart_(new FitChart), table_(new QTableWidget), message_(new QLabel),
       progress_(new QProgressBar), start_(new QPushButton), apply_(new QPushButton(tr("&Apply"))),
-      report_(new QPushButton(tr("&Save Report…")))
+      report_(new QPushButton(tr("&Save Report…"))), run_(queue)
 {
     setWindowTitle(tr("Calibrate"));
     for (const Fidelity one : all_fidelities) { fidelity_->addItem(fidelityName(one), static_cast<int>(one)); }

@@ -27,7 +27,7 @@ class FitChart;
 class CalibrateDialog : public QDialog {
     Q_OBJECT
 public:
-    CalibrateDialog(Document& document, Fidelity fidelity, const std::string& backend, QWidget* parent = nullptr);
+    CalibrateDialog(Document& document, WindowQueue& queue, Fidelity fidelity, const std::string& backend, QWidget* parent = nullptr);
 
     /// The measured file; read at once.
     void setFile(const QString& path);

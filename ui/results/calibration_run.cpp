@@ -2,7 +2,7 @@
 #include "ui/results/calibration_run.h"
 
 #include "core/base/error.h"
-#include "core/run/side_by_side.h"
+#include "core/run/plan_run.h"
 #include "gpu/backends.h"
 
 #include <numeric>
@@ -16,7 +16,7 @@ void CalibrationRun::post(std::function<void()> work) { QMetaObject::invokeMetho
 void CalibrationRun::start(Task task)
 {
     if (thread_.joinable()) { thread_.join(); }
-    control_.cancel = false;
+    cancel_ = false;
     running_ = true;
     thread_ = std::jthread([this, task = std::move(task)] {
         std::shared_ptr<const Calibration> result;
@@ -42,8 +42,18 @@ std::shared_ptr<const Calibration> CalibrationRun::fitted(const Task& task)
     const Fabric& fabric = *find_fabric(*task.design, task.fabric);
     const Experiment& experiment = *find_experiment(*task.design, task.experiment);
     const std::size_t bytes = bytes_of_largest(*task.design, experiment, {textile_of_run(*task.design, fabric, experiment)}, task.how);
-    const auto backends = make_backends(task.backend, 0, 2 * static_cast<int>(task.inputs.size()), bytes);
-    CalibrationRuns runs{*task.design, task.fabric, task.experiment, task.data, task.inputs, task.how, backends, control_};
+    const auto places = std::make_shared<RunPlaces>(make_backends(task.backend, 0, 2 * static_cast<int>(task.inputs.size()), bytes));
+    CalibrationRuns runs{*task.design,
+                         task.fabric,
+                         task.experiment,
+                         task.data,
+                         task.inputs,
+                         task.how,
+                         queue_.runs(),
+                         places,
+                         expected_backend(task.backend),
+                         cancel_,
+                         tr("Calibration of %1").arg(QString::fromStdString(task.fabric)).toStdString()};
     int done = 0;
     std::mutex mutex; // several run side by side
     std::vector<double> shares;

@@ -2,7 +2,8 @@
 // A calibration on a thread of its own; its signals come in the thread of this object.
 #pragma once
 
-#include "core/analysis/calibration.h"
+#include "core/queue/calibration_runs.h"
+#include "ui/results/window_queue.h"
 
 #include <QObject>
 
@@ -23,14 +24,14 @@ public:
         std::string backend;
     };
 
-    explicit CalibrationRun(QObject* parent = nullptr) : QObject(parent) {}
+    explicit CalibrationRun(WindowQueue& queue, QObject* parent = nullptr) : QObject(parent), queue_(queue) {}
     /// Cancels and waits, 0.2 s or so.
     ~CalibrationRun() override;
 
     /// Precondition: not running(), and validate() found no error.
     void start(Task task);
     bool running() const { return running_; }
-    void cancel() { control_.cancel = true; }
+    void cancel() { cancel_ = true; }
 
 Q_SIGNALS:
     /// Runs that have ended, and the share of those that go on side by side.
@@ -43,7 +44,8 @@ private:
     std::shared_ptr<const Calibration> fitted(const Task& task);
     void post(std::function<void()> work);
 
-    RunControl control_;
+    WindowQueue& queue_;
+    std::atomic<bool> cancel_ = false;
     bool running_ = false;
     std::jthread thread_;
 };

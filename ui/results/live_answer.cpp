@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/results/live_answer.h"
 
+#include "core/analysis/measured_run.h"
 #include "core/base/error.h"
 #include "core/design/validate.h"
 #include "core/run/plan_run.h"
-#include "core/run/runner.h"
 #include "gpu/backends.h"
 #include "ui/basics/issue_text.h"
 
@@ -38,18 +38,13 @@ std::shared_ptr<Answer> answerTo(const Design& design, Fidelity fidelity, bool w
     const Experiment& experiment = design.experiments[0];
     const double duration = experiment.duration_s;
     options.frame_interval = whole ? 0 : std::max((duration - beginOf(experiment)) / frames, duration / usual_frames);
-    MetricsCollector collector;
     std::shared_ptr<const Frame> first, last;
     std::optional<RunRecord> record;
     std::optional<Frame> start; // of the maps
     double most = 0;
     RunCallbacks callbacks;
-    callbacks.started = [&](const RunRecord& run) {
-        collector.start(run);
-        record = run;
-    };
+    callbacks.started = [&](const RunRecord& run) { record = run; };
     callbacks.frame = [&](const std::shared_ptr<const Frame>& frame) {
-        collector.add(*frame);
         if (!first) {
             first = frame;
             start = start_of_maps(*record, *first);
@@ -57,17 +52,15 @@ std::shared_ptr<Answer> answerTo(const Design& design, Fidelity fidelity, bool w
         last = frame;
         most = std::max(most, mostOnFaces(record->textile, *frame, *start, cells_across));
     };
-    callbacks.switched_on = [&](const SwitchedPart& part) { collector.add(part); };
     const auto backend = make_backend("cpu");
     auto answer = std::make_shared<Answer>();
-    answer->run = std::make_shared<const RunRecord>(
-        run_experiment(design, design.fabrics[0].name, experiment.name, options, *backend, control, callbacks));
+    const FinishedRun finished = run_and_measure(design, design.fabrics[0].name, experiment.name, options, *backend, control, callbacks);
+    answer->run = std::make_shared<const RunRecord>(finished.run);
     answer->top = faceMap(*answer->run, *last, *first, MapSide::top, cells_across);
     answer->bottom = faceMap(*answer->run, *last, *first, MapSide::bottom, cells_across);
     answer->most = most;
-    const Metrics metrics = collector.metrics();
-    answer->numbers = resultsOf(*answer->run, metrics, !whole);
-    answer->edge_is_wet = metrics.edge_time.has_value();
+    answer->numbers = resultsOf(*answer->run, finished.metrics, !whole);
+    answer->edge_is_wet = finished.metrics.edge_time.has_value();
     return answer;
 }
 

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/run/recording.h"
 #include "core/run/recording_target.h"
-#include "core/wear/garment_jobs.h"
+#include "core/wear/worn_candidate.h"
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 #include "ui/document/run_folder.h"

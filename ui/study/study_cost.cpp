@@ -5,7 +5,7 @@
 #include "core/plan/expectation.h"
 #include "core/run/plan_run.h"
 #include "core/study/points.h"
-#include "core/wear/garment_jobs.h"
+#include "core/wear/worn_candidate.h"
 #include "gpu/backends.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
@@ -50,7 +50,7 @@ std::vector<ModelPlan> plansOf(const Design& design, const Study& study, Fidelit
 std::vector<RunCost> costsOfGarments(const Design& design, const Study& study, const std::string& backend,
                                      const std::function<bool()>& outdated)
 {
-    WearOptions how;
+    RunOptions how;
     how.fidelity = *study.fidelity;
     how.knobs = study.knobs;
     std::vector<RunCost> costs;
@@ -58,9 +58,7 @@ std::vector<RunCost> costsOfGarments(const Design& design, const Study& study, c
         for (const std::string& experiment : experiments_of(study, design)) {
             if (outdated()) { return {}; }
             try {
-                const GarmentCandidate own =
-                    fabric.empty() ? GarmentCandidate{fabric, design, experiment, {}} : cut_from(design, experiment, {}, fabric);
-                const WearPlan plan = plan_of(own, how, backend);
+                const WearPlan plan = plan_worn(cut_from(design, experiment, fabric), experiment, {}, how, backend);
                 costs.push_back({plan.time.seconds, plan.bytes});
             } catch (const Error&) {
             }

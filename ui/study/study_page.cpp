@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/study/study_folder.h"
-#include "core/wear/garment_jobs.h"
+#include "core/wear/worn_candidate.h"
 #include "ui/basics/appearance.h"
 #include "ui/basics/ask.h"
 #include "ui/document/document.h"
@@ -39,14 +39,14 @@ constexpr qsizetype most_problems = 4;
 
 } // namespace
 
-StudyPage::StudyPage(Document& document, QWidget* parent)
+StudyPage::StudyPage(Document& document, WindowQueue& queue, QWidget* parent)
     : QWidget(parent), document_(document), setup_(new StudySetup(document)), model_(new StudyTableModel(this)), effects_(new EffectsView),
       pairs_(new PairsView), parallel_(new ParallelView), indices_(new IndicesView), saved_(setup_->study()), name_(new QLabel),
       problems_(new QLabel), cost_(new QLabel), folder_(new QComboBox), run_(new QPushButton(tr("&Run"))),
       stop_(new QPushButton(tr("S&top"))), retry_(new QPushButton(tr("Run the &Failed Again"))),
       cluster_(new QPushButton(tr("For a C&luster…"))), failures_(new QPushButton(tr("&Why They Failed…"))), heading_(new QLabel),
       row_(new QLabel), candidate_(new QPushButton(tr("&Make Candidate"))), view_(new QTableView), tabs_(new QTabWidget),
-      bar_(new QProgressBar), status_(new QLabel)
+      bar_(new QProgressBar), status_(new QLabel), job_(queue)
 {
     for (QLabel* label : {problems_, cost_}) {
         label->setWordWrap(true);

@@ -31,7 +31,7 @@ class StudyTableModel;
 class StudyPage : public QWidget {
     Q_OBJECT
 public:
-    explicit StudyPage(Document& document, QWidget* parent = nullptr);
+    StudyPage(Document& document, WindowQueue& queue, QWidget* parent = nullptr);
     ~StudyPage() override;
 
     StudySetup& setup() { return *setup_; }

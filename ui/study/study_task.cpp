@@ -10,11 +10,11 @@
 
 namespace hygroloom {
 
-StudyTask::StudyTask(QObject* parent) : QObject(parent) {}
+StudyTask::StudyTask(WindowQueue& queue, QObject* parent) : QObject(parent), queue_(queue) {}
 
 StudyTask::~StudyTask()
 {
-    control_.cancel = true;
+    cancel_ = true;
     if (thread_.joinable()) { thread_.join(); }
 }
 
@@ -22,7 +22,7 @@ void StudyTask::post(std::function<void()> work) { QMetaObject::invokeMethod(thi
 
 void StudyTask::start(const std::shared_ptr<const Design>& design, const Study& study, const QString& folder, bool retry_failed)
 {
-    control_.cancel = false;
+    cancel_ = false;
     folder_ = folder;
     failure_.clear();
     progress_ = {};
@@ -53,8 +53,10 @@ StudyTask::Result StudyTask::run(const Design& design, const Study& study, const
         ask_for_memory("One run of this study", static_cast<double>(needs.bytes_each), how.memory);
         const StudyShares shares = sharesOf(study, std::max<std::size_t>(needs.rows, 1), static_cast<double>(needs.bytes_each));
         how.threads = shares.threads;
+        how.name = tr("Study").toStdString() + ", " + path.filename().string();
         const auto scenes = static_cast<int>(std::max<std::size_t>(needs.rows, 1));
-        const auto backends = make_backends(backend_for(backendOfMany(), study.knobs), shares.jobs, scenes, needs.bytes_each);
+        const auto places =
+            std::make_shared<RunPlaces>(make_backends(backend_for(backendOfMany(), study.knobs), shares.jobs, scenes, needs.bytes_each));
         StudyCallbacks callbacks;
         callbacks.progress = [this](const StudyProgress& progress) {
             post([this, progress] {
@@ -65,7 +67,7 @@ StudyTask::Result StudyTask::run(const Design& design, const Study& study, const
         callbacks.note = [this](const std::string& sentence) {
             post([this, text = QString::fromStdString(sentence)] { Q_EMIT noted(text); });
         };
-        result.outcome = run_study(design, study, path, how, backends, control_, callbacks);
+        result.outcome = run_study(design, study, path, how, queue_.runs(), places, cancel_, callbacks);
         if (!result.outcome.cancelled) { merge_study(path); }
     } catch (const Cancelled&) {
         result.outcome.cancelled = true;
@@ -77,7 +79,7 @@ StudyTask::Result StudyTask::run(const Design& design, const Study& study, const
     return result;
 }
 
-void StudyTask::cancel() { control_.cancel = true; }
+void StudyTask::cancel() { cancel_ = true; }
 
 QString StudyTask::progressText() const
 {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/study/study_run.h"
+#include "ui/results/window_queue.h"
 
 #include <QObject>
 #include <QString>
@@ -15,7 +16,7 @@ namespace hygroloom {
 class StudyTask : public QObject {
     Q_OBJECT
 public:
-    explicit StudyTask(QObject* parent = nullptr);
+    explicit StudyTask(WindowQueue& queue, QObject* parent = nullptr);
     /// Cancels and waits, 0.2 s or so.
     ~StudyTask() override;
 
@@ -52,7 +53,8 @@ private:
     StudyProgress progress_;
     StudyOutcome outcome_;
     bool running_ = false;
-    RunControl control_;
+    WindowQueue& queue_;
+    std::atomic<bool> cancel_ = false;
     std::jthread thread_; // last: joined before the rest goes
 };
 

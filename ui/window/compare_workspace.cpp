@@ -8,8 +8,8 @@
 
 namespace hygroloom {
 
-CompareWorkspace::CompareWorkspace(Document& document, Recovery& recovery)
-    : project_(document, recovery, runs_), study_(document, project_, runs_), view_(new CompareView(document, runs_, study_))
+CompareWorkspace::CompareWorkspace(Document& document, Recovery& recovery, WindowQueue& queue)
+    : project_(document, recovery, runs_), study_(document, project_, runs_, queue), view_(new CompareView(document, runs_, study_))
 {
     QObject::connect(view_, &CompareView::markRequested, &project_, &ProjectRuns::setMarked);
     QObject::connect(view_, &CompareView::forgetRequested, &project_, &ProjectRuns::forget);

@@ -14,7 +14,7 @@ class CompareView;
 
 class CompareWorkspace {
 public:
-    CompareWorkspace(Document& document, Recovery& recovery);
+    CompareWorkspace(Document& document, Recovery& recovery, WindowQueue& queue);
 
     RunHistory& runs() { return runs_; }
     ProjectRuns& project() { return project_; }

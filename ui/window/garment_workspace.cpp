@@ -23,10 +23,10 @@
 #include <QVBoxLayout>
 
 namespace hygroloom {
-GarmentWorkspace::GarmentWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, QMainWindow& window)
-    : document_(document), history_(history), runs_(runs), window_(window), choice_(document), garment_(new GarmentPanel(choice_)),
-      fit_(new FitForm(choice_)), wear_(new WearForm(choice_)), form_(new RunForm(choice_, run_)), timeline_(new Timeline(playback_)),
-      chart_(new Chart(playback_)), parts_(new PartsTable(playback_)), list_(new RunList(history)),
+GarmentWorkspace::GarmentWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, WindowQueue& queue, QMainWindow& window)
+    : document_(document), history_(history), runs_(runs), window_(window), choice_(document), run_(queue),
+      garment_(new GarmentPanel(choice_)), fit_(new FitForm(choice_)), wear_(new WearForm(choice_)), form_(new RunForm(choice_, run_)),
+      timeline_(new Timeline(playback_)), chart_(new Chart(playback_)), parts_(new PartsTable(playback_)), list_(new RunList(history)),
       view_(new GarmentView(choice_, playback_))
 {
     auto* time = new QWidget;

@@ -46,7 +46,7 @@ public:
         QAction* stop = nullptr;
     };
 
-    GarmentWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, QMainWindow& window);
+    GarmentWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, WindowQueue& queue, QMainWindow& window);
     ~GarmentWorkspace() override;
 
     GarmentChoice& choice() { return choice_; }

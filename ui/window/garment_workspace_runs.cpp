@@ -162,7 +162,7 @@ void GarmentWorkspace::finishRun(GarmentRun::Outcome outcome, const QString& sen
     }
     to_take_.clear();
     keepRun();
-    if (outcome == GarmentRun::Outcome::failed) { Q_EMIT problemFound(sentence); }
+    if (outcome == GarmentRun::Outcome::failed || outcome == GarmentRun::Outcome::device_failed) { Q_EMIT problemFound(sentence); }
     const bool asks = outcome == GarmentRun::Outcome::memory_short;
     opening_ = false;
     refreshActions();

@@ -60,6 +60,7 @@ MainWindow::~MainWindow()
     simulate_->disconnect(this);
     garment_->disconnect(this);
     study_->disconnect(this);
+    delete study_; // its runs end before the queue does
     document_.disconnect(this);
 }
 
@@ -67,9 +68,9 @@ void MainWindow::buildPanels()
 {
     viewport_ = new Viewport;
     design_ = std::make_unique<DesignWorkspace>(document_, *viewport_, *this);
-    compare_ = std::make_unique<CompareWorkspace>(document_, recovery_);
-    simulate_ = std::make_unique<SimulateWorkspace>(document_, compare_->runs(), compare_->project(), *viewport_, *this);
-    garment_ = std::make_unique<GarmentWorkspace>(document_, compare_->runs(), compare_->project(), *this);
+    compare_ = std::make_unique<CompareWorkspace>(document_, recovery_, queue_);
+    simulate_ = std::make_unique<SimulateWorkspace>(document_, compare_->runs(), compare_->project(), queue_, *viewport_, *this);
+    garment_ = std::make_unique<GarmentWorkspace>(document_, compare_->runs(), compare_->project(), queue_, *this);
     design_->live().shareRanges(ranges_);
     compare_->view().shareRanges(ranges_);
     simulate_->maps().shareRanges(ranges_);
@@ -87,7 +88,7 @@ void MainWindow::buildPanels()
     middle_->addWidget(fabric);
     middle_->addWidget(&compare_->view());
     middle_->addWidget(&garment_->view());
-    study_ = new StudyPage(document_);
+    study_ = new StudyPage(document_, queue_);
     middle_->addWidget(study_);
     setCentralWidget(new Scrolled(middle_));
     showPage(0);

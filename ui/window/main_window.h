@@ -143,6 +143,7 @@ private:
 
     Document document_;
     ColorRanges ranges_; ///< of the maps of all workspaces
+    WindowQueue queue_;  ///< of the runs of all workspaces
     Recovery recovery_{document_};
     QPointer<ExportDialog> export_;
     QPointer<StartPage> start_page_;

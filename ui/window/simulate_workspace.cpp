@@ -39,8 +39,9 @@ const KeptRun* newestOf(const RunHistory& history)
 
 } // namespace
 
-SimulateWorkspace::SimulateWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, Viewport& viewport, QMainWindow& window)
-    : document_(document), history_(history), runs_(runs), viewport_(viewport), window_(window)
+SimulateWorkspace::SimulateWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, WindowQueue& queue, Viewport& viewport,
+                                     QMainWindow& window)
+    : document_(document), history_(history), runs_(runs), viewport_(viewport), queue_(queue), window_(window), run_(queue)
 {
     buildPanels(window);
     connectPanels();
@@ -144,7 +145,7 @@ void SimulateWorkspace::fillExperimentMenu(QMenu* menu)
     connect(addCommand(menu, {}, tr("&Calibrate…"), {}, tr("Fit what is not known of the selected fabric to a measurement.")),
             &QAction::triggered, this, [this] {
                 commitTypedValue(window_);
-                CalibrateDialog(document_, simulation_->fidelity(), simulation_->backend(), &window_).exec();
+                CalibrateDialog(document_, queue_, simulation_->fidelity(), simulation_->backend(), &window_).exec();
             });
     menu->addSeparator();
     a.play = addCommand(menu, {}, tr("P&lay or Pause the Recording") + "\t" + tr("Space"), {}, tr("Play back the run."));

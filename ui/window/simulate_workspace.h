@@ -54,7 +54,8 @@ public:
         QAction* save_film = nullptr;
     };
 
-    SimulateWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, Viewport& viewport, QMainWindow& window);
+    SimulateWorkspace(Document& document, RunHistory& history, ProjectRuns& runs, WindowQueue& queue, Viewport& viewport,
+                      QMainWindow& window);
     ~SimulateWorkspace() override;
 
     Playback& playback() { return playback_; }
@@ -142,6 +143,7 @@ private:
     RunHistory& history_;
     ProjectRuns& runs_;
     Viewport& viewport_;
+    WindowQueue& queue_;
     QMainWindow& window_;
     Playback playback_;
     SimulationRun run_;

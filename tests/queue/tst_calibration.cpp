@@ -2,14 +2,15 @@
 // A calibration returns what made the data, says how sure it is, and refuses where the data do not tell. HYGROLOOM_CALIBRATIONS asks for
 // another number of noisy strips, HYGROLOOM_CALIBRATIONS_BY_RUNS for another number of those that are fitted by real runs. What was found
 // stands in resources/help/limits.md.
-#include "core/analysis/calibration.h"
 #include "core/analysis/comparison.h"
-#include "core/analysis/sweep.h"
+#include "core/analysis/measured_run.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/base/units.h"
 #include "core/project/project_file.h"
+#include "core/queue/calibration_runs.h"
 #include "core/verify/set_ups.h"
+#include "tests/support/places.h"
 
 #include <QTest>
 #include <tbb/parallel_for.h>
@@ -78,14 +79,11 @@ struct Strips {
     Design design = cloth_with_strip();
     std::vector<FreeInput> inputs{free_input(design, design.fabrics[0], "contact_angle_deg")};
     MeasuredData data = heights();
-    RunControl control;
-    std::vector<std::unique_ptr<Backend>> backends;
+    RunQueue queue;
+    std::shared_ptr<RunPlaces> places = cpu_places(2);
+    std::atomic<bool> cancel{false};
 
-    Strips()
-    {
-        for (int i = 0; i < 2; ++i) backends.push_back(make_cpu_backend());
-    }
-    CalibrationRuns runs() { return {design, "cloth", "strip", data, inputs, draft(), backends, control}; }
+    CalibrationRuns runs() { return {design, "cloth", "strip", data, inputs, draft(), queue, places, "cpu", cancel}; }
     Model model() { return runs(); }
 };
 
@@ -275,7 +273,8 @@ private Q_SLOTS:
         drops.data = {"radius.csv", "metrics", {}, {{"maximum_wetted_radius_top_mm", "mm", 0, 2.1, 0.05}}};
         RunOptions few = draft();
         few.knobs = {{"particles_per_droplet", 200}};
-        const Calibration fit = calibrate({drops.design, "cloth", "drop", drops.data, drops.inputs, few, drops.backends, drops.control});
+        const Calibration fit =
+            calibrate({drops.design, "cloth", "drop", drops.data, drops.inputs, few, drops.queue, drops.places, "cpu", drops.cancel});
         qInfo("%s", fit.refusal.c_str());
         QVERIFY(has(fit.refusal, "maximum_wetted_radius_top_mm jumps by 0.29 mm") ||
                 has(fit.refusal, "do not depend on the contact angle"));

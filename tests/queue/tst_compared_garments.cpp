@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Garments side by side: the comparison of samples, with replicates whose first is the single run.
-#include "core/wear/garment_jobs.h"
+#include "core/queue/compared_runs.h"
 #include "core/wear/wear_outcomes.h"
+#include "core/wear/worn_candidate.h"
+#include "tests/support/places.h"
 #include "tests/support/worn_tee.h"
 #include "tests/wear/flat_garment.h"
 
@@ -24,15 +26,16 @@ Design two_cloths()
     return design;
 }
 
-GarmentRunOptions coarse()
+/// fabric: that it is cut from; empty: as it is.
+RunJob worn(const Design& design, const std::string& fabric = {})
 {
-    GarmentRunOptions how;
-    how.how.fidelity = Fidelity::live;
-    how.how.cell_mm = 60;
-    return how;
+    RunJob job{std::make_shared<const Design>(design), "wear", fabric, "."};
+    job.how.fidelity = Fidelity::live;
+    job.how.cell_side = 60e-3;
+    return job;
 }
 
-Comparison compare(const std::vector<GarmentCandidate>& candidates, int replicates, std::vector<FinishedGarment>* firsts = nullptr)
+Comparison compare(const std::vector<NamedJob>& candidates, int replicates, std::vector<FinishedGarment>* firsts = nullptr)
 {
     Comparison comparison;
     comparison.experiment = "wear";
@@ -41,41 +44,40 @@ Comparison compare(const std::vector<GarmentCandidate>& candidates, int replicat
     comparison.baseline = candidates.front().name;
     comparison.replicates = replicates;
     comparison.of_garments = true;
-    std::vector<std::unique_ptr<Backend>> backends;
-    backends.push_back(make_cpu_backend());
-    RunControl control;
-    auto found = run_comparison(
-        comparison, candidates, coarse(), 1, backends, control, [](std::size_t) { return GarmentRunCallbacks{}; }, [](std::size_t) {});
-    if (firsts) *firsts = std::move(found);
+    ComparedWatch watch;
+    watch.came = [&](std::size_t i, const RunResult& result) {
+        if (firsts && i < candidates.size()) firsts->push_back(*result.garment);
+    };
+    RunQueue queue;
+    run_comparison(comparison, candidates, queue, cpu_places(), false, watch);
     return comparison;
 }
 
 } // namespace
 
-class TestGarmentJobs : public QObject {
+class TestComparedGarments : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
     void linings_stay_where_a_garment_is_cut_from_another_fabric()
     {
-        const GarmentCandidate poplin = cut_from(two_cloths(), "wear", ".", "Poplin shirting");
-        QCOMPARE(poplin.name, std::string("Poplin shirting"));
-        const Garment& tee = poplin.design.garments.front();
+        const Design poplin = cut_from(two_cloths(), "wear", "Poplin shirting");
+        const Garment& tee = poplin.garments.front();
         QCOMPARE(tee.panels.at("*").fabric, std::string("Poplin shirting"));
         QCOMPARE(tee.panels.at("back").fabric, std::string("Poplin shirting"));
-        const GarmentCandidate textile = cut_from(two_cloths(), "wear", ".", "Textile F");
-        QCOMPARE(textile.design.garments.front().panels.at("back").lining, std::string("Poplin shirting"));
-        QCOMPARE(fabrics_of(textile.design.garments.front()), (std::vector<std::string>{"Poplin shirting", "Textile F"}));
+        const Design textile = cut_from(two_cloths(), "wear", "Textile F");
+        QCOMPARE(textile.garments.front().panels.at("back").lining, std::string("Poplin shirting"));
+        QCOMPARE(fabrics_of(textile.garments.front()), (std::vector<std::string>{"Poplin shirting", "Textile F"}));
     }
 
     void the_first_replicate_is_the_single_run()
     {
         const Design design = two_cloths();
-        const GarmentCandidate as_given{"tee", design, "wear", "."};
-        const GarmentParts parts = garment_parts(design, design.wears.front(), ".");
+        const NamedJob as_given{"tee", worn(design)};
         RunControl control;
         const auto backend = make_cpu_backend();
-        const FinishedGarment single = run_garment(parts, coarse(), *backend, control, {});
+        const RunResult alone = run_job(as_given.job, *backend, control);
+        const FinishedGarment& single = *alone.garment;
         std::vector<FinishedGarment> firsts;
         const Comparison three = compare({as_given}, 3, &firsts);
         QVERIFY(three.complete && three.candidates.size() == 1);
@@ -98,8 +100,7 @@ private Q_SLOTS:
     void verdicts_need_replicates()
     {
         const Design design = two_cloths();
-        const std::vector<GarmentCandidate> both{cut_from(design, "wear", ".", "Textile F"),
-                                                 cut_from(design, "wear", ".", "Poplin shirting")};
+        const std::vector<NamedJob> both{{"Textile F", worn(design, "Textile F")}, {"Poplin shirting", worn(design, "Poplin shirting")}};
         const Comparison one = compare(both, 1), some = compare(both, 2);
         QVERIFY(one.verdicts.empty());
         QCOMPARE(rank_text(one.candidates[0]), std::string("1="));
@@ -112,14 +113,14 @@ private Q_SLOTS:
     void what_cannot_be_read_concerns_its_garment_alone()
     {
         const Design design = two_cloths();
-        GarmentCandidate broken{"broken", design, "wear", "."};
-        broken.design.garments.front().source = "nowhere.json";
-        const Comparison comparison = compare({{"tee", design, "wear", "."}, broken}, 1);
+        Design broken = design;
+        broken.garments.front().source = "nowhere.json";
+        const Comparison comparison = compare({{"tee", worn(design)}, {"broken", worn(broken)}}, 1);
         QVERIFY(comparison.complete);
         for (const Candidate& candidate : comparison.candidates)
             QCOMPARE(candidate.failure.find("nowhere.json") != std::string::npos, candidate.fabric == "broken");
     }
 };
 
-QTEST_GUILESS_MAIN(TestGarmentJobs)
-#include "tst_garment_jobs.moc"
+QTEST_GUILESS_MAIN(TestComparedGarments)
+#include "tst_compared_garments.moc"

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "core/queue/run_queue.h"
+
+#include "core/base/error.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace hygroloom {
+
+RunQueue::~RunQueue()
+{
+    {
+        const std::lock_guard lock(mutex_);
+        closing_ = true;
+        for (const auto& batch : batches_) batch->stop();
+    }
+    work_.notify_all();
+    room_.notify_all();
+    workers_.clear();
+}
+
+int RunQueue::add(RunBatch batch) { return enqueue(std::move(batch), nullptr)->id; }
+
+std::shared_ptr<RunQueue::Batch> RunQueue::enqueue(RunBatch batch, const std::atomic<bool>* stops)
+{
+    const std::lock_guard lock(mutex_);
+    auto added = std::make_shared<Batch>();
+    added->id = ++last_id_;
+    added->what = std::move(batch);
+    added->stops = stops;
+    batches_.push_back(added);
+    call_workers();
+    say_changed();
+    return added;
+}
+
+void RunQueue::move(int id, int by)
+{
+    const std::lock_guard lock(mutex_);
+    const auto at = std::find_if(batches_.begin(), batches_.end(), [id](const auto& batch) { return batch->id == id; });
+    if (at == batches_.end()) return;
+    const auto from = std::distance(batches_.begin(), at);
+    const auto batch = *at;
+    batches_.erase(at);
+    const auto to = std::clamp<std::ptrdiff_t>(from + by, 0, static_cast<std::ptrdiff_t>(batches_.size()));
+    batches_.insert(std::next(batches_.begin(), to), batch);
+    call_workers();
+    say_changed();
+}
+
+void RunQueue::set_paused(int id, bool paused)
+{
+    const std::lock_guard lock(mutex_);
+    const auto batch = find(id);
+    if (!batch) return;
+    batch->paused = paused;
+    for (Run& run : batch->on) {
+        run.control.pause = paused;
+        if (paused) run.control.was_paused = true;
+    }
+    call_workers();
+    say_changed();
+}
+
+void RunQueue::cancel(int id)
+{
+    Lock lock(mutex_);
+    const auto batch = find(id);
+    if (batch) stop(batch, lock);
+}
+
+void RunQueue::wait(int id)
+{
+    Lock lock(mutex_);
+    const auto batch = find(id);
+    if (!batch) return;
+    over_.wait(lock, [&] { return batch->gone; });
+    if (batch->failure) std::rethrow_exception(batch->failure);
+}
+
+bool RunQueue::run(RunBatch batch, const std::atomic<bool>& cancel)
+{
+    constexpr std::chrono::milliseconds soon(20); // a signal wakes nobody
+    if (batch.count == 0) return true;
+    const auto own = enqueue(std::move(batch), &cancel);
+    Lock lock(mutex_);
+    while (!over_.wait_for(lock, soon, [&] { return own->gone; }))
+        if (cancel && !own->cancelled) stop(own, lock);
+    if (own->failure) std::rethrow_exception(own->failure);
+    return own->next == own->what.count && !own->cancelled;
+}
+
+std::vector<BatchState> RunQueue::list() const
+{
+    const std::lock_guard lock(mutex_);
+    std::vector<BatchState> states;
+    for (const auto& batch : batches_) {
+        BatchState state{batch->id, batch->what.name};
+        state.count = batch->what.count;
+        state.running = batch->on.size();
+        state.ended = batch->ended;
+        state.failed = batch->failed;
+        state.share = static_cast<double>(batch->ended);
+        std::size_t for_memory = 0;
+        for (const Run& run : batch->on) {
+            state.share += run.share;
+            for_memory += run.waits_for_memory;
+        }
+        state.share /= static_cast<double>(state.count);
+        state.state = batch->cancelled                ? BatchState::State::stopping
+                      : batch->paused                 ? BatchState::State::paused
+                      : batch->on.size() > for_memory ? BatchState::State::running
+                                                      : BatchState::State::waiting;
+        if (state.state == BatchState::State::waiting)
+            state.waits_for = for_memory > 0 ? BatchState::WaitsFor::memory : BatchState::WaitsFor::others;
+        states.push_back(std::move(state));
+    }
+    return states;
+}
+
+std::shared_ptr<RunQueue::Batch> RunQueue::find(int id) const
+{
+    const auto found = std::find_if(batches_.begin(), batches_.end(), [id](const auto& batch) { return batch->id == id; });
+    return found == batches_.end() ? nullptr : *found;
+}
+
+/// Without those on hold.
+std::size_t RunQueue::running() const
+{
+    std::size_t count = 0;
+    for (const auto& batch : batches_) count += batch->paused ? 0 : batch->on.size();
+    return count;
+}
+
+bool RunQueue::may_begin(const Batch& batch) const
+{
+    return batch.what.places->has_free() && (batch.what.watched || running() < batch.what.places->at_once());
+}
+
+std::shared_ptr<RunQueue::Batch> RunQueue::next_batch() const
+{
+    bool waits = false; // one that is not watched
+    for (const auto& batch : batches_) {
+        if (closing_ || batch->paused || !batch->has_next() || (waits && !batch->what.watched)) continue;
+        if (may_begin(*batch)) return batch;
+        waits = waits || !batch->what.watched;
+    }
+    return nullptr;
+}
+
+void RunQueue::call_workers()
+{
+    if (!next_batch()) return;
+    if (idle_ == 0)
+        workers_.emplace_back([this] { work(); });
+    else
+        work_.notify_one();
+}
+
+void RunQueue::work()
+{
+    Lock lock(mutex_);
+    while (!closing_) {
+        if (const auto batch = next_batch()) {
+            run_next(batch, lock);
+        } else {
+            ++idle_;
+            work_.wait(lock);
+            --idle_;
+        }
+    }
+}
+
+void RunQueue::run_next(const std::shared_ptr<Batch>& batch, Lock& lock)
+{
+    Run& run = batch->on.emplace_back();
+    run.index = batch->next++;
+    Backend* const backend = batch->what.places->take();
+    call_workers(); // there may be room for another
+    lock.unlock();
+    RunResult result = result_of(*batch, run, backend);
+    const bool failed = result.ended() && !result.device_failure().empty();
+    tell(batch, run.index, result);
+    lock.lock();
+    const bool last = !batch->has_next();
+    if (backend && (last || failed)) { // leaves all of the device to the others
+        lock.unlock();
+        backend->unload();
+        lock.lock();
+    }
+    batch->what.places->give_back(backend, failed);
+    batch->on.remove_if([&run](const Run& each) { return &each == &run; });
+    ++batch->ended;
+    batch->failed += !result.failure().empty();
+    if (batch->is_over()) end(batch, lock);
+    say_changed();
+}
+
+RunResult RunQueue::result_of(Batch& batch, Run& run, Backend* backend)
+{
+    const auto start = std::chrono::steady_clock::now();
+    RunResult result;
+    std::string device;
+    double bytes = 0;
+    try {
+        RunJob job = batch.what.job(run.index);
+        job.how.one_on_cpu = &one_on_cpu_;
+        job.beside.progress = [this, &run, beside = std::move(job.beside.progress)](const RunProgress& progress) {
+            {
+                const std::lock_guard lock(mutex_);
+                run.share = progress.duration > 0 ? std::min(1.0, progress.simulated / progress.duration) : 0;
+            }
+            if (beside) beside(progress);
+            say_changed();
+        };
+        if (batch.what.room) bytes = wait_for_room(batch, run, bytes_of(job));
+        const std::unique_ptr<Backend> own = backend ? nullptr : batch.what.places->open();
+        Backend& machine = backend ? *backend : *own;
+        device = machine.device();
+        result = run_job(job, machine, run.control);
+    } catch (...) {
+        result.error = std::current_exception();
+        result.device = device;
+    }
+    result.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (bytes > 0) leave_room(bytes);
+    return result;
+}
+
+/// Returns the bytes that it takes up. What would never fit goes alone. Throws Cancelled.
+double RunQueue::wait_for_room(Batch& batch, Run& run, double bytes)
+{
+    if (bytes <= 0) return 0;
+    Lock lock(mutex_);
+    const auto fits = [&] { return inside_ == 0 || taken_ + bytes <= all_; };
+    run.waits_for_memory = !fits();
+    if (run.waits_for_memory) say_changed();
+    room_.wait(lock, [&] { return fits() || run.control.cancel; });
+    run.waits_for_memory = false;
+    if (run.control.cancel) throw Cancelled();
+    if (inside_++ == 0) all_ = batch.what.room();
+    taken_ += bytes;
+    return bytes;
+}
+
+void RunQueue::leave_room(double bytes)
+{
+    {
+        const std::lock_guard lock(mutex_);
+        --inside_;
+        taken_ = inside_ == 0 ? 0 : taken_ - bytes;
+    }
+    room_.notify_all();
+}
+
+void RunQueue::tell(const std::shared_ptr<Batch>& batch, std::size_t index, RunResult& result)
+{
+    if (!batch->what.ended) return;
+    const std::lock_guard telling(batch->telling);
+    try {
+        batch->what.ended(index, result);
+    } catch (...) {
+        Lock lock(mutex_);
+        if (!batch->failure) batch->failure = std::current_exception();
+        stop(batch, lock);
+    }
+}
+
+void RunQueue::Batch::stop()
+{
+    cancelled = true;
+    for (Run& run : on) run.control.cancel = true;
+}
+
+void RunQueue::stop(const std::shared_ptr<Batch>& batch, Lock& lock)
+{
+    batch->stop();
+    room_.notify_all();
+    if (batch->is_over()) end(batch, lock);
+    call_workers(); // those behind it may begin
+    say_changed();
+}
+
+void RunQueue::end(const std::shared_ptr<Batch>& batch, Lock& lock)
+{
+    if (std::exchange(batch->ending, true)) return;
+    if (!closing_ && batch->what.over) {
+        lock.unlock();
+        batch->what.over();
+        lock.lock();
+    }
+    batches_.remove(batch);
+    batch->gone = true;
+    over_.notify_all();
+}
+
+} // namespace hygroloom

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// One run that the window watches, in its queue; signals come in the thread of this object.
+#pragma once
+
+#include "ui/basics/mailbox.h"
+#include "ui/results/window_queue.h"
+
+namespace hygroloom {
+
+/// Why a run came to no end, in a sentence of the window's language; empty where it did, or was stopped. else_do: what to do where the
+/// memory does not suffice.
+QString failureText(const RunResult& result, const QString& else_do);
+
+class QueuedRun : public QObject {
+    Q_OBJECT
+public:
+    enum class Outcome { finished, cancelled, device_failed, memory_short, failed };
+
+    /// else_do: see failureText().
+    QueuedRun(WindowQueue& queue, const QString& else_do, QObject* parent);
+    ~QueuedRun() override;
+
+    bool running() const { return id_ != 0; }
+    bool paused() const { return paused_; }
+    void setPaused(bool paused);
+    void cancel();
+
+Q_SIGNALS:
+    /// Before it begins: it takes much of the memory that is free.
+    void memoryIsShort();
+    void progressed(const RunProgress& progress);
+    void pausedChanged(bool paused);
+    /// sentence: what went wrong, empty otherwise.
+    void ended(Outcome outcome, const QString& sentence);
+
+protected:
+    /// completed: in the thread of the run, which came to its end. Precondition: not running(), and validate() found no error.
+    void begin(RunJob job, const std::string& backend, std::function<void(RunResult&)> completed);
+    void post(std::function<void()> work) { mail_.post(std::move(work)); }
+    /// Stops it and waits, 0.2 s or so: who adds callbacks does so before it goes.
+    void stopAndWait();
+
+private:
+    void end(const std::shared_ptr<RunResult>& result);
+    void follow();
+
+    WindowQueue& queue_;
+    const QString else_do_;
+    int id_ = 0; ///< in the queue; 0: none is on
+    bool paused_ = false;
+    Mailbox mail_;
+};
+
+} // namespace hygroloom
