@@ -7349,8 +7349,8 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>Bindung, Garn je Meter und die Zahlen des Labors für das ausgewählte Gewebe speichern.</translation>
     </message>
     <message>
-        <source>Runs in Pro&amp;gress</source>
-        <translation>&amp;Laufende Läufe</translation>
+        <source>Runs in Progress</source>
+        <translation>Laufende Läufe</translation>
     </message>
     <message>
         <source>Show what runs, what waits and why.</source>

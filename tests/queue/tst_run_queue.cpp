@@ -65,13 +65,13 @@ RunBatch of_nothing(const std::string& name, std::size_t count, const std::share
     return batch;
 }
 
-RunBatch of_drops(std::size_t count, const std::shared_ptr<RunPlaces>& places, double duration = 0.01)
+RunBatch of_drops(std::size_t count, const std::shared_ptr<RunPlaces>& places, bool slow = false)
 {
     RunBatch batch;
     batch.name = "drops";
     batch.count = count;
     batch.places = places;
-    batch.job = [duration](std::size_t) { return quick_job(duration); };
+    batch.job = [slow](std::size_t) { return slow ? slow_job() : quick_job(); };
     return batch;
 }
 
@@ -152,9 +152,8 @@ private Q_SLOTS:
     void whatIsPausedGivesWay()
     {
         RunQueue queue;
-        const auto place = cpu_places(2);
         Begun begun;
-        const int long_one = queue.add(of_drops(1, cpu_places(), 50));
+        const int long_one = queue.add(of_drops(1, cpu_places(), true));
         const int other = queue.add(of_nothing("B", 1, cpu_places(), begun));
         QTRY_VERIFY(state_of(queue, long_one).share > 0);
         QVERIFY(begun.all().empty());
@@ -193,7 +192,7 @@ private Q_SLOTS:
         RunQueue queue;
         const auto place = cpu_places();
         std::atomic<int> stopped{0}, over{0}, ended{0};
-        RunBatch first = of_drops(5, place, 50), second = of_drops(2, place);
+        RunBatch first = of_drops(5, place, true), second = of_drops(2, place);
         first.ended = [&](std::size_t, RunResult& result) { stopped += !result.ended() && result.failure().empty(); };
         first.over = [&] { ++over; };
         second.ended = [&](std::size_t, RunResult& result) { ended += result.ended(); };
@@ -330,7 +329,7 @@ private Q_SLOTS:
         std::atomic<int> over{0};
         {
             RunQueue queue;
-            RunBatch batch = of_drops(3, cpu_places(), 50);
+            RunBatch batch = of_drops(3, cpu_places(), true);
             batch.over = [&] { ++over; };
             const int id = queue.add(std::move(batch));
             QTRY_VERIFY(state_of(queue, id).share > 0);

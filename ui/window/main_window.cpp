@@ -11,6 +11,7 @@
 #include "ui/panels/issues_panel.h"
 #include "ui/picture/textile_canvas.h"
 #include "ui/results/live_panel.h"
+#include "ui/results/queue_list.h"
 #include "ui/results/simulation_panel.h"
 #include "ui/results/timeline.h"
 #include "ui/results/water_map_view.h"
@@ -93,6 +94,7 @@ void MainWindow::buildPanels()
     setCentralWidget(new Scrolled(middle_));
     showPage(0);
 
+    statusBar()->addPermanentWidget(queue_button_ = new QueueButton(queue_));
     issue_count_ = new QToolButton;
     issue_count_->setAutoRaise(true);
     issue_count_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -26,6 +26,7 @@ class HelpWindow;
 class IssuesPanel;
 class LessonWindow;
 class PreferencesDialog;
+class QueueButton;
 class RecentFiles;
 class StartPage;
 class StudyPage;
@@ -169,6 +170,7 @@ private:
     IssuesPanel* issues_ = nullptr;
     QDockWidget* issues_dock_ = nullptr;
     QToolButton* issue_count_ = nullptr;
+    QueueButton* queue_button_ = nullptr;
     RecentFiles* recent_ = nullptr;
     HelpWindow* guide_ = nullptr;
 

@@ -9,6 +9,7 @@
 #include "ui/panels/experiment_panel.h"
 #include "ui/picture/view_bar.h"
 #include "ui/results/live_panel.h"
+#include "ui/results/queue_list.h"
 #include "ui/results/water_map_view.h"
 #include "ui/window/command.h"
 #include "ui/window/command_palette.h"
@@ -170,6 +171,8 @@ void MainWindow::buildViewMenu()
     showWaterColors();
     addAppearances(menu->addMenu(tr("&Appearance")));
     menu->addSeparator();
+    connect(addCommand(menu, {}, tr("Runs in Progress"), QKeySequence("Ctrl+Shift+R"), tr("Show what runs, what waits and why.")),
+            &QAction::triggered, queue_button_, &QueueButton::openList);
     QMenu* panels = menu->addMenu(tr("&Panels"));
     for (QDockWidget* dock : docks()) { panels->addAction(dock->toggleViewAction()); }
     connect(addCommand(menu, {}, tr("R&eset Layout"), {}, tr("Restore the original arrangement of the panels.")), &QAction::triggered, this,
