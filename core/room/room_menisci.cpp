@@ -9,7 +9,7 @@
 namespace hygroloom {
 namespace {
 
-constexpr double blur_in_voxels = 2;
+constexpr double blur_in_voxels = 1.6;
 constexpr int margin = 8; // voxels of air above and below the cloth
 
 /// Weights at no voxels from the middle, at one, two and so on, on either side.
@@ -58,8 +58,8 @@ void weigh(const float* values, const std::vector<float>& weights, const Beside&
 } // namespace
 
 RestingLiquid::RestingLiquid(const DrawnLayer& layer, double growth, double cosine)
-    : grid_(layer.grid), below_(std::max(0, layer.margin - margin)), side_(layer.side()),
-      blurs_(blur_in_voxels * side_), kernel_{gaussian(blurs_, layer.dx), gaussian(blurs_, layer.dy), gaussian(blurs_, layer.dz)}
+    : grid_(layer.grid), below_(std::max(0, layer.margin - margin)), side_(layer.side()), blurs_(blur_in_voxels * side_),
+      cosine_(static_cast<float>(cosine)), kernel_{gaussian(blurs_, layer.dx), gaussian(blurs_, layer.dy), gaussian(blurs_, layer.dz)}
 {
     grid_.nz -= 2 * below_;
     first_ = grid_.at(0, 0, layer.first() - below_);
@@ -78,7 +78,9 @@ RestingLiquid::RestingLiquid(const DrawnLayer& layer, double growth, double cosi
     blur(warp, near_warp_);
     blur(weft, near_weft_);
     blur(open_, without_); // beyond the grid is nothing: so far from the cloth comes no liquid
-    for (std::size_t i = 0; i < all; ++i) without_[i] -= static_cast<float>(cosine) * (near_warp_[i] + near_weft_[i]);
+    beside_ = without_;
+    shares_.assign(all, static_cast<float>(per_cost_));
+    for (std::size_t i = 0; i < all; ++i) without_[i] -= cosine_ * (near_warp_[i] + near_weft_[i]);
     costs_.resize(all);
     fill();
 }
@@ -133,6 +135,21 @@ void RestingLiquid::widen(std::size_t beyond)
     }
 }
 
+/// What liquid costs at a voxel, of how much lies about it. A skin that cuts a voxel leaves a part of it open, whose middle lies farther
+/// from the yarn, and which a surface beside the skin crosses in less than a voxel: where the whole voxel counted, every dry skin would
+/// have a film, as liquid costs little there.
+void RestingLiquid::cost_at(std::size_t voxel)
+{
+    const float about = costs_[voxel], open = open_[voxel];
+    costs_[voxel] = without_[voxel] - 2 * about;
+    if (open >= 1) return;
+    constexpr float least = 0.1F; // of that of a flat surface
+    const float flat = static_cast<float>(0.5 / per_cost_), beside = beside_[voxel], share = std::min(1.0F, about / beside);
+    const float away = (1 + cosine_ - 2 * share) * flat, along = 8 * share * (1 - share) * beside * flat; // by a voxel
+    costs_[voxel] += 0.5F * away * (1 - open);
+    shares_[voxel] = 1 / std::max(least * flat, std::abs(away) * open + along);
+}
+
 /// So that the liquid takes so many voxels: Newton's rounds, of a function made of straight pieces.
 void RestingLiquid::shift_to(double voxels)
 {
@@ -146,7 +163,7 @@ void RestingLiquid::shift_to(double voxels)
                 sum += open;
             } else if (share > 0) {
                 sum += open * share;
-                falls += open * per_cost_;
+                falls += open * static_cast<double>(shares_[i]);
             }
         }
         if (std::abs(sum - voxels) < precise * voxels) return;
@@ -160,7 +177,7 @@ void RestingLiquid::hold(double saturation)
     constexpr double still = 1e-4; // of the room
     for (int round = 0; round < most; ++round) {
         blur(liquid_, costs_);
-        for (const std::size_t i : voxels_) costs_[i] = without_[i] - 2 * costs_[i];
+        for (const std::size_t i : voxels_) cost_at(i);
         shift_to(saturation * room_);
         double moved = 0;
         for (const std::size_t i : voxels_) {

@@ -27,18 +27,25 @@ public:
 private:
     void blur(const std::vector<float>& values, std::vector<float>& blurred);
     void widen(std::size_t beyond);
-    double share_of_liquid(std::size_t voxel) const { return 0.5 - (static_cast<double>(costs_[voxel]) + shift_) * per_cost_; }
+    double share_of_liquid(std::size_t voxel) const
+    {
+        return 0.5 - (static_cast<double>(costs_[voxel]) + shift_) * static_cast<double>(shares_[voxel]);
+    }
+    void cost_at(std::size_t voxel);
     void shift_to(double voxels);
     double wetted(const std::vector<float>& near) const;
 
     VoxelGrid grid_; // the layer's, less so many voxels of air above and below
     int below_;
-    double side_, blurs_;          // m
+    double side_, blurs_; // m
+    float cosine_;
     double per_cost_ = 0;          // of a voxel that a surface cuts, by the cost of liquid at its middle
     std::vector<float> kernel_[3]; // of the blur along each axis
     std::vector<float> open_;      // of each voxel, what is outside the yarns
     std::vector<float> near_warp_, near_weft_;
+    std::vector<float> beside_;          // what is open about each voxel
     std::vector<float> without_, costs_; // of liquid at each voxel: where there is none beside, and as it lies
+    std::vector<float> shares_;          // per_cost_ of each voxel, less or more where a skin cuts it
     std::vector<float> liquid_, wide_, between_;
     std::vector<std::size_t> voxels_;  // that are open
     std::size_t first_ = 0, last_ = 0; // of the cloth

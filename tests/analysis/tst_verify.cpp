@@ -163,6 +163,10 @@ private Q_SLOTS:
                                                       << "permeability_m2=3e-13 time_s=0.2";
         QTest::newRow("rods so far apart that water hardly stands between") << "rod_column"
                                                                             << "rod_radius_um=0.3 suction_pa=12 half_gap_um=30";
+        QTest::newRow("liquid in narrow gaps, whose skin is dry beside it") << "rod_menisci"
+                                                                            << "half_gap_um=10 pressure_pa=300";
+        QTest::newRow("the same in twice as large voxels") << "rod_menisci"
+                                                           << "half_gap_um=10 pressure_pa=300 voxels=24";
         QTest::newRow("a slug in cells as long as it") << "slug_arrest"
                                                        << "cell_mm=10";
         QTest::newRow("a cloth of few thick yarns at work") << "free_energy"
