@@ -18,15 +18,14 @@ struct Staple {
     double constant;   // see limit_irregularity()
     double index;      // over the limit
     double length_mm;  // usual in spinning; assumptions
-    double dtex;       // of one; 0: of a round fibre of the library's radius
 };
 constexpr std::array staples{
-    Staple{"cotton", true, 1.06, 1.25, 28, 1.6}, // a flat, hollow ribbon: a round one of its radius would have twice its mass
-    Staple{"hemp", true, 1.06, 1.25, 60, 0},
-    Staple{"flax", true, 1.06, 1.25, 60, 0},
-    Staple{"wool", true, 1.12, 1.3, 65, 0},
+    Staple{"cotton", true, 1.06, 1.25, 28},
+    Staple{"hemp", true, 1.06, 1.25, 60},
+    Staple{"flax", true, 1.06, 1.25, 60},
+    Staple{"wool", true, 1.12, 1.3, 65},
 };
-constexpr Staple man_made{"", false, 1.0, 1.25, 38, 0};
+constexpr Staple man_made{"", false, 1.0, 1.25, 38};
 
 const Staple& staple_of(const std::string& fibre)
 {
@@ -45,11 +44,7 @@ std::string library_fibre(const Design& design, const std::string& name)
 double fineness(const Design& design, const std::string& name)
 {
     const Material& fibre = *find_material(design, name);
-    const double round = 1e6 * fibre.density_kg_m3 * pi * std::pow(metre_from_um(fibre.fibre_radius_um), 2);
-    const std::string of_library = library_name(fibre);
-    const Staple& staple = staple_of(of_library);
-    if (staple.dtex <= 0) return round;
-    return 0.1 * staple.dtex * std::pow(fibre.fibre_radius_um / find_library_material(of_library)->fibre_radius_um, 2);
+    return 1e6 * fibre.density_kg_m3 * pi * std::pow(metre_from_um(fibre.fibre_radius_um), 2);
 }
 
 } // namespace

@@ -26,6 +26,12 @@ const nlohmann::json* entry_named(const std::string& name)
     return nullptr;
 }
 
+const CrossSection& shape_named(const std::string& name)
+{
+    const std::vector<CrossSection>& all = cross_sections();
+    return *std::find_if(all.begin(), all.end(), [&](const CrossSection& section) { return section.shape == name; });
+}
+
 std::vector<Material> read_library()
 {
     std::vector<Material> library;
@@ -48,6 +54,7 @@ std::vector<Material> read_library()
         material.thermal_conductivity_w_mk = value("thermal_conductivity_w_mk");
         material.specific_heat_j_kgk = value("specific_heat_j_kgk");
         material.heat_of_wetting_j_g = value("heat_of_wetting_j_g");
+        if (entry.contains("cross_section")) material.cross_section = shape_named(entry.at("cross_section").get<std::string>());
         library.push_back(material);
     }
     return library;

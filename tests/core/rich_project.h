@@ -58,7 +58,7 @@ inline Design rich()
     own.based_on = "cotton";
     own.contact_angle_deg = 31.25;
     own.receding_angle_deg = 12.5;
-    own.cross_section = cross_sections().at(2);
+    own.cross_section = cross_sections().at(1);
     own.diffusion.two_stage = true;
     Material free = *find_library_material("polyester");
     free.name = "free";

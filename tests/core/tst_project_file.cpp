@@ -187,11 +187,11 @@ private Q_SLOTS:
     void aFibresShapeIsANameOrANumber()
     {
         const std::string text = format_project(rich());
-        QVERIFY(has(text, "\"cross_section\": \"bean\""));
+        QVERIFY(has(text, "\"cross_section\": \"trilobal\""));
         QVERIFY(has(text, "\"cross_section\": 1.375"));
-        const auto with = [&](const char* shape) { return replaced(text, "\"bean\"", shape); };
-        QCOMPARE(parse_project(with("\"trilobal\""), "text").materials.at(0).cross_section.perimeter_factor, 1.19);
-        QVERIFY(!has(format_project(parse_project(with("\"round\""), "text")), "\"bean\""));
+        const auto with = [&](const char* shape) { return replaced(text, "\"trilobal\"", shape); };
+        QCOMPARE(parse_project(with("\"channelled\""), "text").materials.at(0).cross_section.perimeter_factor, 1.2);
+        QVERIFY(!has(format_project(parse_project(with("\"round\""), "text")), "\"trilobal\""));
         const std::string wrong = message_of([&] { parse_project(with("\"beam\""), "text"); });
         QVERIFY2(has(wrong,
                      "materials[0].cross_section: This must be one of \"round\", \"trilobal\", \"bean\", \"channelled\", or a number "
