@@ -267,18 +267,19 @@ int whole(double crossings)
     return static_cast<int>(std::floor(std::min(crossings + 1e-6, double(largest_yarn_order))));
 }
 
-/// The even number next to it; of less than two yarns one.
-int even(double crossings) { return whole(crossings) < 2 ? 1 : 2 * whole(0.5 * (std::min(crossings, double(largest_yarn_order)) + 1)); }
+/// Of less than two yarns one.
+int even(double crossings) { return std::max(1, whole(crossings) / 2 * 2); }
 
-/// From which yarn on so many have a repeat's first behind their middle.
+/// From which yarn on so many have the middle of a repeat in their middle.
 int first_about_a_repeat(const Fabric& fabric, bool warp, int yarns)
 {
     std::int64_t ordered = 0;
     for (const YarnRun& run : warp ? fabric.warp_order : fabric.weft_order) ordered += run.count;
-    const std::int64_t repeat =
-        std::lcm(std::int64_t{warp ? fabric.weave.ends() : fabric.weave.picks()}, std::max<std::int64_t>(1, ordered));
-    const std::int64_t before = yarns / 2 % repeat;
-    return static_cast<int>(before == 0 || repeat > most_yarns_before ? 0 : repeat - before);
+    const int weave = warp ? fabric.weave.ends() : fabric.weave.picks();
+    const std::int64_t repeat = std::lcm(std::int64_t{weave}, std::max<std::int64_t>(1, ordered));
+    if (repeat > most_yarns_before) return 0;
+    const std::int64_t first = (repeat / 2 - yarns / 2) % repeat;
+    return static_cast<int>(first < 0 ? first + repeat : first);
 }
 
 } // namespace

@@ -99,6 +99,7 @@ void rebuild_textile(RunRecord& run, const std::string& project)
     const TextileRegion& region = run.plan.region;
     const TextileRegion most = region_of_run(*fabric, *experiment);
     const auto is_place = [](int yarns) { return yarns >= 0 && yarns <= most_yarns_before; };
+    // Older recordings have odd numbers, too.
     if (region.ends < 1 || region.picks < 1 || region.ends > most.ends + 1 || region.picks > most.picks + 1 ||
         !is_place(region.first_end) || !is_place(region.first_pick))
         throw FileError("the recording's region does not lie in its sample; it is damaged.");
