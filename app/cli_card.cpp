@@ -30,12 +30,12 @@ void check_name(const std::string& file)
     if (ending == ".pdf") check_report_name(file);
 }
 
-void write_card(const Card& card, const Fabric& fabric, const FittedFabric& fitted, const std::string& file)
+void write_card(const Card& card, const Design& design, const Fabric& fabric, const FittedFabric& fitted, const std::string& file)
 {
     const std::string ending = ending_of(file);
     if (ending == ".csv") return write_file(file, card_csv(card));
     if (ending == ".json") return write_file(file, card_json(card).dump(2) + "\n");
-    write_report_file(file, card_page(card, card_pictures(fabric, fitted)));
+    write_report_file(file, card_page(card, card_pictures(design, fabric, fitted)));
 }
 
 void print_card(const Card& card)
@@ -62,7 +62,7 @@ int card(const CardOptions& options)
     const Fabric& fabric = chosen_fabric(design, options);
     const FittedFabric& own = *fitted[static_cast<std::size_t>(&fabric - design.fabrics.data())];
     const Card found = card_of(design, fabric, own, options.request);
-    if (!options.output.empty()) write_card(found, fabric, own, options.output);
+    if (!options.output.empty()) write_card(found, design, fabric, own, options.output);
     if (options.json)
         print_json(card_json(found));
     else if (options.output.empty())

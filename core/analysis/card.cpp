@@ -13,7 +13,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 #include <tuple>
 
 namespace hygroloom {
@@ -110,6 +113,57 @@ PageBlocks laboratory_table(const Card& card)
     return joined({table(rows), list(card.numbers.missing)});
 }
 
+/// The same cloth seen from behind: what lay on top lies below, and the first end is the last.
+Fabric turned_over(const Fabric& fabric)
+{
+    const Weave& weave = fabric.weave;
+    std::vector<std::uint8_t> up;
+    for (int pick = 0; pick < weave.picks(); ++pick)
+        for (int end = weave.ends() - 1; end >= 0; --end) up.push_back(weave.warp_up(end, pick) ? 0 : 1);
+    Fabric turned = fabric;
+    turned.weave = Weave(weave.ends(), weave.picks(), std::move(up));
+    std::reverse(turned.warp_order.begin(), turned.warp_order.end());
+    return turned;
+}
+
+constexpr int finer = 3; // pixels of a texture a side of one of the picture, or fine cloth would have stripes that it has not
+
+/// Red, green and blue, 0 to 255, of the texture's pixels from a place on: over white, in light from the upper left.
+std::array<double, 3> seen_in(const TexturePixels& pixels, int column, int row)
+{
+    constexpr double light[] = {-0.45, 0.45, 0.77}, ambient = 0.35, white = 255;
+    std::array<double, 3> sum{};
+    for (int y = row; y < row + finer; ++y)
+        for (int x = column; x < column + finer; ++x) {
+            const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.columns) + static_cast<std::size_t>(x);
+            double facing = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis) facing += light[axis] * (pixels.normal[3 * pixel + axis] / 127.5 - 1);
+            const double lit = std::min(1.0, ambient + (1 - ambient) * std::max(0.0, facing) / light[2]);
+            const double opacity = pixels.colour[4 * pixel + 3] / white;
+            for (std::size_t part = 0; part < 3; ++part)
+                sum[part] += (opacity * lit * pixels.colour[4 * pixel + part] + (1 - opacity) * white) / (finer * finer);
+        }
+    return sum;
+}
+
+/// As many repeats as make it so wide and high at least.
+ReportPicture picture_of(const Fabric& fabric, const FittedFabric& fitted, double side_mm, double dpi, const std::string& caption)
+{
+    const TextileRegion one = region_of_repeats(fabric, 1, 1);
+    const auto repeats = [side_mm](double mm) { return std::max(1, static_cast<int>(std::ceil(side_mm / mm))); };
+    const TextileRegion shown =
+        region_of_repeats(fabric, repeats(10 * one.ends / fabric.ends_per_cm), repeats(10 * one.picks / fabric.picks_per_cm));
+    const Textile textile = build_textile(fabric, fitted, shown);
+    const TextureSize size = texture_size(textile, finer * dpi);
+    const TexturePixels pixels = texture_pixels(textile, fabric, size, 1);
+    ReportPicture picture{caption, {pixels.columns / finer, pixels.rows / finer, {}}, size.width_mm};
+    for (int row = 0; row < picture.image.height; ++row)
+        for (int column = 0; column < picture.image.width; ++column)
+            for (const double value : seen_in(pixels, finer * column, finer * row))
+                picture.image.rgb.push_back(static_cast<std::uint8_t>(std::lround(value)));
+    return picture;
+}
+
 } // namespace
 
 std::string name_of(const YarnUse& use)
@@ -153,23 +207,22 @@ Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fit
     return card;
 }
 
-std::vector<ReportPicture> card_pictures(const Fabric& fabric, const FittedFabric& fitted)
+std::vector<ReportPicture> card_pictures(const Design& design, const Fabric& fabric, const FittedFabric& fitted)
 {
-    constexpr double side_mm = 20, most_mm = 100, dpi = 400;
+    constexpr double side_mm = 20, most_mm = 100, dpi = 400, near_mm = 3, near_dpi = 2400;
     const TextileRegion one = region_of_repeats(fabric, 1, 1);
     const double wide = 10 * one.ends / fabric.ends_per_cm, high = 10 * one.picks / fabric.picks_per_cm; // mm
     if (wide > most_mm || high > most_mm) return {};
-    const auto repeats = [](double mm) { return std::max(1, static_cast<int>(std::ceil(side_mm / mm))); };
-    const Textile textile = build_textile(fabric, fitted, region_of_repeats(fabric, repeats(wide), repeats(high)));
-    const TextureSize size = texture_size(textile, dpi);
-    const TexturePixels pixels = texture_pixels(textile, fabric, size, 1);
-    ReportPicture picture{fabric.name + ", top face", {pixels.columns, pixels.rows, {}}, size.width_mm};
-    for (std::size_t i = 0; i < pixels.colour.size(); i += 4)
-        for (std::size_t part = 0; part < 3; ++part) {
-            const int opacity = pixels.colour[i + 3], white = 255;
-            picture.image.rgb.push_back(static_cast<std::uint8_t>((pixels.colour[i + part] * opacity + white * (white - opacity)) / white));
-        }
-    return {picture};
+    const Fabric turned = turned_over(fabric);
+    const FittedFabric behind = fit_fabric(design, turned);
+    std::vector<ReportPicture> pictures{picture_of(fabric, fitted, side_mm, dpi, fabric.name + ", top face"),
+                                        picture_of(turned, behind, side_mm, dpi, fabric.name + ", back, turned over about its ends")};
+    if (std::max(wide, high) > 4 * near_mm) return pictures;
+    pictures.push_back(picture_of(fabric, fitted, near_mm, near_dpi, fabric.name + ", top face"));
+    ReportPicture& near = pictures.back();
+    near.caption += fmt::format(", {} mm wide", rounded_text(near.width_mm, 2));
+    near.width_mm = 0;
+    return pictures;
 }
 
 Json laboratory_json(const std::vector<LaboratoryNumber>& numbers)

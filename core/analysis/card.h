@@ -38,8 +38,9 @@ nlohmann::ordered_json card_json(const Card& card);
 nlohmann::ordered_json laboratory_json(const std::vector<LaboratoryNumber>& numbers);
 /// key, title, value, low, high, unit, standard, conditions. Of what could not be computed a row "missing" with a sentence as its title.
 std::string card_csv(const Card& card);
-/// The top face at true scale: as many repeats as make it 20 mm wide and high at least; none where a repeat is more than 100 mm.
-std::vector<ReportPicture> card_pictures(const Fabric& fabric, const FittedFabric& fitted);
+/// Both faces at true scale, as many repeats as make them 20 mm wide and high at least; and the top face from near, unless a repeat is more
+/// than 12 mm. None where a repeat is more than 100 mm. Precondition: validate() found no error.
+std::vector<ReportPicture> card_pictures(const Design& design, const Fabric& fabric, const FittedFabric& fitted);
 ReportPage card_page(const Card& card, const std::vector<ReportPicture>& pictures);
 
 } // namespace hygroloom

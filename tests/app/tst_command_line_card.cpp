@@ -61,7 +61,7 @@ private Q_SLOTS:
     {
         QCOMPARE(run_cli({"card", poplin(), "-o", file("card.html"), "-q"}).code, 0);
         const QByteArray page = content(file("card.html"));
-        for (const char* text : {"Air permeability at 100 Pa", "ISO 11092", "data:image/png", "10 mm", "g/m"})
+        for (const char* text : {"Air permeability at 100 Pa", "ISO 11092", "data:image/png", "10 mm", "turned over", "mm wide", "g/m"})
             QVERIFY2(page.contains(text), text);
         QCOMPARE(run_cli({"card", poplin(), "-o", file("card.csv"), "-q"}).code, 0);
         const QByteArray table = content(file("card.csv"));

@@ -36,7 +36,7 @@ void CardExport::write(const QString& file)
             ReportPage page;
             QString why;
             try {
-                page = card_page(card_of(*design, fabric, *fitted), card_pictures(fabric, *fitted));
+                page = card_page(card_of(*design, fabric, *fitted), card_pictures(*design, fabric, *fitted));
             } catch (const std::exception& error) {
                 why = QString::fromUtf8(error.what());
             }
