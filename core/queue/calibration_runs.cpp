@@ -31,6 +31,7 @@ std::vector<std::vector<double>> CalibrationRuns::operator()(const std::vector<s
     batch.name = name;
     batch.count = points.size();
     batch.places = places;
+    batch.watched = true; // its rounds follow each other, and their dialog is open
     batch.job = [&](std::size_t i) {
         RunJob job{std::make_shared<const Design>(with_inputs(design, fabric, inputs, points[i])), experiment, fabric};
         job.how = how;
