@@ -6953,14 +6953,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>Das Gewebe bearbeiten.</translation>
     </message>
     <message>
-        <source>&amp;Simulate</source>
-        <translation>&amp;Simulieren</translation>
-    </message>
-    <message>
-        <source>Run an experiment on the fabric.</source>
-        <translation>Einen Versuch mit dem Gewebe rechnen.</translation>
-    </message>
-    <message>
         <source>Co&amp;mpare</source>
         <translation>&amp;Vergleichen</translation>
     </message>
@@ -7355,6 +7347,42 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>Show what runs, what waits and why.</source>
         <translation>Zeigen, was läuft, was wartet und warum.</translation>
+    </message>
+    <message>
+        <source>Show the Garment</source>
+        <translation>Das Kleidungsstück zeigen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Rechnen</translation>
+    </message>
+    <message>
+        <source>Run an experiment on a sample or a garment.</source>
+        <translation>Einen Versuch an einer Probe oder einem Kleidungsstück rechnen.</translation>
+    </message>
+    <message>
+        <source>Compare runs of the same experiment, or study many points.</source>
+        <translation>Läufe desselben Versuchs vergleichen, oder viele Punkte untersuchen.</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <source>Run an experiment on a sample of the fabric.</source>
+        <translation>Einen Versuch an einer Probe des Gewebes rechnen.</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Run a Sample or a Garment</source>
+        <translation>Eine Probe oder ein Kleidungsstück rechnen</translation>
     </message>
 </context>
 <context>

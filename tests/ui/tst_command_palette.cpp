@@ -125,7 +125,7 @@ private Q_SLOTS:
         window_->setWorkspace(Workspace::design);
         QTimer::singleShot(200, this, [] {
             if (auto* palette = qobject_cast<CommandPalette*>(QApplication::activeModalWidget())) {
-                QTest::keyClicks(palette->findChild<QLineEdit*>(), "view simulate");
+                QTest::keyClicks(palette->findChild<QLineEdit*>(), "view sample");
                 QTest::keyClick(palette->findChild<QLineEdit*>(), Qt::Key_Return);
             }
         });

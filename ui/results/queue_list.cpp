@@ -57,8 +57,9 @@ QString queueText(const std::vector<BatchState>& list)
 } // namespace
 
 QueueList::QueueList(WindowQueue& queue, QWidget* parent)
-    : QFrame(parent, Qt::Popup), queue_(queue), tree_(new QTreeWidget), none_(new QLabel(tr("No run is on."))), pause_(new QPushButton),
-      stop_(new QPushButton(themedIcon("stop"), tr("Stop"))), earlier_(new QPushButton(tr("Earlier"))), later_(new QPushButton(tr("Later")))
+    : QFrame(parent, Qt::Popup), queue_(queue), tree_(new QTreeWidget), none_(new QLabel(tr("No run is on."))),
+      pause_(new QPushButton(tr("Pause"))), stop_(new QPushButton(themedIcon("stop"), tr("Stop"))),
+      earlier_(new QPushButton(tr("Earlier"))), later_(new QPushButton(tr("Later")))
 {
     setObjectName("queue list");
     setWindowTitle(tr("Runs in Progress"));

@@ -284,9 +284,7 @@ void MainWindow::setWorkspace(Workspace workspace)
     simulate_->setShown(workspace == Workspace::simulate);
     showRunCommands();
     compare_->project().setCompared(workspace == Workspace::compare);
-    workspaces_->actions().at(static_cast<int>(workspace))->setChecked(true);
-    for (const QAction* action : workspaces_->actions()) // the sentence of the command that led here
-        if (statusBar()->currentMessage() == action->statusTip()) { statusBar()->clearMessage(); }
+    showModes();
     refreshPicture();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The window: the document, the five workspaces round one picture, menus and files.
+// The window: the document, the three workspaces round one picture, menus and files.
 #pragma once
 
 #include "ui/document/document.h"
@@ -31,6 +31,7 @@ class RecentFiles;
 class StartPage;
 class StudyPage;
 
+/// What the window shows. The workspace Run is of a sample (simulate) or a garment, Compare of runs or a study.
 enum class Workspace { design, simulate, compare, garment, study };
 
 class MainWindow : public QMainWindow {
@@ -89,6 +90,7 @@ private:
     void arrange(Workspace workspace);
     void showDocks(Workspace workspace);
     void showRunCommands();
+    void showModes();
     void refreshTitle();
     void refreshPicture();
     void refreshIssueCount();
@@ -179,7 +181,10 @@ private:
     QAction* screenshot_ = nullptr;
     QAction* undo_ = nullptr;
     QAction* redo_ = nullptr;
-    QActionGroup* workspaces_ = nullptr;
+    QActionGroup* workspaces_ = nullptr; ///< Design, Run, Compare
+    QActionGroup* modes_ = nullptr;      ///< of Run: sample, garment; of Compare: runs, study
+    std::vector<QAction*> mode_buttons_;
+    Workspace run_ = Workspace::simulate, comparing_ = Workspace::compare; ///< as last shown
 };
 
 } // namespace hygroloom

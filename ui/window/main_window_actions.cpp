@@ -26,6 +26,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
+#include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -60,7 +61,11 @@ void MainWindow::buildActions()
     buildViewMenu();
     menuBar()->addMenu(tr("F&abric"))->addActions(design_->candidates().fabricActions());
     simulate_->fillExperimentMenu(menuBar()->addMenu(tr("E&xperiment")));
-    garment_->fillMenu(menuBar()->addMenu(tr("&Garment")));
+    QMenu* garment = menuBar()->addMenu(tr("&Garment"));
+    connect(addCommand(garment, {}, tr("Show the Garment"), {}, tr("Cut a garment from fabrics, and wear it.")), &QAction::triggered, this,
+            [this] { setWorkspace(Workspace::garment); });
+    garment->addSeparator();
+    garment_->fillMenu(garment);
     buildHelpMenu();
     buildToolBar();
 }
@@ -193,22 +198,46 @@ void MainWindow::showWaterColors()
 void MainWindow::addWorkspaces(QMenu* menu)
 {
     workspaces_ = new QActionGroup(this);
-    QAction* design = addCommand(menu, {}, tr("&Design"), QKeySequence("Ctrl+1"), tr("Edit the fabric."));
-    QAction* simulate = addCommand(menu, {}, tr("&Simulate"), QKeySequence("Ctrl+2"), tr("Run an experiment on the fabric."));
-    QAction* compare =
-        addCommand(menu, {}, tr("Co&mpare"), QKeySequence("Ctrl+3"), tr("Compare runs of the same experiment side by side."));
-    QAction* garment = addCommand(menu, {}, tr("&Garment"), QKeySequence("Ctrl+4"), tr("Cut a garment from fabrics, and wear it."));
-    QAction* study = addCommand(menu, {}, tr("S&tudy"), QKeySequence("Ctrl+5"), tr("Run many points, and see what matters."));
-    for (QAction* action : {design, simulate, compare, garment, study}) {
+    modes_ = new QActionGroup(this);
+    modes_->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional); // Design has none
+    const auto add = [&](QActionGroup* group, const QString& text, const QKeySequence& keys, const QString& tip, const auto& which) {
+        QAction* action = addCommand(menu, {}, text, keys, tip);
         action->setCheckable(true);
-        workspaces_->addAction(action);
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, which] {
+            setWorkspace(which());
+            showModes(); // a click on what is shown lets nothing go
+        });
+    };
+    add(workspaces_, tr("&Design"), QKeySequence("Ctrl+1"), tr("Edit the fabric."), [] { return Workspace::design; });
+    add(workspaces_, tr("Run a Sample or a Garment"), QKeySequence("Ctrl+2"), tr("Run an experiment on a sample or a garment."),
+        [this] { return run_; });
+    workspaces_->actions().last()->setIconText(tr("Run"));
+    add(workspaces_, tr("Co&mpare"), QKeySequence("Ctrl+3"), tr("Compare runs of the same experiment, or study many points."),
+        [this] { return comparing_; });
+    menu->addSeparator();
+    add(modes_, tr("Sample"), {}, tr("Run an experiment on a sample of the fabric."), [] { return Workspace::simulate; });
+    add(modes_, tr("&Garment"), QKeySequence("Ctrl+4"), tr("Cut a garment from fabrics, and wear it."), [] { return Workspace::garment; });
+    add(modes_, tr("Runs"), {}, tr("Compare runs of the same experiment side by side."), [] { return Workspace::compare; });
+    add(modes_, tr("S&tudy"), QKeySequence("Ctrl+5"), tr("Run many points, and see what matters."), [] { return Workspace::study; });
+    menu->addSeparator();
+}
+
+/// Which workspace is shown, and which of its two modes.
+void MainWindow::showModes()
+{
+    constexpr int design = 0, run = 1, compare = 2;
+    constexpr std::pair<int, int> places[] = {{design, -1}, {run, 0}, {compare, 2}, {run, 1}, {compare, 3}}; // workspace, mode
+    const auto [workspace, mode] = places[static_cast<std::size_t>(workspace_)];
+    if (workspace == run) { run_ = workspace_; }
+    if (workspace == compare) { comparing_ = workspace_; }
+    workspaces_->actions().at(workspace)->setChecked(true);
+    for (int i = 0; i < modes_->actions().size(); ++i) {
+        modes_->actions().at(i)->setChecked(i == mode);
+        if (!mode_buttons_.empty()) { mode_buttons_[static_cast<std::size_t>(i)]->setVisible(mode >= 0 && i / 2 == mode / 2); }
     }
-    design->setChecked(true);
-    connect(design, &QAction::triggered, this, [this] { setWorkspace(Workspace::design); });
-    connect(simulate, &QAction::triggered, this, [this] { setWorkspace(Workspace::simulate); });
-    connect(compare, &QAction::triggered, this, [this] { setWorkspace(Workspace::compare); });
-    connect(garment, &QAction::triggered, this, [this] { setWorkspace(Workspace::garment); });
-    connect(study, &QAction::triggered, this, [this] { setWorkspace(Workspace::study); });
+    for (const QAction* action : workspaces_->actions() + modes_->actions()) // the sentence of the command that led here
+        if (statusBar()->currentMessage() == action->statusTip()) { statusBar()->clearMessage(); }
 }
 
 void MainWindow::addAppearances(QMenu* menu)
@@ -262,15 +291,19 @@ void MainWindow::buildToolBar()
     auto* gap = new QWidget;
     gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(gap);
-    for (QAction* action : workspaces_->actions()) {
+    const auto addButton = [bar](QAction* action, const QString& name) {
         auto* button = new QToolButton;
         button->setDefaultAction(action);
         button->setToolButtonStyle(Qt::ToolButtonTextOnly);
         button->setAutoRaise(true);
         button->setMinimumWidth(84);
-        button->setAccessibleName(tr("Workspace %1").arg(action->iconText()));
-        bar->addWidget(button);
-    }
+        button->setAccessibleName(name.arg(action->iconText()));
+        return bar->addWidget(button);
+    };
+    for (QAction* action : modes_->actions()) { mode_buttons_.push_back(addButton(action, tr("Show %1"))); }
+    bar->addSeparator();
+    for (QAction* action : workspaces_->actions()) { addButton(action, tr("Workspace %1")); }
+    showModes();
     for (QAction* action : bar->actions()) {
         if (QWidget* widget = bar->widgetForAction(action); widget && widget->accessibleName().isEmpty()) {
             widget->setAccessibleName(action->iconText());
