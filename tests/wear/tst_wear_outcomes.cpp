@@ -2,6 +2,7 @@
 // A garment's numbers: one row each, the same for files, tables and reports.
 #include "core/wear/wear_outcomes.h"
 #include "tests/support/crafted_wear.h"
+#include "tests/wear/flat_garment.h"
 
 #include <QTest>
 
@@ -119,6 +120,28 @@ private Q_SLOTS:
         QCOMPARE(json["intervals"]["water_g"]["high"].get<double>(), 3.0);
         QCOMPARE(json["metrics"].size(), keys.size());
         for (const OutcomeInfo& criterion : compared_by_wear()) QVERIFY(criterion.better != Better::neither);
+    }
+    /// Cells of a millimetre and a half do not fit pieces of 20.3 by 13.7 mm.
+    void anAreaIsThePatternPieces()
+    {
+        Worn worn;
+        add_rectangle(worn.parts.pattern, "piece", {0, 0}, 20.3e-3, 13.7e-3);
+        const GarmentScene garment = worn.scene(1.5e-3);
+        const WearLayout layout = wear_layout(worn.parts, garment);
+        double in_cells = 0;
+        for (const GarmentCell& cell : layout.cells) in_cells += cell.area;
+        constexpr double drawn = 20.3e-3 * 13.7e-3; // m2
+        QVERIFY(std::abs(in_cells / drawn - 1) > 1e-3);
+        WearMetrics metrics(layout);
+        QVERIFY(std::abs(metrics.all().area / drawn - 1) < 1e-9);
+        WearFrame wet;
+        for (const GarmentCell& cell : layout.cells) {
+            wet.inside.push_back(cell.capacity);
+            for (auto values : {&wet.outside, &wet.evaporated, &wet.on_skin}) values->push_back(0);
+            wet.temperature.push_back(300);
+        }
+        metrics.add(wet);
+        QVERIFY(std::abs(metrics.all().largest_wet_area() / drawn - 1) < 1e-9);
     }
 };
 
