@@ -89,13 +89,12 @@ private Q_SLOTS:
 
     void atTheEdgeItStaysOnTheSample()
     {
-        window_->document().edit("size", {}, [](Design& d) { d.experiments[0].sample_mm = {19.72, 19.72}; });
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(canvas_->fabric()->high().x() - 9.714) < 0.001,
-                                 10000); // 68 of the 69 whole ends of 35/cm that fit
+        window_->document().edit("size", {}, [](Design& d) { d.experiments[0].sample_mm = {17.72, 17.72}; });
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(canvas_->fabric()->high().x() - 8.857) < 0.001, 10000); // 62 whole ends of 35/cm
         press({5, -4});
         move({30, 0});
         release({30, 0});
-        QVERIFY2(near(drop(1), {canvas_->fabric()->high().x(), 0}), qPrintable(QString::number(drop(1).x()))); // 9.9 is off the sample
+        QVERIFY2(near(drop(1), {canvas_->fabric()->high().x(), 0}), qPrintable(QString::number(drop(1).x()))); // 8.9 is off the sample
         QVERIFY(!window_->document().hasError());
     }
 
