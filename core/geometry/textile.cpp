@@ -270,7 +270,7 @@ int whole(double crossings)
 /// Of less than two yarns one.
 int even(double crossings) { return std::max(1, whole(crossings) / 2 * 2); }
 
-/// From which yarn on so many have the middle of a repeat in their middle.
+/// From which yarn on so many have in their middle the last beginning of a weave's repeat before the middle of a repeat with its stripes.
 int first_about_a_repeat(const Fabric& fabric, bool warp, int yarns)
 {
     std::int64_t ordered = 0;
@@ -278,7 +278,7 @@ int first_about_a_repeat(const Fabric& fabric, bool warp, int yarns)
     const int weave = warp ? fabric.weave.ends() : fabric.weave.picks();
     const std::int64_t repeat = std::lcm(std::int64_t{weave}, std::max<std::int64_t>(1, ordered));
     if (repeat > most_yarns_before) return 0;
-    const std::int64_t first = (repeat / 2 - yarns / 2) % repeat;
+    const std::int64_t first = (repeat / 2 / weave * weave - yarns / 2) % repeat;
     return static_cast<int>(first < 0 ? first + repeat : first);
 }
 

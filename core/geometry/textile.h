@@ -147,8 +147,8 @@ struct TextileRegion {
 
 /// The whole crossings that fit a sample of the given size, each way at least one and at most largest_yarn_order.
 TextileRegion region_of_sample(const Fabric& fabric, double width_mm, double height_mm);
-/// The crossings of an experiment's sample: the even number that fits each way, or one, with the middle of a repeat in the middle. So that
-/// is the same place of the cloth whatever the sample's size.
+/// The crossings of an experiment's sample: the even number that fits each way, or one. In their middle a repeat of the weave begins, and
+/// of stripes lies the middle of a repeat, or just behind it. So it is the same place of the cloth whatever the sample's size.
 TextileRegion region_of_run(const Fabric& fabric, const Experiment& experiment);
 
 /// Precondition: validate() found no error in the fabric. Cost does not depend on the region's size.

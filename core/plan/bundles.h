@@ -65,12 +65,12 @@ private:
 };
 
 /// Bundles of about the wanted number of yarns, all of one size. Their number is even, so that the sample's middle, over which drops hang,
-/// lies between two, however large the sample is. They are whole only where that changes its width by less than a twentieth.
+/// lies between two, however large the sample is. They are whole only where that changes its width by less than a tenth.
 inline Bundles bundles_of(int yarns, const Bundling& wanted)
 {
     if (wanted.yarns <= 1) return {yarns, yarns};
     const int count = std::max(1, 2 * ((yarns + wanted.yarns) / (2 * wanted.yarns)));
-    if (wanted.whole && 20 * std::abs(count * wanted.yarns - yarns) < yarns) return Bundles::from_middle(yarns, count, wanted.yarns);
+    if (wanted.whole && 10 * std::abs(count * wanted.yarns - yarns) < yarns) return Bundles::from_middle(yarns, count, wanted.yarns);
     return {yarns, count};
 }
 

@@ -42,7 +42,7 @@ private Q_SLOTS:
         for (int yarns : {40, 84, 101, 104, 126, 127})
             for (int wanted : {2, 3, 4}) {
                 const Bundles bundles = bundles_of(yarns, {wanted, true});
-                if (std::abs(bundles.count * wanted - yarns) * 20 >= yarns) continue; // tried below
+                if (std::abs(bundles.count * wanted - yarns) * 10 >= yarns) continue; // tried below
                 QCOMPARE(bundles.size(), double(wanted));
                 QCOMPARE(bundles.middle(bundles.count / 2 - 1) + 0.5 * wanted, 0.5 * yarns);
                 std::vector<double> held(static_cast<std::size_t>(bundles.count), 0.0);

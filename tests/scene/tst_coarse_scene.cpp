@@ -154,7 +154,7 @@ private Q_SLOTS:
     {
         Design design = small(ExperimentType::drying, 60);
         design.experiments[0].initial_water_g_m2 = 90;
-        design.experiments[0].sample_mm = {30, 24}; // 106 by 84
+        design.experiments[0].sample_mm = {29, 24}; // 100 by 66
         const Scene fine = scene_of(design);
         const Bundling four{4, true};
         const Bundles ends = bundles_of(fine.cloth.ends, four);
