@@ -36,7 +36,7 @@ execute_process(COMMAND ${tree}/bin/hygroloom-cli check ${tree}/share/hygroloom/
 # What reads files of strangers is found from the programs and from Python.
 execute_process(COMMAND ${tree}/bin/hygroloom-cli garment import ${SOURCE}/tests/data/garments/sheet.dae -o ${tree}/sheet.hygro
   OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
-if(NOT said MATCHES "front +0.20000")
+if(NOT said MATCHES "front +0.2000 ")
   message(FATAL_ERROR "The installed program reads of sheet.dae: ${said}")
 endif()
 if(PYTHON AND EXISTS ${BUILD}/python)

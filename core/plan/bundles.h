@@ -12,7 +12,7 @@ namespace hygroloom {
 struct Bundling {
     int yarns = 1; ///< that a bundle stands for, about
     /// Bundles of just so many yarns, counted from the sample's middle, so that a stain does not depend on the sample's size. The outermost
-    /// stand for some more or fewer, and count as if they were like the others: the sample is a little wider or narrower than it is.
+    /// have up to half a bundle more, or fewer.
     bool whole = false;
 };
 

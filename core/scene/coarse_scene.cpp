@@ -77,34 +77,18 @@ struct Blocks {
     std::size_t coarse_segments() const { return static_cast<std::size_t>(2 * ends.count * picks.count); }
     /// How many yarns a coarse segment stands for side by side.
     double yarns_of(std::size_t coarse_segment) const { return coarse_segment < coarse_segments() / 2 ? ends.size() : picks.size(); }
-    /// Of each coarse segment, the crossings that it stands for over those that are in it: 1 but at the edges.
-    std::vector<double> filled_up() const
-    {
-        std::vector<double> all;
-        all.reserve(coarse_segments());
-        const auto add = [&all](const Bundles& own, const Bundles& crossed) {
-            for (int bundle = 0; bundle < own.count; ++bundle)
-                for (int across = 0; across < crossed.count; ++across)
-                    all.push_back(own.size() / own.held(bundle) * (crossed.size() / crossed.held(across)));
-        };
-        add(ends, picks);
-        add(picks, ends);
-        return all;
-    }
 };
 
-/// Of all that a coarse segment stands for.
 template <typename T> std::vector<double> summed(const Blocks& blocks, const std::vector<T>& values)
 {
-    if (values.empty()) return {};
-    std::vector<double> sums(blocks.coarse_segments());
-    blocks.each_part([&](std::size_t i, std::size_t c, double share) { sums[c] += share * static_cast<double>(values[i]); });
-    const std::vector<double> filled_up = blocks.filled_up();
-    for (std::size_t c = 0; c < sums.size(); ++c) sums[c] *= filled_up[c];
+    std::vector<double> sums(values.empty() ? 0 : blocks.coarse_segments());
+    if (!values.empty())
+        blocks.each_part([&](std::size_t i, std::size_t c, double share) { sums[c] += share * static_cast<double>(values[i]); });
     return sums;
 }
 
-/// Of a bundle, the mean of its yarns.
+/// Of a bundle, the mean of as many yarns as it stands for: of an outermost one that has more, or fewer, in proportion, so that it has
+/// their pores and fibres.
 std::vector<double> lengths(const Blocks& blocks, const std::vector<double>& fine)
 {
     std::vector<double> coarse = summed(blocks, fine);
@@ -126,7 +110,7 @@ std::vector<double> touching_bundles(const Blocks& blocks, const std::vector<dou
                 if (crossed.first_of(at) <= across && across <= crossed.last_of(at))
                     sum += crossed.share(at, across) *
                            fine[(is_warp ? 0 : fine_crossings) + static_cast<std::size_t>(yarn * crossed.yarns + at)];
-            return sum * (crossed.size() / crossed.held(across));
+            return sum;
         };
         for (int bundle = 0; bundle < own.count; ++bundle)
             for (int across = 0; across < crossed.count; ++across) {
@@ -170,7 +154,9 @@ std::vector<float> warp_up_shares(const Blocks& blocks, const std::vector<std::u
     of_segments.resize(2 * warp_up.size());
     std::vector<double> shares = summed(blocks, of_segments);
     shares.resize(shares.size() / 2);
-    for (double& share : shares) share /= blocks.ends.size() * blocks.picks.size();
+    auto share = shares.begin();
+    for (int end = 0; end < blocks.ends.count; ++end)
+        for (int pick = 0; pick < blocks.picks.count; ++pick) *share++ /= blocks.ends.held(end) * blocks.picks.held(pick);
     return {shares.begin(), shares.end()};
 }
 
@@ -310,7 +296,6 @@ Frame on_yarns(Frame frame, const Blocks& blocks, const std::vector<double>& len
     const std::size_t shells = cells.shells.size() / coarse_length.size();
     frame.shells.assign(shells * length.size(), 0.0F);
     const std::vector<FieldCopy> fields = copies(cells, frame);
-    const std::vector<double> filled_up = blocks.filled_up();
     const float* shells_of = cells.shells.data();
     float* shells_to = frame.shells.data();
     const auto add = [](float& to, double factor, float value) { to += static_cast<float>(factor * static_cast<double>(value)); };
@@ -318,7 +303,7 @@ Frame on_yarns(Frame frame, const Blocks& blocks, const std::vector<double>& len
         for (std::size_t k = 0; k < parts.count; ++k) {
             const std::size_t c = parts.coarse[k];
             const double share = parts.share[k];
-            const double part = share * length[i] * filled_up[c] / (blocks.yarns_of(c) * coarse_length[c]); // of the cell's pores
+            const double part = share * length[i] / (blocks.yarns_of(c) * coarse_length[c]); // of the cell's pores
             for (const FieldCopy& field : fields) add(field.to[i], field.is_amount ? part : share, field.from[c]);
             for (std::size_t s = 0; s < shells; ++s) add(shells_to[i * shells + s], share, shells_of[c * shells + s]);
         }

@@ -149,8 +149,8 @@ void rows_of_bundles(std::initializer_list<int> sizes)
 class TestCoarseScene : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    /// Outer bundles that stand for more, or fewer, yarns than there are count as the others; masses come back to the yarns.
-    void theEdgesOfWholeBundlesAreAsTheRest()
+    /// Outer bundles that have more, or fewer, yarns than they stand for hold what those hold, and give it back to them.
+    void theEdgesOfWholeBundlesHoldWhatIsThere()
     {
         Design design = small(ExperimentType::drying, 60);
         design.experiments[0].initial_water_g_m2 = 90;
@@ -160,13 +160,11 @@ private Q_SLOTS:
         const Bundles ends = bundles_of(fine.cloth.ends, four);
         QVERIFY(ends.size() == 4 && ends.held(0) != 4);
         const Scene coarse = coarsened(fine, four);
-        for (const std::vector<double>* values : {&coarse.cloth.length, &coarse.cloth.start.liquid}) {
-            const auto half = values->begin() + coarse.cloth.crossings();
-            for (auto system : {std::pair(values->begin(), half), std::pair(half, values->end())}) {
-                const auto [least, most] = std::minmax_element(system.first, system.second);
-                QVERIFY(*least > 0 && alike(*least, *most, 1e-12));
-            }
-        }
+        const Totals a = totals(coarse), b = totals(fine);
+        QVERIFY(b.liquid > 0 && b.bound > 0);
+        for (double Totals::*total : {&Totals::pores, &Totals::fibres, &Totals::liquid, &Totals::bound})
+            QVERIFY2(alike(a.*total, b.*total, 1e-12), qPrintable(QString("%1 %2").arg(a.*total, 0, 'g', 17).arg(b.*total, 0, 'g', 17)));
+        for (float share : coarse.cloth.warp_up_share) QCOMPARE(share, 0.5f); // plain weave
         const auto backend = make_cpu_backend();
         backend->load(coarse);
         const Frame cells = backend->frame(), yarns = refined(cells, coarse, fine, four);
