@@ -62,7 +62,8 @@ RunOptions how_of(const WearVerbOptions& options)
 std::string of_initial_water(const WearMetrics& metrics, const WearRecord& record)
 {
     const WearExperiment* const wear = find_wear(record.design, record.layout.experiment);
-    const double asked = wear != nullptr ? wear->initial_water_g_m2 : 0.0, there = 1e3 * metrics.at_start() / metrics.all().area; // g/m2
+    const double asked = wear != nullptr ? wear->initial_water_g_m2 : 0.0,
+                 there = 1e3 * metrics.at_start() / metrics.all().in_cells; // g/m2
     constexpr double rounding = 1e-3;
     if (there >= (1 - rounding) * asked) return {};
     return fmt::format("Of the {:.4g} g/m2 of water asked for at the start the yarns hold {:.4g}.\n", asked, there);

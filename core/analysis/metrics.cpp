@@ -36,12 +36,17 @@ struct WetFace {
 };
 
 /// Top and bottom, of a frame that shows cells: as fine as it is simulated. A bundle of yarns reaches to its outer ones.
-std::array<WetFace, 2> wet_faces_of_ends(const Textile& textile, const Frame& frame)
+std::array<WetFace, 2> wet_faces_of_ends(const Textile& textile, const Frame& frame, const Bundling& bundling)
 {
     std::array<WetFace, 2> faces;
     const auto ends = static_cast<double>(frame.wet.size());
-    const double across = textile.ends() * textile.warp.pitch / ends, along = textile.picks() * textile.weft.pitch / frame.wet_picks;
+    const auto side_of = [&bundling](double yarns, double pitch, double cells) { // of one
+        const Bundles bundles = bundles_of(static_cast<int>(std::lround(yarns)), bundling);
+        return pitch * (bundles.count == static_cast<int>(cells) ? bundles.size() : yarns / cells);
+    };
     const double end_pitch = textile.warp.pitch / textile.ends_per_cell, pick_pitch = textile.weft.pitch / textile.picks_per_cell;
+    const double across = side_of(textile.ends() * textile.ends_per_cell, end_pitch, ends);
+    const double along = side_of(textile.picks() * textile.picks_per_cell, pick_pitch, frame.wet_picks);
     const double side = 0.5 * (across - end_pitch), tip = 0.5 * (along - pick_pitch); // m, from the bundle's middle
     double x = -0.5 * (ends - 1) * across;
     for (const WetEnd& end : frame.wet) {
@@ -71,9 +76,9 @@ std::array<WetFace, 2> wet_faces_of_ends(const Textile& textile, const Frame& fr
 }
 
 /// Top and bottom.
-std::array<WetFace, 2> wet_faces(const Textile& textile, const Frame& frame)
+std::array<WetFace, 2> wet_faces(const Textile& textile, const Frame& frame, const Bundling& bundling)
 {
-    if (!frame.wet.empty()) return wet_faces_of_ends(textile, frame);
+    if (!frame.wet.empty()) return wet_faces_of_ends(textile, frame, bundling);
     std::array<WetFace, 2> faces;
     for (WetFace& face : faces) face.each = textile.warp.pitch * textile.weft.pitch;
     const auto wet = [&](YarnKind kind, int end, int pick) {
@@ -242,7 +247,7 @@ constexpr double rest = 10; // s, without a newly wet segment
 
 Circle wetted_circle(const Textile& textile, const Frame& frame, Face face)
 {
-    return smallest_enclosing_circle(wet_faces(textile, frame)[face == Face::top ? 0 : 1].outline);
+    return smallest_enclosing_circle(wet_faces(textile, frame, {})[face == Face::top ? 0 : 1].outline);
 }
 
 void MetricsCollector::start(const RunRecord& run)
@@ -276,7 +281,7 @@ void MetricsCollector::start(const RunRecord& run)
 void MetricsCollector::add(const Frame& frame)
 {
     Series& s = metrics_.series;
-    std::array<WetFace, 2> wet = wet_faces(textile_, frame);
+    std::array<WetFace, 2> wet = wet_faces(textile_, frame, bundling_);
     const double top = std::max(0.0, smallest_enclosing_circle(wet[0].outline).radius);
     const double bottom = std::max(0.0, smallest_enclosing_circle(wet[1].outline).radius);
     s.time.push_back(frame.time);

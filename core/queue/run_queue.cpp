@@ -181,19 +181,19 @@ void RunQueue::run_next(const std::shared_ptr<Batch>& batch, Lock& lock)
     call_workers(); // there may be room for another
     lock.unlock();
     RunResult result = result_of(*batch, run, backend);
-    const bool failed = result.ended() && !result.device_failure().empty();
-    tell(batch, run.index, result);
+    const bool device_failed = result.ended() && !result.device_failure().empty(), failed = !result.failure().empty();
+    tell(batch, run.index, result); // who is told may take it
     lock.lock();
     const bool last = !batch->has_next();
-    if (backend && (last || failed)) { // leaves all of the device to the others
+    if (backend && (last || device_failed)) { // leaves all of the device to the others
         lock.unlock();
         backend->unload();
         lock.lock();
     }
-    batch->what.places->give_back(backend, failed);
+    batch->what.places->give_back(backend, device_failed);
     batch->on.remove_if([&run](const Run& each) { return &each == &run; });
     ++batch->ended;
-    batch->failed += !result.failure().empty();
+    batch->failed += failed;
     if (batch->is_over()) end(batch, lock);
     say_changed();
 }
@@ -240,8 +240,20 @@ double RunQueue::wait_for_room(Batch& batch, Run& run, double bytes)
     room_.wait(lock, [&] { return fits() || run.control.cancel; });
     run.waits_for_memory = false;
     if (run.control.cancel) throw Cancelled();
-    if (inside_++ == 0) all_ = batch.what.room();
     taken_ += bytes;
+    if (inside_++ > 0) return bytes;
+    all_ = 0; // for the others, until it is known: to ask a device takes a while
+    lock.unlock();
+    try {
+        const double all = batch.what.room();
+        lock.lock();
+        all_ = all;
+    } catch (...) {
+        leave_room(bytes);
+        throw;
+    }
+    lock.unlock();
+    room_.notify_all();
     return bytes;
 }
 

@@ -9,7 +9,7 @@ namespace hygroloom {
 
 /// A given volume of liquid moves until its surfaces cost least: those to the air, less what the wetted skin of the yarns gains. Threshold
 /// dynamics: energies of surfaces as overlaps blurred by a Gaussian (Esedoglu and Otto 2015, with a solid as Xu, Wang and Wang 2017 have
-/// it), of two voxels. What it finds depends on where the liquid was before.
+/// it), of 1.6 voxels. What it finds depends on where the liquid was before.
 class RestingLiquid {
 public:
     /// cosine: of the contact angle, on all yarns.

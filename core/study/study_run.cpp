@@ -294,7 +294,6 @@ StudyNeeds study_needs(const Design& design, const Study& study, const std::file
             most = std::max(most, plan_worn(cut_from(design, experiment, fabric), experiment, {}, how, "cpu").bytes);
     needs.bytes_each = static_cast<std::size_t>(most);
     return needs;
-    return needs;
 }
 
 StudyShares shares_on_cpu(int jobs, int threads, int cores, const StudyNeeds& needs)

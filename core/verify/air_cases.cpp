@@ -95,7 +95,7 @@ struct AirMiss {
 constexpr const char *no_nap = "raised: its nap is not in the model, and setts are hardly known", *calendered = "calendering decides";
 constexpr AirMiss factor_misses[] = {{"flannel", no_nap, 3},
                                      {"raised_wool", no_nap, 5},
-                                     {"fine_sheeting", "sold as of 600 threads an inch: its setts are hardly known", 2},
+                                     {"fine_sheeting", "sold as of 600 threads an inch: its setts are hardly known", 3},
                                      {"kona", "its yarns spread more than those of most cloths", 3},
                                      {"polyester_satin", "its yarns may be flat filament or spun", 3},
                                      {"polyester_crepe", "its yarns may be flat filament or spun", 3},

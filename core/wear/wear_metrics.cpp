@@ -79,19 +79,20 @@ std::optional<double> WearPart::time_to_dry(double from) const
 WearMetrics::WearMetrics(const WearLayout& layout) : layout_(layout), areas_(areas_in(layout))
 {
     all_.name = layout.garment;
-    for (const WearPanel& panel : layout.panels) panels_.push_back({panel.name, 0, 0, {}});
+    for (const WearPanel& panel : layout.panels) panels_.push_back({panel.name, 0, 0, 0, {}});
     const std::vector<std::string> names = layout.zone_names();
     std::map<int, int> known;
     for (const GarmentCell& cell : layout.cells) known.try_emplace(cell.zone, 0);
     for (auto& [zone, place] : known) {
         place = static_cast<int>(zones_.size());
-        zones_.push_back({names[static_cast<std::size_t>(zone)], 0, 0, {}});
+        zones_.push_back({names[static_cast<std::size_t>(zone)], 0, 0, 0, {}});
     }
     for (std::size_t i = 0; i < layout.cells.size(); ++i) {
         const GarmentCell& cell = layout.cells[i];
         zone_of_.push_back(known[cell.zone]);
         for (WearPart* part : {&all_, &panels_[static_cast<std::size_t>(cell.panel)], &zones_[static_cast<std::size_t>(zone_of_.back())]}) {
             part->area += areas_[i];
+            part->in_cells += cell.area;
             part->capacity += cell.capacity;
         }
     }
@@ -107,7 +108,7 @@ void WearMetrics::add(const WearFrame& frame)
         for (WearNow* now : {&all, &panels[static_cast<std::size_t>(cell.panel)], &zones[static_cast<std::size_t>(zone_of_[i])]})
             add_cell(*now, frame, i, cell, areas_[i]);
         const double skin = layout_.skin_temperature_at(cell.zone, frame.time);
-        flow += cell.skin_contact * areas_[i] * (skin - static_cast<double>(frame.temperature[i]));
+        flow += cell.skin_contact * cell.area * (skin - static_cast<double>(frame.temperature[i]));
     }
     if (!all_.course.empty()) from_skin_ += 0.5 * (flow + flow_before_) * (frame.time - all_.course.back().time);
     flow_before_ = flow;

@@ -27,7 +27,8 @@ struct WearNow {
 /// A panel, a zone, or all.
 struct WearPart {
     std::string name;
-    double area = 0;     ///< m2
+    double area = 0;     ///< m2, of the pattern
+    double in_cells = 0; ///< m2, of its cells, whose water and capacity these are
     double capacity = 0; ///< kg
     std::vector<WearNow> course;
 

@@ -95,10 +95,10 @@ const std::vector<WearNumber>& wear_numbers()
     constexpr bool negative = true, over_time = true, whole = true;
     static const std::vector<WearNumber> table{
         {{"area_m2", "area", "", "m²", neither}, [](At at) -> Value { return at.part.area; }, 3},
-        {{"capacity_g_m2", "capacity", "", "g/m²", neither}, [](At at) -> Value { return 1e3 * at.part.capacity / at.part.area; }},
+        {{"capacity_g_m2", "capacity", "", "g/m²", neither}, [](At at) -> Value { return 1e3 * at.part.capacity / at.part.in_cells; }},
         {{"water_g", "water", "", "g", less, false, negative}, [](At at) -> Value { return 1e3 * at.now.water; }, 2, over_time},
         {{"water_g_m2", "water per area", "", "g/m²", less, false, negative},
-         [](At at) -> Value { return 1e3 * at.now.water / at.part.area; },
+         [](At at) -> Value { return 1e3 * at.now.water / at.part.in_cells; },
          1},
         {{"most_water_g", "most water", "", "g", less}, [](At at) -> Value { return 1e3 * at.part.most_water(); }},
         {{"share_of_capacity", "share of capacity", "", share, less, false, negative},

@@ -27,10 +27,10 @@ Changes smaller(const std::string& name, const std::string& machine)
         {"stain_shape", {{"volume_ul", "2"}, {"time_s", "2"}}},
         {"measured_n6", {{"duration_s", "60"}}},
         {"measured_n3", {{"step_s", "8"}}},
-        {"measured_t3", {{"sample_mm", "14"}, {"volume_ul", "4"}}},
+        {"measured_t3", {{"sample_mm", "20"}, {"volume_ul", "8"}}},
         {"measured_t4", {{"sample_mm", "14"}, {"volume_ul", "4"}}},
         {"measured_t6", {{"duration_s", "900"}}},
-        {"measured_t7", {{"duration_s", "5"}}},
+        {"measured_t7", {}},
         {"measured_t8", {{"duration_s", "10"}}},
     };
     if (name == "experiments_agree" && machine == "cuda") return {{"duration_s", "0.2"}}; // with particles, which are fast there

@@ -362,7 +362,7 @@ private Q_SLOTS:
     {
         Design design = small(ExperimentType::sweat);
         const Metrics m = run(design).metrics;
-        const TextileRegion region = region_of_sample(design.fabrics[0], 6, 5);
+        const TextileRegion region = region_of_run(design.fabrics[0], design.experiments[0]);
         const double area = region.ends / design.fabrics[0].ends_per_cm * region.picks / design.fabrics[0].picks_per_cm * 1e-4;
         const double expected = 0.3 / 3600 * 10 * area; // 300 g/m2 h for 10 s
         QVERIFY2(std::abs(m.ledger.water_delivered - expected) < 1e-6 * expected,

@@ -143,7 +143,7 @@ const Change changes[] = {
     {"experiment.liquid", RUN "liquid", R"("water")"},
     {"experiment.closure", RUN "closure", R"("pores")", RUN "closure", R"("paper")"},
     {"experiment.sample_mm", RUN "sample_mm", "[5, 4]"},
-    {"experiment.strip_mm", RUN "strip_mm", "[5, 8]"},
+    {"experiment.strip_mm", RUN "strip_mm", "[6, 9]"},
     {"experiment.feed_s", RUN "feed_s", "0.8"},
     {"experiment.drop_ul", RUN "drop_ul", "1.5"},
     {"experiment.volume_ul", RUN "volume_ul", "4"},

@@ -136,7 +136,7 @@ private Q_SLOTS:
             QVERIFY(std::abs(b.water(i) - sum) <= 1e-12 * std::abs(sum));
             area += cell.area;
         }
-        QVERIFY(std::abs(area - fine.metrics->all().area) < 1e-9 * area);
+        QVERIFY(std::abs(area - fine.metrics->all().in_cells) < 1e-9 * area);
         QVERIFY(std::abs(a.ledger.water_liquid - b.ledger.water_liquid) <= 1e-12 * a.ledger.water_liquid);
         QVERIFY(std::abs(a.ledger.energy_lost - b.ledger.energy_lost) <= 1e-9 * std::abs(a.ledger.energy_lost));
         QVERIFY_THROWS_EXCEPTION(Error, tee.scene(10e-3, true, true, {40e-3, {"frnt"}}));
@@ -153,7 +153,7 @@ private Q_SLOTS:
         go(tee, garment, run);
         for (const WearPart& zone : run.metrics->zones()) {
             const auto number = std::find(body_zones().begin(), body_zones().end(), zone.name) - body_zones().begin();
-            const double dose = 1e-3 * tee.parts.sweat.g_m2_h[static_cast<std::size_t>(number)] / 3600 * 60 * zone.area;
+            const double dose = 1e-3 * tee.parts.sweat.g_m2_h[static_cast<std::size_t>(number)] / 3600 * 60 * zone.in_cells;
             QVERIFY(std::abs(zone.course.back().water + zone.course.back().on_skin - dose) < 1e-9 * dose);
         }
     }

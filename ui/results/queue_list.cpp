@@ -107,6 +107,7 @@ void QueueList::showAt(const QPoint& corner)
 {
     constexpr QSize size(560, 220);
     refresh();
+    if (!tree_->currentItem()) { tree_->setCurrentItem(tree_->topLevelItem(0)); }
     resize(size);
     move(corner - QPoint(size.width(), size.height()));
     show();
@@ -128,7 +129,6 @@ void QueueList::refresh()
             item->setToolTip(0, item->text(0));
             if (batch.id == before) { tree_->setCurrentItem(item); }
         }
-        if (!tree_->currentItem()) { tree_->setCurrentItem(tree_->topLevelItem(0)); }
     }
     none_->setVisible(shown_.empty());
     refreshButtons();

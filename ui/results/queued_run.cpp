@@ -57,12 +57,15 @@ QueuedRun::~QueuedRun() { stopAndWait(); }
 void QueuedRun::stopAndWait()
 {
     cancel();
-    queue_.runs().wait(id_);
+    try {
+        queue_.runs().wait(id_);
+    } catch (...) { // nobody asks any more
+    }
 }
 
 void QueuedRun::begin(RunJob job, const std::string& backend, std::function<void(RunResult&)> completed)
 {
-    paused_ = false;
+    paused_ = stops_here_ = false;
     job.beside.memory_is_short = [this](const std::string&) { post([this] { Q_EMIT memoryIsShort(); }); };
     job.beside.progress = [this](const RunProgress& progress) { post([this, progress] { Q_EMIT progressed(progress); }); };
     const auto found = std::make_shared<RunResult>();
@@ -73,7 +76,11 @@ void QueuedRun::begin(RunJob job, const std::string& backend, std::function<void
     batch.watched = true;
     batch.job = [job = std::move(job)](std::size_t) { return job; };
     batch.ended = [found, completed = std::move(completed)](std::size_t, RunResult& result) {
-        if (result.ended()) { completed(result); }
+        try {
+            if (result.ended()) { completed(result); }
+        } catch (...) {
+            result.error = std::current_exception();
+        }
         *found = std::move(result);
     };
     batch.over = [this, found] { post([this, found] { end(found); }); };
@@ -106,6 +113,10 @@ void QueuedRun::setPaused(bool paused)
     Q_EMIT pausedChanged(paused);
 }
 
-void QueuedRun::cancel() { queue_.runs().cancel(id_); }
+void QueuedRun::cancel()
+{
+    stops_here_ = true;
+    queue_.runs().cancel(id_);
+}
 
 } // namespace hygroloom

@@ -24,6 +24,8 @@ public:
     bool paused() const { return paused_; }
     void setPaused(bool paused);
     void cancel();
+    /// Whether the last run was not cancelled by cancel(): in the list of runs.
+    bool stoppedInList(Outcome outcome) const { return outcome == Outcome::cancelled && !stops_here_; }
 
 Q_SIGNALS:
     /// Before it begins: it takes much of the memory that is free.
@@ -47,7 +49,7 @@ private:
     WindowQueue& queue_;
     const QString else_do_;
     int id_ = 0; ///< in the queue; 0: none is on
-    bool paused_ = false;
+    bool paused_ = false, stops_here_ = false;
     Mailbox mail_;
 };
 

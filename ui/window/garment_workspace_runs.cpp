@@ -152,7 +152,8 @@ void GarmentWorkspace::finishRun(GarmentRun::Outcome outcome, const QString& sen
         run_path_.clear();
     }
     playback_.end();
-    const bool asks_to_keep = std::exchange(stopped_by_hand_, false) && outcome == GarmentRun::Outcome::cancelled && !at.isEmpty();
+    const bool by_hand = std::exchange(stopped_by_hand_, false) || run_.stoppedInList(outcome);
+    const bool asks_to_keep = by_hand && outcome == GarmentRun::Outcome::cancelled && !at.isEmpty();
     if (asks_to_keep && !wantsStoppedRun(&window_, at)) {
         playback_.discard();
         runs_.forget(at);

@@ -105,7 +105,8 @@ void SimulateWorkspace::showRunEnd(SimulationRun::Outcome outcome, const QString
     run_path_ = runs_.settle(run_path_);
     playback_.end();
     refreshActions();
-    const bool asks = std::exchange(stopped_by_hand_, false) && outcome == SimulationRun::Outcome::cancelled && !run_path_.isEmpty();
+    const bool by_hand = std::exchange(stopped_by_hand_, false) || run_.stoppedInList(outcome);
+    const bool asks = by_hand && outcome == SimulationRun::Outcome::cancelled && !run_path_.isEmpty();
     if (asks && !wantsStoppedRun(&window_, run_path_)) {
         playback_.clear();
         runs_.forget(run_path_);
