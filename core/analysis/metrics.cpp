@@ -48,6 +48,8 @@ std::array<WetFace, 2> wet_faces_of_ends(const Textile& textile, const Frame& fr
     const double across = side_of(textile.ends() * textile.ends_per_cell, end_pitch, ends);
     const double along = side_of(textile.picks() * textile.picks_per_cell, pick_pitch, frame.wet_picks);
     const double side = 0.5 * (across - end_pitch), tip = 0.5 * (along - pick_pitch); // m, from the bundle's middle
+    const double edge = 0.5 * (textile.ends() * textile.warp.pitch - end_pitch),
+                 tip_edge = 0.5 * (textile.picks() * textile.weft.pitch - pick_pitch);
     double x = -0.5 * (ends - 1) * across;
     for (const WetEnd& end : frame.wet) {
         for (std::size_t f = 0; f < 2; ++f) {
@@ -55,9 +57,9 @@ std::array<WetFace, 2> wet_faces_of_ends(const Textile& textile, const Frame& fr
             WetFace& face = faces[f];
             face.each = across * along;
             const auto y_of = [&](float pick) { return (static_cast<double>(pick) - 0.5 * (frame.wet_picks - 1)) * along; };
-            for (double at : {x - side, x + side}) {
-                face.outline.push_back({at, y_of(end.first[f]) - tip});
-                face.outline.push_back({at, y_of(end.last[f]) + tip});
+            for (double at : {std::max(x - side, -edge), std::min(x + side, edge)}) {
+                face.outline.push_back({at, std::max(y_of(end.first[f]) - tip, -tip_edge)});
+                face.outline.push_back({at, std::min(y_of(end.last[f]) + tip, tip_edge)});
             }
             // Sums over the yarns of the bundles, which lie evenly in them.
             const auto squares_in = [](double bundle, double pitch) { return (bundle * bundle - pitch * pitch) / 12; };

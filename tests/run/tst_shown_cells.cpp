@@ -302,7 +302,8 @@ void TestShownCells::bundles_are_never_parted()
         QVERIFY(near_to(sum(all.end().liquid), sum(cells->end().liquid), 1e-4));
         QVERIFY(std::abs(all.end().water_top - cells->end().water_top) < 5e-5 * all.end().ledger.water_initial); // frames are rounded
     }
-    const Design pool = design_of(ExperimentType::horizontal_wicking, 2);
+    Design pool = design_of(ExperimentType::horizontal_wicking, 2);
+    pool.experiments[0].sample_mm = {9.2, 11.5}; // 32 ends and 40 picks: all bundles have two yarns
     const RunOptions pairs = draft(all_parts, {{"crossings_per_cell", 2}});
     const Run single = run(pool, pairs), cells = run(pool, shown(4, pool, pairs));
     QCOMPARE(single.record.plan.crossings_per_cell, 2);

@@ -151,7 +151,8 @@ private Q_SLOTS:
         int finest = 0;
         for (const CellBatch& batch : canvas_->scene().batches()) { finest = std::max(finest, batch.key.level); }
         QCOMPARE(finest, fibre_level);
-        QVERIFY2(difference(far, near) < 30, qPrintable(QString("%1 to %2").arg(far[0]).arg(near[0])));
+        // So much by which crossing lies in the middle: a weft over a warp, or the other way round.
+        QVERIFY2(difference(far, near) < 35, qPrintable(QString("%1 to %2").arg(far[0]).arg(near[0])));
         qInfo("fibres: %zu cells, %zu triangles", canvas_->scene().visibleCells(), canvas_->triangles());
     }
 

@@ -75,7 +75,7 @@ QueueList::QueueList(WindowQueue& queue, QWidget* parent)
     tree_->header()->setStretchLastSection(true);
     tree_->setColumnWidth(0, 190);
     tree_->setColumnWidth(1, 200);
-    connect(tree_, &QTreeWidget::currentItemChanged, this, &QueueList::refreshButtons);
+    connect(tree_, &QTreeWidget::itemSelectionChanged, this, &QueueList::refreshButtons);
     layout->addWidget(none_);
     layout->addWidget(tree_);
     buildButtons();
@@ -107,14 +107,19 @@ void QueueList::showAt(const QPoint& corner)
 {
     constexpr QSize size(560, 220);
     refresh();
-    if (!tree_->currentItem()) { tree_->setCurrentItem(tree_->topLevelItem(0)); }
+    if (chosen() == 0) { tree_->setCurrentItem(tree_->topLevelItem(0)); }
     resize(size);
     move(corner - QPoint(size.width(), size.height()));
     show();
     tree_->setFocus();
 }
 
-int QueueList::chosen() const { return tree_->currentItem() ? tree_->currentItem()->data(0, id_role).toInt() : 0; }
+/// What has the focus alone is not chosen: it goes to another row when a batch ends.
+int QueueList::chosen() const
+{
+    const QList<QTreeWidgetItem*> items = tree_->selectedItems();
+    return items.isEmpty() ? 0 : items.front()->data(0, id_role).toInt();
+}
 
 void QueueList::refresh()
 {
