@@ -126,22 +126,22 @@ Fabric turned_over(const Fabric& fabric)
     return turned;
 }
 
-constexpr int finer = 3; // pixels of a texture a side of one of the picture, or fine cloth would have stripes that it has not
+constexpr int per_side = 3; // of a pixel, so many of the texture: else fine cloth would have stripes that it has not
 
 /// Red, green and blue, 0 to 255, of the texture's pixels from a place on: over white, in light from the upper left.
 std::array<double, 3> seen_in(const TexturePixels& pixels, int column, int row)
 {
     constexpr double light[] = {-0.45, 0.45, 0.77}, ambient = 0.35, white = 255;
     std::array<double, 3> sum{};
-    for (int y = row; y < row + finer; ++y)
-        for (int x = column; x < column + finer; ++x) {
+    for (int y = row; y < row + per_side; ++y)
+        for (int x = column; x < column + per_side; ++x) {
             const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.columns) + static_cast<std::size_t>(x);
             double facing = 0;
             for (std::size_t axis = 0; axis < 3; ++axis) facing += light[axis] * (pixels.normal[3 * pixel + axis] / 127.5 - 1);
             const double lit = std::min(1.0, ambient + (1 - ambient) * std::max(0.0, facing) / light[2]);
             const double opacity = pixels.colour[4 * pixel + 3] / white;
             for (std::size_t part = 0; part < 3; ++part)
-                sum[part] += (opacity * lit * pixels.colour[4 * pixel + part] + (1 - opacity) * white) / (finer * finer);
+                sum[part] += (opacity * lit * pixels.colour[4 * pixel + part] + (1 - opacity) * white) / (per_side * per_side);
         }
     return sum;
 }
@@ -154,12 +154,13 @@ ReportPicture picture_of(const Fabric& fabric, const FittedFabric& fitted, doubl
     const TextileRegion shown =
         region_of_repeats(fabric, repeats(10 * one.ends / fabric.ends_per_cm), repeats(10 * one.picks / fabric.picks_per_cm));
     const Textile textile = build_textile(fabric, fitted, shown);
-    const TextureSize size = texture_size(textile, finer * dpi);
+    const TextureSize size = texture_size(textile, per_side * dpi);
     const TexturePixels pixels = texture_pixels(textile, fabric, size, 1);
-    ReportPicture picture{caption, {pixels.columns / finer, pixels.rows / finer, {}}, size.width_mm};
+    ReportPicture picture{caption, {pixels.columns / per_side, pixels.rows / per_side, {}}, 0};
+    picture.width_mm = size.width_mm * picture.image.width * per_side / pixels.columns;
     for (int row = 0; row < picture.image.height; ++row)
         for (int column = 0; column < picture.image.width; ++column)
-            for (const double value : seen_in(pixels, finer * column, finer * row))
+            for (const double value : seen_in(pixels, per_side * column, per_side * row))
                 picture.image.rgb.push_back(static_cast<std::uint8_t>(std::lround(value)));
     return picture;
 }
@@ -209,10 +210,11 @@ Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fit
 
 std::vector<ReportPicture> card_pictures(const Design& design, const Fabric& fabric, const FittedFabric& fitted)
 {
-    constexpr double side_mm = 20, most_mm = 100, dpi = 400, near_mm = 3, near_dpi = 2400;
+    constexpr double side_mm = 20, most_mm = 100, fine_mm = 40, fine_dpi = 400, near_mm = 3, near_dpi = 2400;
     const TextileRegion one = region_of_repeats(fabric, 1, 1);
     const double wide = 10 * one.ends / fabric.ends_per_cm, high = 10 * one.picks / fabric.picks_per_cm; // mm
     if (wide > most_mm || high > most_mm) return {};
+    const double dpi = fine_dpi * std::min(1.0, fine_mm / std::max(wide, high)); // of large repeats less: they take long
     const Fabric turned = turned_over(fabric);
     const FittedFabric behind = fit_fabric(design, turned);
     std::vector<ReportPicture> pictures{picture_of(fabric, fitted, side_mm, dpi, fabric.name + ", top face"),

@@ -58,11 +58,12 @@ std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentTy
 {
     const int wanted = wanted_in_bundle(plan.knobs, textile, type);
     plan.crossings_per_cell = 1;
-    plan.whole_bundles = wets_a_spot(type);
+    plan.whole_bundles = false;
     if (wanted <= 1) return "";
+    const bool whole = wets_a_spot(type);
     const auto alike = [&](int of) {
-        return bundles_are_alike(textile, YarnKind::warp, bundles_of(textile.ends(), {of, plan.whole_bundles})) &&
-               bundles_are_alike(textile, YarnKind::weft, bundles_of(textile.picks(), {of, plan.whole_bundles}));
+        return bundles_are_alike(textile, YarnKind::warp, bundles_of(textile.ends(), {of, whole})) &&
+               bundles_are_alike(textile, YarnKind::weft, bundles_of(textile.picks(), {of, whole}));
     };
     int most = wanted;
     while (most > 1 && !alike(most)) --most;
@@ -72,6 +73,7 @@ std::string decide_bundles(ModelPlan& plan, const Textile& textile, ExperimentTy
         return fmt::format(" Each crossing stays a cell of its own, although the fidelity would put {} ends and picks into one: {}.",
                            wanted, why_not);
     plan.crossings_per_cell = most;
+    plan.whole_bundles = whole;
     const Bundles ends = bundles_of(textile.ends(), plan.bundling()), picks = bundles_of(textile.picks(), plan.bundling());
     return fmt::format(" The {} ends and {} picks are simulated as {} and {} bundles; what a frame shows of a yarn is its bundle's.",
                        ends.yarns, picks.yarns, ends.count, picks.count);

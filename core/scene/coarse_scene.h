@@ -10,7 +10,7 @@ namespace hygroloom {
 
 /// The cloth of which each crossing stands for a block of about this number of ends and of picks. Its faces, pores, fibres and water add up
 /// to the same; along and across bundles passes what passes along and across their yarns side by side. A bundle lies on a face with as
-/// much of it as its yarns do.
+/// much of it as its yarns do. An outermost bundle that has other numbers of yarns has the room, the face and the crossings of the others.
 /// Precondition: no liquid is free, and the yarns of a bundle are of one type.
 Scene coarsened(const Scene& fine, const Bundling& bundling);
 
