@@ -5,7 +5,11 @@
 #include "core/solver/cpu_executor.h"
 #include "core/solver/solver.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
+
+extern template class YarnNetwork<CpuExecutor>; // yarn_network_cpu.cpp
+
+inline namespace HL_PRECISION {
 
 struct CpuSolver::Parts {
     Solver<CpuExecutor> solver;
@@ -30,4 +34,5 @@ int CpuSolver::visited_segments() { return parts_->solver.visited_segments(); }
 
 std::unique_ptr<Backend> make_cpu_solver() { return std::make_unique<CpuSolver>(); }
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace HL_PRECISION
+} // namespace hygroloom

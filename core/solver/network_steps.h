@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 constexpr double exchange_steps = 4.0; ///< network steps of full length between exchanges with fibres and air, which are slower
 constexpr double under_drops = 0.25;   ///< of the longest step, where a drop's liquid flows by suction: rooms under it fill within less
@@ -170,4 +170,4 @@ private:
     RateWatch wicking_, exchange_;
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -14,7 +14,6 @@ using Packs = Vec3T<Pack>;
 HL_FN Vec3 sum_beside(const Packs& packs) { return {sum_beside(packs.x), sum_beside(packs.y), sum_beside(packs.z)}; }
 HL_FN Vec3 sum_of(const Packs& packs) { return {sum_of(packs.x), sum_of(packs.y), sum_of(packs.z)}; }
 
-constexpr int no_particle = 0x7fffffff;
 constexpr int no_wall = -1;
 constexpr int vessel_wall = -2;
 

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
+
+constexpr int no_particle = 0x7fffffff; ///< noted by a segment that no particle touches
 
 /// Threads at the sample's sides that a step leaves out, because nothing happens there yet.
 struct Unvisited {
@@ -402,4 +404,4 @@ struct Reach {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <span>
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 class VisitedRegion {
 public:
@@ -79,4 +79,4 @@ private:
     Unvisited out_;
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -4,12 +4,12 @@
 
 #include "core/solver/caps.h"
 #include "core/solver/steps/supply.h"
-#include "core/solver/stock.h"
+#include "core/solver/yarn_stock.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Where the free liquid leaves the water that yarns absorb from it: quanta in the segments, and how far they lie.
 struct WaterAbsorbed {
@@ -108,4 +108,4 @@ private:
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -3,6 +3,7 @@
 // it flows by suctions in yarn_network_flow.h and yarn_network_whole.h.
 #pragma once
 
+#include "core/physics/caps.h"
 #include "core/solver/caps.h"
 #include "core/solver/state_archive.h"
 #include "core/solver/steps/cap_supply.h"
@@ -14,16 +15,16 @@
 #include "core/solver/steps/track_change.h"
 #include "core/solver/steps/whole_flow.h"
 #include "core/solver/steps/whole_solution.h"
-#include "core/solver/stock.h"
 #include "core/solver/visited_region.h"
 #include "core/solver/water_passed.h"
 #include "core/solver/yarn_start.h"
+#include "core/solver/yarn_stock.h"
 
 #include <limits>
 #include <numeric>
 #include <type_traits>
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// The scene must outlive it. Whether drops are about: see FreeLiquid::is_about().
 template <typename Executor> class YarnNetwork {
@@ -69,8 +70,8 @@ public:
     void squeeze(double share);
 
     /// Segments that are not visited neither hold liquid nor are warmer or cooler than the air.
-    void take_stock(Stock& stock);
-    template <typename LookAt> void show(const LookAt& look_at, Stock& stock);
+    void take_stock(YarnStock& stock);
+    template <typename LookAt> void show(const LookAt& look_at, YarnStock& stock);
 
     template <typename Archive> void pass_state(Archive& archive);
     /// Goes on with other parts of the physics than before.
@@ -439,4 +440,4 @@ template <typename Executor> template <typename Archive> void YarnNetwork<Execut
     fields_.regain.upload(all);
 }
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -4,7 +4,7 @@
 
 #include "core/solver/yarn_network.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Along one system's yarns, and half of what passes across them.
 template <typename Executor> void YarnNetwork<Executor>::flow_by_suction(double dt, bool of_warp)
@@ -131,4 +131,4 @@ template <typename Executor> void YarnNetwork<Executor>::flow_in_turn(double dt)
     }
 }
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -4,9 +4,9 @@
 
 #include "core/solver/yarn_network.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
-template <typename Executor> void YarnNetwork<Executor>::take_stock(Stock& stock)
+template <typename Executor> void YarnNetwork<Executor>::take_stock(YarnStock& stock)
 {
     if (yarns().whole() || scene_->rules.shows_segments) each_segment("take stock", TakeStock{segments()});
     if (!yarns().whole()) {
@@ -50,7 +50,7 @@ template <typename Executor> void YarnNetwork<Executor>::see_shown()
     exec_.for_each("see wet", yarns().visited_ends(), SeeWet{segments(), density, wet_.data()});
 }
 
-template <typename Executor> template <typename LookAt> void YarnNetwork<Executor>::show(const LookAt& look_at, Stock& stock)
+template <typename Executor> template <typename LookAt> void YarnNetwork<Executor>::show(const LookAt& look_at, YarnStock& stock)
 {
     const bool shows_segments = (yarns().whole() || scene_->rules.shows_segments) && !shows_cells();
     Segments::each(
@@ -65,4 +65,4 @@ template <typename Executor> template <typename LookAt> void YarnNetwork<Executo
     stock.wet = look_at(wet_, shows_cells() ? wet_.size() : 0);
 }
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

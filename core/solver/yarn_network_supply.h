@@ -7,7 +7,7 @@
 
 #include <utility>
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 template <typename Executor> double YarnNetwork<Executor>::next_event(double time) const
 {
@@ -231,4 +231,4 @@ template <typename Executor> StandingPool YarnNetwork<Executor>::standing_pool()
     return {true, 0, cap_views_.data(), cap_sums_.data(), true};
 }
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -4,7 +4,7 @@
 
 #include "core/solver/yarn_network.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// All of the visited cloth at once, along ends and picks: an implicit Euler step whose suctions make a convex energy least. Then what
 /// touching yarns pass. Returns whether the suctions were found; where they were not nothing has moved.
@@ -134,4 +134,4 @@ template <typename Executor> template <typename Whole> void YarnNetwork<Executor
     each_line("conduct", ConductAlongYarn{w.s, climate_, dt, scene_->cloth.face_only});
 }
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 namespace {
 
 /// How far a yarn's regain is from what the air of any time asks for.
@@ -196,4 +196,4 @@ std::vector<YarnParameters> yarns_in(const Scene& scene, const ClimateParameters
     return yarns;
 }
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

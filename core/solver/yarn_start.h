@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// How many elements an array of a scene's segments has.
 std::size_t count_of(SegmentCount count, const Scene& scene);
@@ -47,4 +47,4 @@ FibreStart fibre_start(const Scene& scene, std::vector<double>& regain, const st
 ClimateParameters climate_at(const Scene& scene, double time);
 std::vector<YarnParameters> yarns_in(const Scene& scene, const ClimateParameters& climate);
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -4,7 +4,7 @@
 
 #include "core/base/portable.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Where a balance that rises with a trial closes: between low, where it is less than nothing, and high. Illinois' rule; where three trials
 /// have not halved what lies between, as on balances that are nearly steps, the next one does.
@@ -39,4 +39,4 @@ struct Bracket {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

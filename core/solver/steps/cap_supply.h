@@ -5,7 +5,7 @@
 #include "core/solver/caps.h"
 #include "core/solver/steps/supply.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Where a cap covers a face.
 HL_FN FedFace under_cap(FedFace face, const CapOnFace& cap)
@@ -88,4 +88,4 @@ struct OfferCaps {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -4,7 +4,7 @@
 
 #include "core/solver/steps/yarn_lines.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Liquid and heat between the two segments of a crossing, each an implicit step of its own.
 struct ExchangeAtCrossing {
@@ -130,4 +130,4 @@ struct DiffuseAtCrossing {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

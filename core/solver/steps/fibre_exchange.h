@@ -4,7 +4,7 @@
 
 #include "core/solver/steps/yarn_lines.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// The fibre's answer to this step: bound water at the end = base + slope x equilibrium regain at its skin.
 struct Fibre {
@@ -70,4 +70,4 @@ HL_FN Fibre prepare_fibre(const Segments& s, int i, const YarnParameters& yarn, 
     return fibre;
 }
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -5,7 +5,7 @@
 #include "core/solver/steps/crossing_exchange.h"
 #include "core/solver/steps/pair_flow.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// The segments of two crossings that face each other: warp and warp, weft and weft.
 struct FacingSegments {
@@ -245,4 +245,4 @@ struct PassBetweenLayers {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -6,10 +6,10 @@
 
 #include <bit>
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Bits of a positive number, which order like integers.
 HL_FN int ordered_bits(float positive) { return std::bit_cast<int>(positive); }
 HL_FN float from_ordered_bits(int bits) { return std::bit_cast<float>(bits); }
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -6,7 +6,7 @@
 #include "core/solver/steps/bracket.h"
 #include "core/solver/steps/pore_line.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 struct PairFlow {
     Segments s;
@@ -122,4 +122,4 @@ private:
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

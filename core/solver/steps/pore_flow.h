@@ -4,7 +4,7 @@
 
 #include "core/solver/steps/pore_rounds.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Along all ends or all picks. Leaves in flux what passed each joint, in the yarn and beside it. The liquid between yarns has the
 /// temperature of the line's own segment: see Segments::room_with_warp.
@@ -235,4 +235,4 @@ struct FlowAlongLines : PoreRounds {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

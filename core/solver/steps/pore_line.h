@@ -7,7 +7,7 @@
 #include "core/solver/steps/pores_found.h"
 #include "core/solver/steps/yarn_lines.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// A pool on a face, or drops: caps, or particles.
 struct StandingPool {
@@ -365,4 +365,4 @@ struct PoreLines {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -5,7 +5,7 @@
 
 #include "core/solver/steps/pore_line.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 struct PoreRounds : PoreLines {
     /// kg from a place to the next, of the own pores (0) or of the room (1).
@@ -212,4 +212,4 @@ struct PoreRounds : PoreLines {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

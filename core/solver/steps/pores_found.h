@@ -5,7 +5,7 @@
 #include "core/physics/retention.h"
 #include "core/solver/segments.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 struct PoresFound {
     Retention retention;
@@ -113,4 +113,4 @@ struct FindPores {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -4,7 +4,7 @@
 
 #include "core/solver/segments.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Pores keep a share of their volume for a moment, then are as they were. What has no place then leaves with its heat; adds it up, quanta.
 struct PressOut {
@@ -34,4 +34,4 @@ struct PressOut {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

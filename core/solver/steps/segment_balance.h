@@ -6,7 +6,7 @@
 #include "core/solver/steps/fibre_exchange.h"
 #include "core/solver/steps/standing.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// What a step brings to all segments, and both balances of one. Unknowns are the pore vapour and the temperature.
 struct SegmentBalance {
@@ -221,4 +221,4 @@ struct SegmentBalance {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

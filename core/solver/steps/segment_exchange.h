@@ -4,7 +4,7 @@
 
 #include "core/solver/steps/segment_balance.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// A segment's fibres, pores and face, solved together: sorption into the fibre on annuli, evaporation or condensation in the
 /// pores, vapour and heat to the air. Both balances rise monotonically, so a bracketed search always ends.
@@ -389,4 +389,4 @@ struct ExchangeInSegment : SegmentBalance {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -5,7 +5,7 @@
 #include "core/scene/frame.h"
 #include "core/solver/steps/yarn_lines.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Liquid that particles gave since the last step joins the yarn, at the climate's temperature.
 struct TakeAbsorbed {
@@ -93,4 +93,4 @@ struct SumShells {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

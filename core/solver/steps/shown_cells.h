@@ -6,7 +6,7 @@
 #include "core/scene/thirst.h"
 #include "core/solver/steps/yarn_lines.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// The ends, or the picks, of a cloth shared out to cells of one size. A cell may begin within a yarn, as Bundles do.
 struct CellSpans {
@@ -206,4 +206,4 @@ private:
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

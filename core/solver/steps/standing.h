@@ -5,7 +5,7 @@
 
 #include "core/solver/steps/cap_supply.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Counts the places that each drop or pool covers.
 struct CountCovered {
@@ -51,4 +51,4 @@ struct StandingLiquid {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -5,7 +5,7 @@
 #include "core/base/portable.h"
 #include "core/solver/steps/pore_flow.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Segments that hang in the liquid are full and have its temperature.
 struct KeepFed {
@@ -357,4 +357,4 @@ struct EstimateExchange {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

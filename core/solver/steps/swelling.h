@@ -4,7 +4,7 @@
 
 #include "core/solver/steps/pores_found.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Never narrows pores below the liquid in them, of which GiveBack takes what is too much. Counts where that is the least given back or
 /// more.
@@ -41,4 +41,4 @@ struct NarrowRoom {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

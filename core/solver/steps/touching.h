@@ -4,7 +4,7 @@
 
 #include "core/solver/steps/pair_flow.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Between neighbours that touch, each pair for itself: pairs after even yarns and after odd ones go one after the other, the other way
 /// round in the next step.
@@ -47,4 +47,4 @@ struct FlowThroughSeam : PairFlow {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -5,7 +5,7 @@
 #include "core/solver/steps/crossing_exchange.h"
 #include "core/solver/steps/ordered_bits.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// The largest change of saturation since before[], as ordered_bits(); before[] is brought up to date.
 struct TrackChange {
@@ -48,4 +48,4 @@ struct ExchangeAndTrack {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -4,7 +4,7 @@
 
 #include "core/solver/steps/whole_solution.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Whether each end's pores have room for what a solution leaves open at its places, and as much as it leaves too little; for each end, 1
 /// if they have not.
@@ -260,4 +260,4 @@ struct WholeForgetFlux {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -5,7 +5,7 @@
 
 #include "core/solver/steps/pore_flow.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Sums over a box, and what a solution's rounds go on with.
 struct WholeSums {
@@ -358,4 +358,4 @@ struct SumLines {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

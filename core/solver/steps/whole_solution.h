@@ -5,7 +5,7 @@
 
 #include "core/solver/steps/whole_pores.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 /// Lines in one direction, of one class that goes along them and of the room. The other class has no neighbours then: it is eliminated at
 /// its place.
@@ -219,4 +219,4 @@ struct WholeAnswer {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom

@@ -8,7 +8,7 @@
 #include "core/solver/segments.h"
 #include "core/solver/team.h"
 
-namespace hygroloom::inline HL_PRECISION {
+namespace hygroloom {
 
 constexpr int most_newton_rounds = 40;
 
@@ -419,4 +419,4 @@ struct DiffuseVapourAlongYarn {
     }
 };
 
-} // namespace hygroloom::inline HL_PRECISION
+} // namespace hygroloom
