@@ -63,18 +63,6 @@ class TestCommandLineFiles : public QObject {
     }
 
 private Q_SLOTS:
-    void everydayClothIsNotWarnedOf()
-    {
-        QTemporaryDir folder;
-        for (const char* name : {"Poplin shirting", "Denim", "Sports micro-twill", "Polyester taffeta", "Cotton sateen", "Wool serge"}) {
-            const QString file = folder.filePath(QString(name) + ".hygro");
-            QCOMPARE(run_cli({"presets", name, "-o", file}).code, 0);
-            const QJsonArray issues = run_cli({"check", file, "--json"}).json()["issues"].toArray();
-            for (const QJsonValue& issue : issues) {
-                QVERIFY2(issue["severity"].toString() == "note", qPrintable(issue["text"].toString()));
-            }
-        }
-    }
     void aLargeRunEndsAtOnceWhereverItIs()
     {
         QTemporaryDir folder;
@@ -301,27 +289,6 @@ private Q_SLOTS:
         const QByteArray page = contents(report);
         QVERIFY(page.contains("gone"));
         QVERIFY(!page.contains('\x1b') && !page.contains('\0'));
-    }
-    void ofManyFabricsTheFirstOnesGeometryIsMeasured()
-    {
-        QJsonObject project = QJsonDocument::fromJson(contents(example("textile-F.hygro"))).object();
-        QJsonObject fabric = project["fabrics"].toArray()[0].toObject();
-        QJsonArray fabrics;
-        for (int i = 0; i < 100; ++i) {
-            fabric["name"] = QString("f%1").arg(i);
-            fabrics.append(fabric);
-        }
-        project["fabrics"] = fabrics;
-        const QString file = at("many.hygro");
-        write(file, QJsonDocument(project).toJson());
-        const QJsonArray checked = run_cli({"check", file, "--json", "-q"}).json()["fabrics"].toArray();
-        QCOMPARE(checked.size(), 100);
-        const auto measured = std::count_if(checked.begin(), checked.end(), [](const QJsonValue& f) { return !f["geometry"].isNull(); });
-        QVERIFY2(measured >= 5 && measured <= 40, qPrintable(QString::number(measured)));
-        QVERIFY(checked[measured - 1]["geometry"].isObject() && checked[measured]["derived"].isObject());
-        const QByteArray table = run_cli({"check", file, "-q"}).out;
-        QCOMPARE(table.count("Geometry of 16 ends"), qsizetype{measured});
-        QCOMPARE(table.count("Its geometry was not computed"), qsizetype{100 - measured});
     }
     /// A design of which plan expects 0.04 s; it takes more than 30 s on one core.
     void aRunThatTakesMuchLongerThanExpectedSaysSo()
