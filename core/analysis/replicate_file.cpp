@@ -2,10 +2,10 @@
 #include "core/analysis/replicate_file.h"
 
 #include "core/analysis/trace_json.h"
-#include "core/base/version.h"
 #include "core/project/atomic_file.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_json.h"
+#include "core/run/answers_code.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -35,7 +35,7 @@ ProjectJson value_of(int number, const ReplicateRun& run)
 ProjectJson value_of(const ReplicateSet& set)
 {
     ProjectJson value;
-    value["program"] = program_version();
+    value["answers"] = std::string(answers_code);
     value["fabric"] = set.key.fabric;
     value["experiment"] = set.key.experiment;
     value["fidelity"] = name_of(set.key.fidelity);
@@ -96,14 +96,14 @@ void require_parts(const ReplicateSet& set, const ObjectReader& reader)
         reader.refuse("project", "it must have the experiment, and no other.");
 }
 
-/// none: another version of the program wrote it.
+/// none: a program of other numbers wrote it.
 std::optional<ReplicateSet> set_from(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader reader(value, file, path);
     ReplicateSet set;
-    std::string program = program_version();
-    reader.read("program", program);
-    if (program != program_version()) return {};
+    std::string answers;
+    reader.read("answers", answers);
+    if (answers != answers_code) return {};
     std::string fidelity;
     double seed = 1;
     reader.read("fabric", set.key.fabric);

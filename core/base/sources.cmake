@@ -12,6 +12,5 @@ target_sources(hygroloom_core PRIVATE
 )
 # Sanitizers watch memory by operators of their own.
 if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
-  target_sources(hygroloom_core PRIVATE
-  base/csv_table.cpp base/large_blocks.cpp)
+  target_sources(hygroloom_core PRIVATE base/large_blocks.cpp)
 endif()

@@ -67,6 +67,7 @@ std::string read_provenance(const RunFileReader& file, RunRecord& run)
     for (const auto& [name, time] : stored_acts(run.acts))
         if (file.has(name)) *time = time_from(file, name);
     run.date = in_one_line(text("date"));
+    run.answers = file.has("provenance/answers") ? text("answers") : std::string();
     if (file.has("provenance/unsolved_lines")) run.unsolved_lines = file.number("provenance/unsolved_lines");
     run.seed = seed_from(text("seed"));
     run.threads = static_cast<int>(file.count("provenance/threads", 0, 1'000'000));

@@ -60,6 +60,7 @@ void write_provenance(RunFileWriter& file, const RunRecord& run)
                                                          {"fidelity", name_of(run.plan.fidelity)},
                                                          {"plan", plan_json(run.plan)},
                                                          {"date", run.date},
+                                                         {"answers", run.answers},
                                                          {"seed", std::to_string(run.seed)}};
     for (const auto& [name, text] : texts) file.text(std::string("provenance/") + name, text);
     file.number("provenance/threads", run.threads);

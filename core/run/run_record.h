@@ -4,6 +4,7 @@
 
 #include "core/plan/model_plan.h"
 #include "core/plan/switched_part.h"
+#include "core/run/answers_code.h"
 
 #include <optional>
 
@@ -28,11 +29,12 @@ struct RunRecord {
     std::string device;                    ///< in words, and where it went on when that failed
     std::vector<SwitchedPart> switched_on; ///< parts that the plan had left out, in order of time; also those kept off
     HandActs acts;
-    double unsolved_lines = 0; ///< see Frame; of recordings, at the last frame
-    std::string date;          ///< of its beginning in UTC, as 2026-11-22T18:40:12Z; empty: a recording of an older version
-    double wall = 0;           ///< s, of the run; 0 while it runs
-    double recorded_in = 0;    ///< s of these, that it waited for its recording
-    bool alone = true;         ///< whether no other run of this process was on beside it
+    double unsolved_lines = 0;          ///< see Frame; of recordings, at the last frame
+    std::string date;                   ///< of its beginning in UTC, as 2026-11-22T18:40:12Z; empty: a recording of an older version
+    std::string answers = answers_code; ///< of the program that ran it; empty: a recording of an older version
+    double wall = 0;                    ///< s, of the run; 0 while it runs
+    double recorded_in = 0;             ///< s of these, that it waited for its recording
+    bool alone = true;                  ///< whether no other run of this process was on beside it
 };
 
 } // namespace hygroloom

@@ -23,3 +23,19 @@ target_sources(hygroloom_core PRIVATE
   run/wal_pages.cpp
   run/writer_lock.cpp
 )
+
+# What the numbers of runs follow from: a kept run holds for this code.
+set(answers_files ${CMAKE_SOURCE_DIR}/resources/materials/*)
+foreach(room physics design geometry room plan scene solver solver/steps run wear analysis)
+  foreach(kind h cpp)
+    set(name *)
+    if(room STREQUAL "analysis") # the rest of it are words and pictures
+      set(name metrics*)
+    endif()
+    list(APPEND answers_files ${CMAKE_CURRENT_SOURCE_DIR}/${room}/${name}.${kind})
+  endforeach()
+endforeach()
+file(GLOB answers_files CONFIGURE_DEPENDS ${answers_files})
+code_digest(${CMAKE_CURRENT_BINARY_DIR}/answers_code.cpp answers_code ${answers_files})
+target_sources(hygroloom_core PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/answers_code.cpp)
+set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/answers_code.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)

@@ -150,6 +150,7 @@ WearWriter::WearWriter(const std::filesystem::path& path, const WearRecord& reco
     for (const auto& [name, value] :
          {std::pair{"fidelity", record.fidelity}, {"backend", record.backend}, {"device", record.device}, {"date", record.date}})
         file.text(std::string("provenance/") + name, value);
+    file.text("provenance/answers", record.answers);
     file.number("cells/count", static_cast<double>(record.layout.cells.size()));
     for (const CellColumn& column : cell_columns) {
         std::vector<float> values;
@@ -199,6 +200,7 @@ struct WearRecording::File {
         for (const auto& [name_of, text] :
              {std::pair{"fidelity", &record.fidelity}, {"backend", &record.backend}, {"device", &record.device}, {"date", &record.date}})
             *text = in_one_line(file.text(std::string("provenance/") + name_of));
+        record.answers = file.has("provenance/answers") ? file.text("provenance/answers") : std::string();
         if (file.has("provenance/all_devices")) record.device = in_one_line(file.text("provenance/all_devices"));
         record.layout.cells = read_cells(file, record.layout);
         record.layout.shape = read_shape(file, record.layout.panels.size());

@@ -2,6 +2,7 @@
 // The recording of a worn garment: cells instead of yarns. Written and read as recordings of samples are.
 #pragma once
 
+#include "core/run/answers_code.h"
 #include "core/wear/wear_layout.h"
 #include "core/wear/wear_run.h"
 
@@ -14,6 +15,7 @@ struct WearRecord {
     Design design;
     WearLayout layout;
     std::string fidelity, backend, device, date;
+    std::string answers = answers_code; ///< as of a RunRecord
 };
 
 /// Throws FileError, also when another run writes to the path. After an error the frames before it can be read.

@@ -192,6 +192,18 @@ private Q_SLOTS:
         QCOMPARE(differencesOf(run, now), QStringList{"fibres"});
     }
 
+    /// The same design may have other numbers in another version of the program.
+    void aRunOfAnotherProgramIsAnOlderOne()
+    {
+        RunRecord run;
+        run.design = drop_design();
+        run.fabric = run.design.fabrics[0].name;
+        run.experiment = run.design.experiments[0].name;
+        QVERIFY(holdsFor(run, run.design));
+        run.answers = "of other sources";
+        QCOMPARE(differencesOf(run, run.design), QStringList{"program"});
+    }
+
 private:
     static KeptRun run(const QString& path, int number)
     {

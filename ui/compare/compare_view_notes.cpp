@@ -14,7 +14,7 @@
 
 namespace hygroloom {
 
-/// Which fabrics have only runs of an older design; empty: none.
+/// Which fabrics have only runs of an older design or program; empty: none.
 QString CompareView::outdatedText() const
 {
     QStringList fabrics;
@@ -24,7 +24,7 @@ QString CompareView::outdatedText() const
         }
     }
     return fabrics.isEmpty() ? QString()
-                             : tr("Outdated, as the design has changed since they were run: %1. “Run All Missing” runs them again. The "
+                             : tr("Outdated, as the design or the program has changed since they were run: %1. “Run All Missing” runs them again. The "
                                   "older runs stand under All Runs.")
                                    .arg(fabrics.join(", "));
 }

@@ -26,8 +26,9 @@ QString stateOf(const KeptRun& run, const Design& design)
     if (run.marked) { words << RunList::tr("kept"); }
     if (!run.current) {
         const QString differs = differencesOf(*run.run, design).join(", ");
+        const bool same_design = differs == RunHistory::tr("program");
         const QString of = run.own ? RunList::tr("older design") : RunList::tr("other design");
-        words << (differs.isEmpty() ? of : RunList::tr("%1: %2").arg(of, differs));
+        words << (same_design ? RunList::tr("older program") : differs.isEmpty() ? of : RunList::tr("%1: %2").arg(of, differs));
     }
     if (!isSaved(run)) { words << RunList::tr("not saved"); }
     return words.join(", ");

@@ -247,7 +247,9 @@ Design anywhere(Design design)
     return design;
 }
 
-QStringList differencesOf(const RunRecord& run, const Design& design)
+namespace {
+
+QStringList differencesOfDesign(const RunRecord& run, const Design& design)
 {
     QStringList words;
     if (find_wear(run.design, run.experiment)) {
@@ -277,6 +279,15 @@ QStringList differencesOf(const RunRecord& run, const Design& design)
     return words;
 }
 
+} // namespace
+
+QStringList differencesOf(const RunRecord& run, const Design& design)
+{
+    QStringList words = differencesOfDesign(run, design);
+    if (run.answers != answers_code) { words << RunHistory::tr("program"); }
+    return words;
+}
+
 bool holdsFor(const RunRecord& run, const Design& design) { return differencesOf(run, design).isEmpty(); }
 
 std::shared_ptr<const RunRecord> runOfGarment(const WearRecord& record, double wall)
@@ -292,6 +303,7 @@ std::shared_ptr<const RunRecord> runOfGarment(const WearRecord& record, double w
     run->backend = record.backend;
     run->device = record.device;
     run->date = record.date;
+    run->answers = record.answers;
     run->wall = wall;
     return run;
 }

@@ -83,8 +83,8 @@ private:
 /// A run's experiment and its liquid, whatever it is called; of a garment also that, whatever it is cut from.
 Design conditionsOf(const RunRecord& run);
 
-/// What a run depends on that differs in a design, in words: "sample", "fibres", "fabric is gone". Empty: its results hold for it. A
-/// garment that was cut from one fabric is taken to be cut from that in the design, too, as comparisons cut it.
+/// What a run depends on that differs in a design or in this program, in words: "sample", "fibres", "fabric is gone", "program". Empty: its
+/// results hold for it. A garment that was cut from one fabric is taken to be cut from that in the design, too, as comparisons cut it.
 QStringList differencesOf(const RunRecord& run, const Design& design);
 
 /// Whether the results of a run hold for a design: nothing that they depend on differs from what was run.
