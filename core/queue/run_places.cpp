@@ -3,7 +3,8 @@
 
 namespace hygroloom {
 
-RunPlaces::RunPlaces(std::vector<std::unique_ptr<Backend>> backends) : backends_(std::move(backends)), at_once_(backends_.size())
+RunPlaces::RunPlaces(std::vector<std::unique_ptr<Backend>> backends)
+    : backends_(std::move(backends)), machine_(backends_.front()->name()), at_once_(backends_.size())
 {
     for (auto backend = backends_.rbegin(); backend != backends_.rend(); ++backend) free_.push_back(backend->get());
 }

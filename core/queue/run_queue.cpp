@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace hygroloom {
@@ -55,11 +56,10 @@ void RunQueue::set_paused(int id, bool paused)
     const std::lock_guard lock(mutex_);
     const auto batch = find(id);
     if (!batch) return;
-    batch->paused = paused;
-    for (Run& run : batch->on) {
-        run.control.pause = paused;
-        if (paused) run.control.was_paused = true;
-    }
+    if (std::exchange(batch->paused, paused) == paused) return;
+    if (paused)
+        for (Run& run : batch->on) run.control.pause = run.control.was_paused = true;
+    if (batch->what.paused) batch->what.paused(paused);
     call_workers();
     say_changed();
 }
@@ -99,22 +99,22 @@ std::vector<BatchState> RunQueue::list() const
     for (const auto& batch : batches_) {
         BatchState state{batch->id, batch->what.name};
         state.count = batch->what.count;
-        state.running = batch->on.size();
         state.ended = batch->ended;
         state.failed = batch->failed;
         state.share = static_cast<double>(batch->ended);
-        std::size_t for_memory = 0;
+        bool for_memory = false;
         for (const Run& run : batch->on) {
             state.share += run.share;
-            for_memory += run.waits_for_memory;
+            for_memory = for_memory || run.waits_for_memory;
+            state.running += !run.waits_for_memory && !run.control.pause;
         }
         state.share /= static_cast<double>(state.count);
-        state.state = batch->cancelled                ? BatchState::State::stopping
-                      : batch->paused                 ? BatchState::State::paused
-                      : batch->on.size() > for_memory ? BatchState::State::running
-                                                      : BatchState::State::waiting;
+        state.state = batch->cancelled    ? BatchState::State::stopping
+                      : batch->paused     ? BatchState::State::paused
+                      : state.running > 0 ? BatchState::State::running
+                                          : BatchState::State::waiting;
         if (state.state == BatchState::State::waiting)
-            state.waits_for = for_memory > 0 ? BatchState::WaitsFor::memory : BatchState::WaitsFor::others;
+            state.waits_for = for_memory ? BatchState::WaitsFor::memory : BatchState::WaitsFor::others;
         states.push_back(std::move(state));
     }
     return states;
@@ -126,26 +126,34 @@ std::shared_ptr<RunQueue::Batch> RunQueue::find(int id) const
     return found == batches_.end() ? nullptr : *found;
 }
 
-/// Without those on hold.
-std::size_t RunQueue::running() const
+/// Whether one more run of the batch may compute.
+bool RunQueue::has_room(const Batch& batch) const
 {
-    std::size_t count = 0;
-    for (const auto& batch : batches_) count += batch->paused ? 0 : batch->on.size();
-    return count;
+    constexpr double all = 1 + 1e-9;
+    if (batch.what.watched) return true;
+    double taken = batch.what.places->share();
+    for (const auto& other : batches_)
+        if (other->what.places->machine() == batch.what.places->machine()) taken += other->taken();
+    return taken <= all;
 }
 
-bool RunQueue::may_begin(const Batch& batch) const
+void RunQueue::let_go_on(Batch& batch) const
 {
-    return batch.what.places->has_free() && (batch.what.watched || running() < batch.what.places->at_once());
+    for (Run& run : batch.on)
+        if (run.control.pause && has_room(batch)) run.control.pause = false;
 }
 
-std::shared_ptr<RunQueue::Batch> RunQueue::next_batch() const
+/// The one whose next run may begin. On the way runs that were on hold go on in their turn.
+std::shared_ptr<RunQueue::Batch> RunQueue::next_batch()
 {
-    bool waits = false; // one that is not watched
+    std::set<std::string> full; // machines that one waits for which is not watched
     for (const auto& batch : batches_) {
-        if (closing_ || batch->paused || !batch->has_next() || (waits && !batch->what.watched)) continue;
-        if (may_begin(*batch)) return batch;
-        waits = waits || !batch->what.watched;
+        const RunPlaces& places = *batch->what.places;
+        if (closing_ || batch->paused || (full.contains(places.machine()) && !batch->what.watched)) continue;
+        let_go_on(*batch);
+        const bool held = batch->held() > 0;
+        if (!held && batch->has_next() && places.has_free() && has_room(*batch)) return batch;
+        if (!batch->what.watched && (held || batch->has_next())) full.insert(places.machine());
     }
     return nullptr;
 }
@@ -279,6 +287,14 @@ void RunQueue::tell(const std::shared_ptr<Batch>& batch, std::size_t index, RunR
         stop(batch, lock);
     }
 }
+
+std::size_t RunQueue::Batch::held() const
+{
+    return static_cast<std::size_t>(std::count_if(on.begin(), on.end(), [](const Run& run) { return run.control.pause.load(); }));
+}
+
+/// Of its machine. A run that waits for memory has its share already.
+double RunQueue::Batch::taken() const { return what.places->share() * static_cast<double>(on.size() - held()); }
 
 void RunQueue::Batch::stop()
 {

@@ -21,8 +21,9 @@ struct RunBatch {
     std::function<RunJob(std::size_t)> job; ///< of each, in its own thread; what it throws is the failure of that run
     /// Of each that began, also of those that were stopped; never two at a time. What it throws stops the batch.
     std::function<void(std::size_t, RunResult&)> ended = {};
-    std::function<void()> over = {}; ///< after the last; not where the queue goes before
-    bool watched = false;            ///< somebody waits for it: it begins whatever else is on
+    std::function<void()> over = {};       ///< after the last; not where the queue goes before
+    std::function<void(bool)> paused = {}; ///< when it was paused, or was let go on; it may not call the queue
+    bool watched = false;                  ///< somebody waits for it: it begins whatever else is on
     /// Bytes that all runs of the queue may take together where these go; asked when none is on. Empty: the number of places is bound
     /// enough.
     std::function<double()> room = {};
@@ -37,12 +38,13 @@ struct BatchState {
     std::string name;
     State state = State::waiting;
     WaitsFor waits_for = WaitsFor::nothing;
-    std::size_t count = 0, running = 0, ended = 0, failed = 0; ///< runs
-    double share = 0;                                          ///< of all its runs
+    std::size_t count = 0, ended = 0, failed = 0; ///< runs
+    std::size_t running = 0;                      ///< runs that compute: neither on hold nor waiting for memory
+    double share = 0;                             ///< of all its runs
 };
 
-/// Batches begin in their order, and runs of a batch in theirs. A run begins where its places have one free and fewer runs than those
-/// places are on in the whole queue; until it may, none behind it begins but those that are watched. A run that fails or is stopped
+/// Batches begin in their order, and runs of a batch in theirs. A run begins, or goes on, where its places have one free and its share of
+/// their machine is free; until it may, none behind it begins on that machine but those that are watched. A run that fails or is stopped
 /// concerns no other. Any thread may call it.
 class RunQueue {
 public:
@@ -57,7 +59,7 @@ public:
     int add(RunBatch batch);
     /// Up (less than 0) or down by so many batches.
     void move(int id, int by);
-    /// Runs that are on hold, and none begins; others may take their turn.
+    /// Its runs are put on hold, and none begins; others may take their turn. Let go on, it waits for its turn again.
     void set_paused(int id, bool paused);
     /// Those that are on end within 0.2 s, none begins any more.
     void cancel(int id);
@@ -89,14 +91,16 @@ private:
         void stop();
         bool has_next() const { return !cancelled && !(stops && *stops) && next < what.count; }
         bool is_over() const { return on.empty() && !has_next(); }
+        std::size_t held() const;
+        double taken() const;
     };
     using Lock = std::unique_lock<std::mutex>;
 
     std::shared_ptr<Batch> enqueue(RunBatch batch, const std::atomic<bool>* stops);
     std::shared_ptr<Batch> find(int id) const;
-    std::size_t running() const;
-    bool may_begin(const Batch& batch) const;
-    std::shared_ptr<Batch> next_batch() const;
+    bool has_room(const Batch& batch) const;
+    void let_go_on(Batch& batch) const;
+    std::shared_ptr<Batch> next_batch();
     void work();
     void call_workers();
     void run_next(const std::shared_ptr<Batch>& batch, Lock& lock);

@@ -130,6 +130,7 @@ public:
         batch.places = places;
         batch.job = [this](std::size_t i) { return job_of(rows_[i]); };
         batch.ended = [this](std::size_t i, RunResult& result) { take(rows_[i], result); };
+        batch.paused = callbacks_.paused;
         queue.run(std::move(batch), cancel);
         outcome_.cancelled = outcome_.progress.ended < outcome_.progress.rows;
         report();

@@ -22,6 +22,7 @@ struct StudyCallbacks {
     std::function<void(const StudyRowResult&)> ended;
     std::function<void(const StudyProgress&)> progress; ///< several times a second
     std::function<void(const std::string&)> note;       ///< a sentence, as of a device that failed
+    std::function<void(bool)> paused;                   ///< as of RunBatch
 };
 
 struct StudyOutcome {

@@ -3284,10 +3284,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>Rechnet jedes Gewebe, das noch keinen Lauf dieses Versuchs hat.</translation>
     </message>
     <message>
-        <source>, %1 left</source>
-        <translation>, noch %1</translation>
-    </message>
-    <message>
         <source>Choose one experiment, and run it on two fabrics at least.</source>
         <translation>Wählen Sie einen Versuch, und lassen Sie ihn mit mindestens zwei Stoffen laufen.</translation>
     </message>
@@ -7341,10 +7337,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>Bindung, Garn je Meter und die Zahlen des Labors für das ausgewählte Gewebe speichern.</translation>
     </message>
     <message>
-        <source>Runs in Progress</source>
-        <translation>Laufende Läufe</translation>
-    </message>
-    <message>
         <source>Show what runs, what waits and why.</source>
         <translation>Zeigen, was läuft, was wartet und warum.</translation>
     </message>
@@ -7383,6 +7375,10 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>Run a Sample or a Garment</source>
         <translation>Eine Probe oder ein Kleidungsstück rechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Queue of Runs</source>
+        <translation>&amp;Warteschlange der Läufe</translation>
     </message>
 </context>
 <context>
@@ -8292,12 +8288,8 @@ Klicken zeigt diese Zeit.</translation>
 <context>
     <name>hygroloom::QueueButton</name>
     <message>
-        <source>Show the runs that are on or wait; pause, stop or reorder them.</source>
-        <translation>Die laufenden und wartenden Läufe zeigen; anhalten, stoppen oder umordnen.</translation>
-    </message>
-    <message>
-        <source>Runs in progress: %1</source>
-        <translation>Laufende Läufe: %1</translation>
+        <source>Show the runs that are on, waiting or paused; pause, stop or reorder them.</source>
+        <translation>Zeigt die Läufe, die laufen, warten oder pausiert sind; pausiert, stoppt oder ordnet sie.</translation>
     </message>
 </context>
 <context>
@@ -8335,26 +8327,6 @@ Klicken zeigt diese Zeit.</translation>
         <translation>, %1 gescheitert</translation>
     </message>
     <message>
-        <source>1 run on</source>
-        <translation>1 Lauf läuft</translation>
-    </message>
-    <message>
-        <source>%1 runs on</source>
-        <translation>%1 Läufe laufen</translation>
-    </message>
-    <message>
-        <source>%1, 1 waits</source>
-        <translation>%1, 1 wartet</translation>
-    </message>
-    <message>
-        <source>%1, %2 wait</source>
-        <translation>%1, %2 warten</translation>
-    </message>
-    <message>
-        <source>No run is on.</source>
-        <translation>Es läuft nichts.</translation>
-    </message>
-    <message>
         <source>Stop</source>
         <translation>Stoppen</translation>
     </message>
@@ -8365,10 +8337,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Later</source>
         <translation>Später</translation>
-    </message>
-    <message>
-        <source>Runs in Progress</source>
-        <translation>Laufende Läufe</translation>
     </message>
     <message>
         <source>Runs</source>
@@ -8385,10 +8353,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>%1 (%2)</source>
         <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>Pause the selected runs, or let them go on. Others may take their turn meanwhile.</source>
-        <translation>Die gewählten Läufe anhalten oder fortsetzen. Andere kommen inzwischen an die Reihe.</translation>
     </message>
     <message>
         <source>Stop the selected runs. What has ended is kept.</source>
@@ -8409,6 +8373,34 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Pause</source>
         <translation>Pause</translation>
+    </message>
+    <message>
+        <source>%1 on</source>
+        <translation>%1 laufend</translation>
+    </message>
+    <message>
+        <source>%1 waiting</source>
+        <translation>%1 wartend</translation>
+    </message>
+    <message>
+        <source>%1 paused</source>
+        <translation>%1 pausiert</translation>
+    </message>
+    <message>
+        <source>Runs: %1</source>
+        <translation>Läufe: %1</translation>
+    </message>
+    <message>
+        <source>No run is on or waiting.</source>
+        <translation>Es läuft und wartet kein Lauf.</translation>
+    </message>
+    <message>
+        <source>Queue of Runs</source>
+        <translation>Warteschlange der Läufe</translation>
+    </message>
+    <message>
+        <source>Pause the selected runs, or let them go on when it is their turn. Others may take theirs meanwhile.</source>
+        <translation>Die gewählten Läufe anhalten, oder weiterlaufen lassen, wenn sie an der Reihe sind. Andere können inzwischen an die Reihe kommen.</translation>
     </message>
 </context>
 <context>
@@ -9900,6 +9892,14 @@ Stattdessen auf der CPU rechnen?</translation>
         <source>Choose a smaller sample or a lower fidelity.</source>
         <translation>Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
     </message>
+    <message>
+        <source>%1, paused.</source>
+        <translation>%1, pausiert.</translation>
+    </message>
+    <message>
+        <source>%1, %2 left.</source>
+        <translation>%1, noch %2.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::StudySetup</name>
@@ -10156,6 +10156,10 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>Study</source>
         <translation>Studie</translation>
+    </message>
+    <message>
+        <source>%1, paused</source>
+        <translation>%1, pausiert</translation>
     </message>
 </context>
 <context>
@@ -11136,10 +11140,6 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>. Failed: %1</source>
         <translation>. Misslungen: %1</translation>
-    </message>
-    <message>
-        <source>, %1 left</source>
-        <translation>, noch %1</translation>
     </message>
     <message>
         <source>Ca&amp;ncel Runs</source>

@@ -169,6 +169,47 @@ private Q_SLOTS:
         queue.cancel(long_one);
         queue.wait(long_one);
     }
+    void whatIsLetGoOnWaitsForItsTurn()
+    {
+        RunQueue queue;
+        std::vector<bool> told;
+        RunBatch batch = of_drops(1, cpu_places(), true);
+        batch.paused = [&](bool paused) { told.push_back(paused); };
+        const int first = queue.add(std::move(batch));
+        QTRY_COMPARE(state_of(queue, first).state, State::running);
+        queue.set_paused(first, true);
+        QCOMPARE(state_of(queue, first).running, std::size_t(0));
+        const int second = queue.add(of_drops(1, cpu_places(), true));
+        QTRY_COMPARE(state_of(queue, second).running, std::size_t(1));
+        queue.set_paused(first, false);
+        QCOMPARE(told, (std::vector<bool>{true, false}));
+        QCOMPARE(state_of(queue, first).state, State::waiting);
+        QCOMPARE(state_of(queue, first).waits_for, WaitsFor::others);
+        const int third = queue.add(of_drops(1, cpu_places(), true)); // behind it
+        queue.cancel(second);
+        QTRY_COMPARE(state_of(queue, first).state, State::running);
+        queue.wait(second);
+        QCOMPARE(state_of(queue, third).running, std::size_t(0));
+        queue.cancel(first);
+        QTRY_COMPARE(state_of(queue, third).running, std::size_t(1));
+        queue.cancel(third);
+        for (const int id : {first, third}) queue.wait(id);
+    }
+    void noRunGoesBesideOneThatTakesAllOfItsMachine()
+    {
+        RunQueue queue;
+        Begun begun;
+        Gate gate;
+        const int all = queue.add(of_nothing("A", 1, cpu_places(), begun, &gate));
+        QTRY_COMPARE(begun.all().size(), std::size_t(1));
+        const int shares = queue.add(of_nothing("B", 4, cpu_places(4), begun));
+        const auto gpu = std::make_shared<RunPlaces>([] { return make_cpu_backend(); }, "cuda", 1);
+        queue.wait(queue.add(of_nothing("G", 1, gpu, begun))); // which goes on another
+        QCOMPARE(begun.all(), (std::vector<std::string>{"A0", "G0"}));
+        gate.open();
+        for (const int id : {all, shares}) queue.wait(id);
+        QCOMPARE(begun.all().size(), std::size_t(6));
+    }
     void whatIsPausedDoesNotBegin()
     {
         RunQueue queue;

@@ -37,7 +37,7 @@ private Q_SLOTS:
     {
         QVERIFY(!button_->isVisible());
         const int id = add("first", 3);
-        QTRY_COMPARE(button_->text(), QString("1 run on, 2 wait"));
+        QTRY_COMPARE(button_->text(), QString("Runs: 1 on, 2 waiting"));
         QVERIFY(button_->isVisible());
         queue_->runs().cancel(id);
         QTRY_VERIFY(!button_->isVisible());
@@ -74,9 +74,13 @@ private Q_SLOTS:
         QTest::keyClick(list(), Qt::Key_Delete);
         QTRY_COMPARE(tree()->topLevelItemCount(), 2);
         QTRY_COMPARE(cell(1, 1), QString("Running"));
+        QCOMPARE(button_->text(), QString("Runs: 1 on, 1 paused"));
         choose(0);
-        QTest::keyClick(list(), Qt::Key_P);
-        QCOMPARE(cell(0, 1), QString("Running"));
+        QTest::keyClick(list(), Qt::Key_P); // "third" has its place
+        QCOMPARE(cell(0, 1), QString("Waits until other runs are done"));
+        choose(1);
+        QTest::keyClick(list(), Qt::Key_Delete);
+        QTRY_COMPARE(cell(0, 1), QString("Running"));
     }
     void buttonsDoTheSame()
     {

@@ -308,6 +308,12 @@ private Q_SLOTS:
             view.bar()->setReplicates(4);
             view.bar()->runAll()->click();
             QVERIFY(place.runs.running());
+            const int id = place.queue.list().front().id;
+            place.queue.runs().set_paused(id, true); // in the list of runs
+            QTRY_VERIFY(place.runs.paused());
+            QVERIFY2(place.runs.stateText().endsWith(" of 8 runs done, paused."), qPrintable(place.runs.stateText()));
+            place.queue.runs().set_paused(id, false);
+            QTRY_VERIFY(!place.runs.paused());
             QTRY_VERIFY_WITH_TIMEOUT(!place.runs.running(), 120000);
             const QString text = view.table()->cellText(rowOf(view, first), 0);
             QVERIFY2(text.contains(QChar(0x00b1)) && text.endsWith("baseline"), qPrintable(text));

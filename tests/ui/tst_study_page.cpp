@@ -234,6 +234,11 @@ private Q_SLOTS:
         QSignalSpy ended(&bench.page.job(), &StudyTask::ended);
         bench.page.run();
         QTRY_VERIFY_WITH_TIMEOUT(bench.page.job().progress().share > 0, study_patience);
+        const int id = bench.queue.list().front().id;
+        bench.queue.runs().set_paused(id, true); // in the list of runs
+        QTRY_VERIFY2(bench.page.status().endsWith(", paused."), qPrintable(bench.page.status()));
+        bench.queue.runs().set_paused(id, false);
+        QTRY_VERIFY(!bench.page.status().contains("paused"));
         QElapsedTimer clock;
         clock.start();
         bench.page.job().cancel();

@@ -211,9 +211,7 @@ void CompareBar::showProgress()
     QString text = missing_;
     if (running) {
         progress_->setValue(static_cast<int>(1000 * runs_.share()));
-        text = runs_.progressText();
-        if (const auto left = runs_.timeLeft()) { text += tr(", %1 left").arg(roughDuration(*left)); }
-        text += ".";
+        text = runs_.stateText();
     }
     said_ = text;
     state_->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");

@@ -10,6 +10,7 @@
 #include "ui/document/document.h"
 #include "ui/document/run_folder.h"
 #include "ui/results/device_choice.h"
+#include "ui/results/plan_dialog.h"
 #include "ui/results/project_runs.h"
 #include "ui/results/queued_run.h"
 
@@ -81,14 +82,16 @@ bool StudyRuns::start(const std::vector<Expected>& jobs)
     RunBatch batch;
     batch.name = tr("Compare: %1").arg(QString::fromStdString(added.front()->expected.job.experiment)).toStdString();
     batch.count = added.size();
-    batch.places = std::make_shared<RunPlaces>([] { return make_backend(backendOfMany()); }, at_once);
-    if (expected_backend(backendOfMany()) != "cpu") {
+    const std::string machine = expected_backend(backendOfMany());
+    batch.places = std::make_shared<RunPlaces>([] { return make_backend(backendOfMany()); }, machine, at_once);
+    if (machine != "cpu") {
         batch.room = [] { return memory_for_scenes("auto"); };
     }
     batch.job = [this, added](std::size_t i) { return jobOf(added[i]); };
     batch.ended = [this, added](std::size_t i, RunResult& result) {
         post([this, work = added[i], found = std::make_shared<RunResult>(std::move(result))] { end(work, found); });
     };
+    batch.paused = [this, id](bool paused) { post([this, id, paused] { setPaused(*id, paused); }); };
     batch.over = [this, id] { post([this, id] { endBatch(*id); }); };
     *id = queue_.runs().add(std::move(batch));
     for (const WorkPtr& work : added) { work->batch = *id; }
@@ -166,6 +169,19 @@ void StudyRuns::end(const WorkPtr& work, const std::shared_ptr<RunResult>& resul
     }
     if (!failure.isEmpty() && job.mixture == 0) { failures_[kindOf(job)] = failure; }
     Q_EMIT changed();
+}
+
+void StudyRuns::setPaused(int batch, bool paused)
+{
+    for (const WorkPtr& work : works_) {
+        if (work->batch == batch) { work->paused = paused; }
+    }
+    Q_EMIT progressed();
+}
+
+bool StudyRuns::paused() const
+{
+    return running() && std::all_of(works_.begin(), works_.end(), [](const WorkPtr& work) { return work->paused; });
 }
 
 /// Those that did not begin are left.
@@ -282,6 +298,13 @@ std::optional<double> StudyRuns::timeLeft() const
 }
 
 QString StudyRuns::progressText() const { return tr("%1 of %2 runs done").arg(done_).arg(all_); }
+
+QString StudyRuns::stateText() const
+{
+    if (paused()) { return tr("%1, paused.").arg(progressText()); }
+    const auto left = timeLeft();
+    return left ? tr("%1, %2 left.").arg(progressText(), roughDuration(*left)) : progressText() + ".";
+}
 
 QString StudyRuns::failureOf(const StudyJob& job) const
 {

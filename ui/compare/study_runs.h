@@ -43,8 +43,12 @@ public:
     double share() const;
     /// s; none: too early to say.
     std::optional<double> timeLeft() const;
-    /// "3 of 8 runs"
+    /// "3 of 8 runs done"
     QString progressText() const;
+    /// The same as a sentence, with the time that is left, or that they are paused.
+    QString stateText() const;
+    /// In the list of runs; none goes on.
+    bool paused() const;
     /// Why the last run of this kind failed, in a sentence; empty: it did not.
     QString failureOf(const StudyJob& job) const;
 
@@ -66,6 +70,7 @@ private:
         std::filesystem::path base; ///< the project's folder, which files of garments are named from
         int batch = 0;              ///< in the queue
         State state = State::waiting;
+        bool paused = false;
         QString recording{}; ///< of a run that is recorded
         double share = 0, wall = 0;
         TimeOfRuns::Course course{}; ///< so far
@@ -79,6 +84,7 @@ private:
     void showProgress(const WorkPtr& work, const RunProgress& progress);
     static Candidate candidateOf(const RunResult& result);
     void end(const WorkPtr& work, const std::shared_ptr<RunResult>& result);
+    void setPaused(int batch, bool paused);
     void endBatch(int batch);
     void keepRecorded(const Work& work, const RunResult& result, const QString& failure);
     void keepNumbers(Work& work, const RunResult& result);

@@ -166,11 +166,7 @@ void WhyView::showState()
         text = seconds > 0 ? tr("%1, %2").arg(runs, roughDuration(seconds)) : runs;
         if (failed) { text += tr(". Failed: %1").arg(QString::fromStdString(own->failed.begin()->second)); }
     }
-    if (asking_) {
-        text = runs_.progressText();
-        if (const auto left = runs_.timeLeft()) { text += tr(", %1 left").arg(roughDuration(*left)); }
-        text += ".";
-    }
+    if (asking_) { text = runs_.stateText(); }
     find_->setText(asking_ ? tr("Ca&ncel Runs") : tr("Find &Out"));
     find_->setEnabled(asking_ || count > 0);
     state_->setText(text);

@@ -40,29 +40,32 @@ QString progressOfBatch(const BatchState& batch)
     return text;
 }
 
-/// "2 runs on, 6 wait"; empty where there are none.
+/// "Runs: 2 on, 6 waiting, 1 paused"; empty where there are none.
 QString queueText(const std::vector<BatchState>& list)
 {
-    std::size_t on = 0, waiting = 0;
+    std::size_t on = 0, waiting = 0, paused = 0;
     for (const BatchState& batch : list) {
         on += batch.running;
-        waiting += batch.state == BatchState::State::stopping ? 0 : batch.count - batch.ended - batch.running;
+        const bool waits = batch.state == BatchState::State::waiting || batch.state == BatchState::State::running;
+        if (waits) { waiting += batch.count - batch.ended - batch.running; }
+        if (batch.state == BatchState::State::paused) { paused += batch.count - batch.ended; }
     }
-    if (on + waiting == 0) { return {}; }
-    const QString runs = on == 1 ? QueueList::tr("1 run on") : QueueList::tr("%1 runs on").arg(on);
-    if (waiting == 0) { return runs; }
-    return waiting == 1 ? QueueList::tr("%1, 1 waits").arg(runs) : QueueList::tr("%1, %2 wait").arg(runs).arg(waiting);
+    QStringList parts;
+    if (on > 0) { parts << QueueList::tr("%1 on").arg(on); }
+    if (waiting > 0) { parts << QueueList::tr("%1 waiting").arg(waiting); }
+    if (paused > 0) { parts << QueueList::tr("%1 paused").arg(paused); }
+    return parts.isEmpty() ? QString() : QueueList::tr("Runs: %1").arg(parts.join(", "));
 }
 
 } // namespace
 
 QueueList::QueueList(WindowQueue& queue, QWidget* parent)
-    : QFrame(parent, Qt::Popup), queue_(queue), tree_(new QTreeWidget), none_(new QLabel(tr("No run is on."))),
+    : QFrame(parent, Qt::Popup), queue_(queue), tree_(new QTreeWidget), none_(new QLabel(tr("No run is on or waiting."))),
       pause_(new QPushButton(tr("Pause"))), stop_(new QPushButton(themedIcon("stop"), tr("Stop"))),
       earlier_(new QPushButton(tr("Earlier"))), later_(new QPushButton(tr("Later")))
 {
     setObjectName("queue list");
-    setWindowTitle(tr("Runs in Progress"));
+    setWindowTitle(tr("Queue of Runs"));
     setAccessibleName(windowTitle());
     setFrameShape(QFrame::StyledPanel);
     auto* layout = new QVBoxLayout(this);
@@ -94,7 +97,8 @@ void QueueList::buildButtons()
         connect(new QShortcut(key, this), &QShortcut::activated, button, &QPushButton::click);
         buttons->addWidget(button);
     };
-    add(pause_, Qt::Key_P, tr("Pause the selected runs, or let them go on. Others may take their turn meanwhile."), [this] { pause(); });
+    add(pause_, Qt::Key_P, tr("Pause the selected runs, or let them go on when it is their turn. Others may take theirs meanwhile."),
+        [this] { pause(); });
     add(stop_, Qt::Key_Delete, tr("Stop the selected runs. What has ended is kept."), [this] { queue_.runs().cancel(chosen()); });
     buttons->addStretch();
     add(earlier_, QKeySequence(Qt::ALT | Qt::Key_Up), tr("Let the selected runs take their turn before those above."),
@@ -173,7 +177,7 @@ QueueButton::QueueButton(WindowQueue& queue, QWidget* parent) : QToolButton(pare
     setAutoRaise(true);
     setIcon(themedIcon("run"));
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    setToolTip(tr("Show the runs that are on or wait; pause, stop or reorder them."));
+    setToolTip(tr("Show the runs that are on, waiting or paused; pause, stop or reorder them."));
     connect(this, &QToolButton::clicked, this, &QueueButton::openList);
     connect(&queue_, &WindowQueue::changed, this, &QueueButton::refresh);
     refresh();
@@ -183,7 +187,7 @@ void QueueButton::refresh()
 {
     const QString text = queueText(queue_.list());
     setText(text);
-    setAccessibleName(tr("Runs in progress: %1").arg(text));
+    setAccessibleName(text);
     setVisible(!text.isEmpty());
 }
 

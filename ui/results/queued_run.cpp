@@ -5,9 +5,6 @@
 #include "gpu/backends.h"
 #include "ui/basics/quantity.h"
 
-#include <QCoreApplication>
-
-#include <algorithm>
 #include <utility>
 
 namespace hygroloom {
@@ -47,10 +44,7 @@ QString failureText(const RunResult& result, const QString& else_do)
     }
 }
 
-QueuedRun::QueuedRun(WindowQueue& queue, const QString& else_do, QObject* parent) : QObject(parent), queue_(queue), else_do_(else_do)
-{
-    connect(&queue_, &WindowQueue::changed, this, &QueuedRun::follow);
-}
+QueuedRun::QueuedRun(WindowQueue& queue, const QString& else_do, QObject* parent) : QObject(parent), queue_(queue), else_do_(else_do) {}
 
 QueuedRun::~QueuedRun() { stopAndWait(); }
 
@@ -72,8 +66,9 @@ void QueuedRun::begin(RunJob job, const std::string& backend, std::function<void
     found->error = std::make_exception_ptr(Cancelled()); // where it was stopped before it began
     RunBatch batch;
     batch.name = (job.fabric.empty() ? find_wear(*job.design, job.experiment)->garment : job.fabric) + ", " + job.experiment;
-    batch.places = std::make_shared<RunPlaces>([backend] { return make_backend(backend); }, 1);
+    batch.places = std::make_shared<RunPlaces>([backend] { return make_backend(backend); }, expected_backend(backend), 1);
     batch.watched = true;
+    batch.paused = [this](bool paused) { post([this, paused] { showPaused(paused); }); };
     batch.job = [job = std::move(job)](std::size_t) { return job; };
     batch.ended = [found, completed = std::move(completed)](std::size_t, RunResult& result) {
         try {
@@ -95,22 +90,17 @@ void QueuedRun::end(const std::shared_ptr<RunResult>& result)
     Q_EMIT ended(outcomeOf(*result), QStringList{device, failureText(*result, else_do_)}.join(' ').trimmed());
 }
 
-/// It may have been paused in the list of runs.
-void QueuedRun::follow()
-{
-    const auto list = queue_.list();
-    const auto own = std::find_if(list.begin(), list.end(), [this](const BatchState& batch) { return batch.id == id_; });
-    if (own == list.end() || own->state == BatchState::State::stopping) { return; }
-    const bool paused = own->state == BatchState::State::paused;
-    if (std::exchange(paused_, paused) != paused) { Q_EMIT pausedChanged(paused); }
-}
-
 void QueuedRun::setPaused(bool paused)
 {
     if (!running() || paused_ == paused) { return; }
     queue_.runs().set_paused(id_, paused);
-    paused_ = paused;
-    Q_EMIT pausedChanged(paused);
+    showPaused(paused);
+}
+
+/// Also where it was paused in the list of runs.
+void QueuedRun::showPaused(bool paused)
+{
+    if (running() && std::exchange(paused_, paused) != paused) { Q_EMIT pausedChanged(paused); }
 }
 
 void QueuedRun::cancel()

@@ -44,7 +44,7 @@ protected:
 
 private:
     void end(const std::shared_ptr<RunResult>& result);
-    void follow();
+    void showPaused(bool paused);
 
     WindowQueue& queue_;
     const QString else_do_;

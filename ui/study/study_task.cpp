@@ -28,6 +28,7 @@ void StudyTask::start(const std::shared_ptr<const Design>& design, const Study& 
     progress_ = {};
     outcome_ = {};
     running_ = true;
+    paused_ = false;
     if (thread_.joinable()) { thread_.join(); } // it has posted its last
     thread_ = std::jthread([this, design, study, folder, retry_failed] {
         const auto result = std::make_shared<Result>(run(*design, study, folder, retry_failed));
@@ -64,6 +65,12 @@ StudyTask::Result StudyTask::run(const Design& design, const Study& study, const
                 Q_EMIT progressed();
             });
         };
+        callbacks.paused = [this](bool paused) {
+            post([this, paused] {
+                paused_ = paused;
+                Q_EMIT progressed();
+            });
+        };
         callbacks.note = [this](const std::string& sentence) {
             post([this, text = QString::fromStdString(sentence)] { Q_EMIT noted(text); });
         };
@@ -86,6 +93,7 @@ QString StudyTask::progressText() const
     if (progress_.rows == 0) { return tr("Preparing the runs."); }
     QString text = tr("%1 of %2 runs").arg(progress_.ended).arg(progress_.rows);
     if (progress_.failed > 0) { text += tr(", %1 failed").arg(progress_.failed); }
+    if (paused_) { return tr("%1, paused").arg(text); }
     // How far the first runs are says little: their time passes unevenly.
     constexpr double early = 0.25;
     const bool told = progress_.ended > progress_.kept || progress_.share >= early;

@@ -32,8 +32,10 @@ public:
     const StudyOutcome& outcome() const { return outcome_; }
     /// Why it could not run, in a sentence; empty: it could.
     const QString& failure() const { return failure_; }
-    /// "12 of 96 runs, 2 failed, about 3 min left"
+    /// "12 of 96 runs, 2 failed, about 3 min left", or "paused"
     QString progressText() const;
+    /// In the list of runs.
+    bool paused() const { return paused_; }
 
 Q_SIGNALS:
     void progressed();
@@ -52,7 +54,7 @@ private:
     QString folder_, failure_;
     StudyProgress progress_;
     StudyOutcome outcome_;
-    bool running_ = false;
+    bool running_ = false, paused_ = false;
     WindowQueue& queue_;
     std::atomic<bool> cancel_ = false;
     std::jthread thread_; // last: joined before the rest goes

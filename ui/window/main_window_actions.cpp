@@ -176,7 +176,7 @@ void MainWindow::buildViewMenu()
     showWaterColors();
     addAppearances(menu->addMenu(tr("&Appearance")));
     menu->addSeparator();
-    connect(addCommand(menu, {}, tr("Runs in Progress"), QKeySequence("Ctrl+Shift+R"), tr("Show what runs, what waits and why.")),
+    connect(addCommand(menu, {}, tr("&Queue of Runs"), QKeySequence("Ctrl+Shift+R"), tr("Show what runs, what waits and why.")),
             &QAction::triggered, queue_button_, &QueueButton::openList);
     QMenu* panels = menu->addMenu(tr("&Panels"));
     for (QDockWidget* dock : docks()) { panels->addAction(dock->toggleViewAction()); }
