@@ -2591,6 +2591,22 @@
         <source>The study leaves the garment as it is cut, so that no one fabric made this row. Tick fabrics in the study to take one along.</source>
         <translation>Die Studie lässt das Kleidungsstück, wie es geschnitten ist; diese Zeile hat deshalb nicht ein Gewebe. Kreuzen Sie in der Studie Gewebe an, um eines zu übernehmen.</translation>
     </message>
+    <message>
+        <source>%1 %2, %3; %4 on two cores.</source>
+        <translation>%1 %2, %3; %4 auf zwei Kernen.</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3; %4 on this machine.</source>
+        <translation>%1 %2, %3; %4 auf diesem Rechner.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>This run takes about %1 of memory; %2 are free.</source>
+        <translation>Dieser Lauf belegt etwa %1 Speicher; %2 sind frei.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CalibrateDialog</name>
@@ -5299,10 +5315,154 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     </message>
 </context>
 <context>
-    <name>hygroloom::GarmentRun</name>
+    <name>hygroloom::GarmentSubject</name>
+    <message>
+        <source>Add Built-in %1</source>
+        <translation>Eingebaut hinzufügen: %1</translation>
+    </message>
+    <message>
+        <source>Add a %1 and an experiment in which it is worn.</source>
+        <translation>%1 hinzufügen und einen Versuch, in dem es getragen wird.</translation>
+    </message>
+    <message>
+        <source>Add Garment from a &amp;File…</source>
+        <translation>Kleidungsstück aus &amp;Datei hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add a sewing pattern, or a mesh with flat coordinates.</source>
+        <translation>Einen Schnitt oder ein Netz mit flachen Koordinaten hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Remove &amp;Garment</source>
+        <translation>Kleidungsstück en&amp;tfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep This Run as A</source>
+        <translation>Diesen &amp;Lauf als A behalten</translation>
+    </message>
+    <message>
+        <source>Compare the next runs with this one.</source>
+        <translation>Die nächsten Läufe mit diesem vergleichen.</translation>
+    </message>
+    <message>
+        <source>&amp;Drop A</source>
+        <translation>&amp;A verwerfen</translation>
+    </message>
+    <message>
+        <source>Show the newest run alone.</source>
+        <translation>Nur den neuesten Lauf zeigen.</translation>
+    </message>
+    <message>
+        <source>S&amp;teps of the Colours…</source>
+        <translation>&amp;Farbstufen…</translation>
+    </message>
+    <message>
+        <source>Set where each of the eight colours ends.</source>
+        <translation>Setzt, wo jede der acht Farben endet.</translation>
+    </message>
+    <message>
+        <source>Save &amp;A As…</source>
+        <translation>A speichern u&amp;nter…</translation>
+    </message>
+    <message>
+        <source>Write the run that is kept as A to another recording.</source>
+        <translation>Den als A behaltenen Lauf in eine andere Aufzeichnung schreiben.</translation>
+    </message>
+    <message>
+        <source>Save &amp;Map…</source>
+        <translation>&amp;Karte speichern…</translation>
+    </message>
+    <message>
+        <source>Write pictures and textures of the panels, a table of cells, OBJ and GLB of the time shown to a folder.</source>
+        <translation>Schreibt Bilder und Texturen der Schnittteile, eine Tabelle der Zellen, OBJ und GLB der gezeigten Zeit in einen Ordner.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Numbers as CSV</source>
+        <translation>Zahlen als &amp;CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the numbers per panel and zone.</source>
+        <translation>Die Zahlen je Schnittteil und Zone kopieren.</translation>
+    </message>
+    <message>
+        <source>Add a garment.</source>
+        <translation>Fügen Sie ein Kleidungsstück hinzu.</translation>
+    </message>
+    <message>
+        <source>Add an experiment on this garment.</source>
+        <translation>Fügen Sie einen Versuch mit diesem Kleidungsstück hinzu.</translation>
+    </message>
+    <message>
+        <source>The garment&apos;s pattern is being read.</source>
+        <translation>Der Schnitt des Kleidungsstücks wird gelesen.</translation>
+    </message>
+    <message>
+        <source>Cells about 12 mm wide.</source>
+        <translation>Zellen etwa 12 mm breit.</translation>
+    </message>
+    <message>
+        <source>Cells about 6 mm wide.</source>
+        <translation>Zellen etwa 6 mm breit.</translation>
+    </message>
+    <message>
+        <source>Cells about 3 mm wide.</source>
+        <translation>Zellen etwa 3 mm breit.</translation>
+    </message>
+    <message>
+        <source>Cells about 1.5 mm wide.</source>
+        <translation>Zellen etwa 1.5 mm breit.</translation>
+    </message>
     <message>
         <source>Choose a lower fidelity.</source>
         <translation>Wählen Sie eine geringere Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>Remove the chosen garment and its experiments.</source>
+        <translation>Das gewählte Kleidungsstück und seine Versuche entfernen.</translation>
+    </message>
+    <message>
+        <source>There is no garment to remove.</source>
+        <translation>Es gibt kein Kleidungsstück zum Entfernen.</translation>
+    </message>
+    <message>
+        <source>A run of this garment is kept with the project.</source>
+        <translation>Ein Lauf dieses Kleidungsstücks liegt beim Projekt.</translation>
+    </message>
+    <message>
+        <source>A run of this garment is kept with the project; it is of an older design.</source>
+        <translation>Ein Lauf dieses Kleidungsstücks liegt beim Projekt; er ist von einem älteren Entwurf.</translation>
+    </message>
+    <message>
+        <source>Open the kept run of %1</source>
+        <translation>Den Lauf vom %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Making the report.</source>
+        <translation>Der Bericht wird erstellt.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save Map in a Folder</source>
+        <translation>Karte in einem Ordner speichern</translation>
+    </message>
+    <message>
+        <source>%1 at %2 s</source>
+        <translation>%1 bei %2 s</translation>
+    </message>
+    <message>
+        <source>%1: The folder cannot be made.</source>
+        <translation>%1: Der Ordner lässt sich nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>Saved %1 files to %2.</source>
+        <translation>%1 Dateien in %2 gespeichert.</translation>
+    </message>
+    <message>
+        <source>about 4 min, 38 MB</source>
+        <translation>etwa 4 min, 38 MB</translation>
     </message>
 </context>
 <context>
@@ -5510,257 +5670,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>. Cut from another fabric than the project&apos;s garment, as Compare does.</source>
         <translation>. Aus einem anderen Gewebe geschnitten als das Kleidungsstück des Projekts, wie im Vergleich.</translation>
-    </message>
-</context>
-<context>
-    <name>hygroloom::GarmentWorkspace</name>
-    <message>
-        <source>Garment</source>
-        <translation>Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Gaps and Seams</source>
-        <translation>Abstände und Nähte</translation>
-    </message>
-    <message>
-        <source>Wear</source>
-        <translation>Tragen</translation>
-    </message>
-    <message>
-        <source>Wear Run</source>
-        <translation>Tragelauf</translation>
-    </message>
-    <message>
-        <source>Time of Wear</source>
-        <translation>Tragezeit</translation>
-    </message>
-    <message>
-        <source>Panels and Zones</source>
-        <translation>Teile und Zonen</translation>
-    </message>
-    <message>
-        <source>Garment Runs</source>
-        <translation>Kleidungsläufe</translation>
-    </message>
-    <message>
-        <source>Add Built-in %1</source>
-        <translation>Eingebaut hinzufügen: %1</translation>
-    </message>
-    <message>
-        <source>Add a %1 and an experiment in which it is worn.</source>
-        <translation>%1 hinzufügen und einen Versuch, in dem es getragen wird.</translation>
-    </message>
-    <message>
-        <source>Add Garment from a &amp;File…</source>
-        <translation>Kleidungsstück aus &amp;Datei hinzufügen…</translation>
-    </message>
-    <message>
-        <source>Add a sewing pattern, or a mesh with flat coordinates.</source>
-        <translation>Einen Schnitt oder ein Netz mit flachen Koordinaten hinzufügen.</translation>
-    </message>
-    <message>
-        <source>Remove &amp;Garment</source>
-        <translation>Kleidungsstück en&amp;tfernen</translation>
-    </message>
-    <message>
-        <source>Remove the chosen garment and its experiments.</source>
-        <translation>Das gewählte Kleidungsstück und seine Versuche entfernen.</translation>
-    </message>
-    <message>
-        <source>&amp;Run the Wear Experiment</source>
-        <translation>T&amp;rageversuch starten</translation>
-    </message>
-    <message>
-        <source>Run the experiment on this garment.</source>
-        <translation>Den Versuch mit diesem Kleidungsstück rechnen.</translation>
-    </message>
-    <message>
-        <source>&amp;Pause the Wear Experiment</source>
-        <translation>Trageversuch &amp;pausieren</translation>
-    </message>
-    <message>
-        <source>Pause or resume the run.</source>
-        <translation>Den Lauf pausieren oder fortsetzen.</translation>
-    </message>
-    <message>
-        <source>S&amp;top the Wear Experiment</source>
-        <translation>Trageversuch &amp;stoppen</translation>
-    </message>
-    <message>
-        <source>&amp;Keep This Run as A</source>
-        <translation>Diesen &amp;Lauf als A behalten</translation>
-    </message>
-    <message>
-        <source>Compare the next runs with this one.</source>
-        <translation>Die nächsten Läufe mit diesem vergleichen.</translation>
-    </message>
-    <message>
-        <source>&amp;Drop A</source>
-        <translation>&amp;A verwerfen</translation>
-    </message>
-    <message>
-        <source>Show the newest run alone.</source>
-        <translation>Nur den neuesten Lauf zeigen.</translation>
-    </message>
-    <message>
-        <source>S&amp;teps of the Colours…</source>
-        <translation>&amp;Farbstufen…</translation>
-    </message>
-    <message>
-        <source>Set where each of the eight colours ends.</source>
-        <translation>Setzt, wo jede der acht Farben endet.</translation>
-    </message>
-    <message>
-        <source>&amp;Open Recording of a Garment…</source>
-        <translation>Auf&amp;zeichnung eines Kleidungsstücks öffnen…</translation>
-    </message>
-    <message>
-        <source>Show a recorded run of a garment.</source>
-        <translation>Einen aufgezeichneten Lauf eines Kleidungsstücks zeigen.</translation>
-    </message>
-    <message>
-        <source>Open the &amp;Design of the Recording of a Garment</source>
-        <translation>&amp;Entwurf der Aufzeichnung eines Kleidungsstücks öffnen</translation>
-    </message>
-    <message>
-        <source>Edit the design from which the run on screen was made.</source>
-        <translation>Den Entwurf bearbeiten, aus dem der gezeigte Lauf entstand.</translation>
-    </message>
-    <message>
-        <source>Save R&amp;un As…</source>
-        <translation>Lauf speichern &amp;unter…</translation>
-    </message>
-    <message>
-        <source>Write the run that is shown to another recording.</source>
-        <translation>Den gezeigten Lauf in eine andere Aufzeichnung schreiben.</translation>
-    </message>
-    <message>
-        <source>Save &amp;A As…</source>
-        <translation>A speichern u&amp;nter…</translation>
-    </message>
-    <message>
-        <source>Write the run that is kept as A to another recording.</source>
-        <translation>Den als A behaltenen Lauf in eine andere Aufzeichnung schreiben.</translation>
-    </message>
-    <message>
-        <source>Save &amp;Map…</source>
-        <translation>&amp;Karte speichern…</translation>
-    </message>
-    <message>
-        <source>Write pictures and textures of the panels, a table of cells, OBJ and GLB of the time shown to a folder.</source>
-        <translation>Schreibt Bilder und Texturen der Schnittteile, eine Tabelle der Zellen, OBJ und GLB der gezeigten Zeit in einen Ordner.</translation>
-    </message>
-    <message>
-        <source>Save Rep&amp;ort of the Garment…</source>
-        <translation>&amp;Bericht über das Kleidungsstück speichern…</translation>
-    </message>
-    <message>
-        <source>Save numbers, maps at each quarter of the run and curves, as PDF or web page.</source>
-        <translation>Speichert Zahlen, Karten zu jedem Viertel des Laufs und Kurven als PDF oder Webseite.</translation>
-    </message>
-    <message>
-        <source>&amp;Copy Numbers as CSV</source>
-        <translation>Zahlen als &amp;CSV kopieren</translation>
-    </message>
-    <message>
-        <source>Copy the numbers per panel and zone.</source>
-        <translation>Die Zahlen je Schnittteil und Zone kopieren.</translation>
-    </message>
-    <message>
-        <source>Resume the Wear Ex&amp;periment</source>
-        <translation>Trageversuch f&amp;ortsetzen</translation>
-    </message>
-    <message>
-        <source>Open Recording of a Garment</source>
-        <translation>Aufzeichnung eines Kleidungsstücks öffnen</translation>
-    </message>
-    <message>
-        <source>Recordings (*.hygrorec)</source>
-        <translation>Aufzeichnungen (*.hygrorec)</translation>
-    </message>
-    <message>
-        <source>Another recording is being opened.</source>
-        <translation>Eine andere Aufzeichnung wird geöffnet.</translation>
-    </message>
-    <message>
-        <source>A garment is being worn. Stop that run, then open the recording.</source>
-        <translation>Ein Kleidungsstück wird getragen. Stoppen Sie diesen Lauf und öffnen Sie dann die Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>Design of %1</source>
-        <translation>Entwurf von %1</translation>
-    </message>
-    <message>
-        <source>Making the report.</source>
-        <translation>Der Bericht wird erstellt.</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 ist gespeichert.</translation>
-    </message>
-    <message>
-        <source>Save Map in a Folder</source>
-        <translation>Karte in einem Ordner speichern</translation>
-    </message>
-    <message>
-        <source>%1 at %2 s</source>
-        <translation>%1 bei %2 s</translation>
-    </message>
-    <message>
-        <source>%1: The folder cannot be made.</source>
-        <translation>%1: Der Ordner lässt sich nicht anlegen.</translation>
-    </message>
-    <message>
-        <source>Saved %1 files to %2.</source>
-        <translation>%1 Dateien in %2 gespeichert.</translation>
-    </message>
-    <message>
-        <source>Save Run of a Garment</source>
-        <translation>Lauf eines Kleidungsstücks speichern</translation>
-    </message>
-    <message>
-        <source>Save A</source>
-        <translation>A speichern</translation>
-    </message>
-    <message>
-        <source>Saved the run to %1.</source>
-        <translation>Der Lauf ist in %1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>A garment is being worn</source>
-        <translation>Ein Kleidungsstück wird getragen</translation>
-    </message>
-    <message>
-        <source>Stop the run of the garment?</source>
-        <translation>Den Lauf des Kleidungsstücks stoppen?</translation>
-    </message>
-    <message>
-        <source>What is recorded up to now is kept with the project&apos;s runs.</source>
-        <translation>Was bis jetzt aufgezeichnet ist, bleibt bei den Läufen des Projekts.</translation>
-    </message>
-    <message>
-        <source>Stop the Run</source>
-        <translation>Lauf stoppen</translation>
-    </message>
-    <message>
-        <source>There is no garment to remove.</source>
-        <translation>Es gibt kein Kleidungsstück zum Entfernen.</translation>
-    </message>
-    <message>
-        <source>A run of this garment is kept with the project.</source>
-        <translation>Ein Lauf dieses Kleidungsstücks liegt beim Projekt.</translation>
-    </message>
-    <message>
-        <source>A run of this garment is kept with the project; it is of an older design.</source>
-        <translation>Ein Lauf dieses Kleidungsstücks liegt beim Projekt; er ist von einem älteren Entwurf.</translation>
-    </message>
-    <message>
-        <source>Open the kept run of %1</source>
-        <translation>Den Lauf vom %1 öffnen</translation>
-    </message>
-    <message>
-        <source>Stop the run, and say whether to keep what it recorded.</source>
-        <translation>Den Lauf stoppen und sagen, ob das Aufgezeichnete bleibt.</translation>
     </message>
 </context>
 <context>
@@ -6949,20 +6858,12 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>Das Gewebe bearbeiten.</translation>
     </message>
     <message>
-        <source>Co&amp;mpare</source>
-        <translation>&amp;Vergleichen</translation>
-    </message>
-    <message>
         <source>Compare runs of the same experiment side by side.</source>
         <translation>Läufe desselben Versuchs nebeneinander vergleichen.</translation>
     </message>
     <message>
         <source>Cut a garment from fabrics, and wear it.</source>
         <translation>Ein Kleidungsstück aus Geweben zuschneiden und tragen.</translation>
-    </message>
-    <message>
-        <source>S&amp;tudy</source>
-        <translation>St&amp;udie</translation>
     </message>
     <message>
         <source>Run many points, and see what matters.</source>
@@ -7373,12 +7274,48 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>%1 zeigen</translation>
     </message>
     <message>
-        <source>Run a Sample or a Garment</source>
-        <translation>Eine Probe oder ein Kleidungsstück rechnen</translation>
-    </message>
-    <message>
         <source>&amp;Queue of Runs</source>
         <translation>&amp;Warteschlange der Läufe</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Entwerfen</translation>
+    </message>
+    <message>
+        <source>Run, as Last Shown</source>
+        <translation>Rechnen, wie zuletzt gezeigt</translation>
+    </message>
+    <message>
+        <source>Compare, as Last Shown</source>
+        <translation>Vergleichen, wie zuletzt gezeigt</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Run: &amp;Sample</source>
+        <translation>Rechnen: &amp;Probe</translation>
+    </message>
+    <message>
+        <source>Run: &amp;Garment</source>
+        <translation>Rechnen: &amp;Kleidung</translation>
+    </message>
+    <message>
+        <source>Garment</source>
+        <translation>Kleidung</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare: Runs</source>
+        <translation>&amp;Vergleichen: Läufe</translation>
+    </message>
+    <message>
+        <source>Compare: S&amp;tudy</source>
+        <translation>Vergleichen: St&amp;udie</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
     </message>
 </context>
 <context>
@@ -7804,6 +7741,10 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>%1, error ≈ %2 %</source>
         <translation>%1, Fehler ≈ %2 %</translation>
+    </message>
+    <message>
+        <source>Expected: %1</source>
+        <translation>Zu erwarten: %1</translation>
     </message>
 </context>
 <context>
@@ -8720,121 +8661,6 @@ Klicken zeigt diese Zeit.</translation>
     </message>
 </context>
 <context>
-    <name>hygroloom::RunForm</name>
-    <message>
-        <source>Run</source>
-        <translation>Starten</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>Resume</source>
-        <translation>Fortsetzen</translation>
-    </message>
-    <message>
-        <source>Progress of the run</source>
-        <translation>Fortschritt des Laufs</translation>
-    </message>
-    <message>
-        <source>State of the run</source>
-        <translation>Zustand des Laufs</translation>
-    </message>
-    <message>
-        <source>Paused.</source>
-        <translation>Pausiert.</translation>
-    </message>
-    <message>
-        <source>Resuming.</source>
-        <translation>Wird fortgesetzt.</translation>
-    </message>
-    <message>
-        <source>Cells about 12 mm wide.</source>
-        <translation>Zellen etwa 12 mm breit.</translation>
-    </message>
-    <message>
-        <source>Cells about 6 mm wide.</source>
-        <translation>Zellen etwa 6 mm breit.</translation>
-    </message>
-    <message>
-        <source>Cells about 3 mm wide.</source>
-        <translation>Zellen etwa 3 mm breit.</translation>
-    </message>
-    <message>
-        <source>Cells about 1.5 mm wide.</source>
-        <translation>Zellen etwa 1.5 mm breit.</translation>
-    </message>
-    <message>
-        <source>Fidelity: %1</source>
-        <translation>Genauigkeit: %1</translation>
-    </message>
-    <message>
-        <source>Expected</source>
-        <translation>Zu erwarten</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>Processor that runs the experiment.</source>
-        <translation>Prozessor, der den Versuch rechnet.</translation>
-    </message>
-    <message>
-        <source>Add a garment.</source>
-        <translation>Fügen Sie ein Kleidungsstück hinzu.</translation>
-    </message>
-    <message>
-        <source>Add an experiment on this garment.</source>
-        <translation>Fügen Sie einen Versuch mit diesem Kleidungsstück hinzu.</translation>
-    </message>
-    <message>
-        <source>Cutting the garment into cells.</source>
-        <translation>Das Kleidungsstück wird in Zellen geschnitten.</translation>
-    </message>
-    <message>
-        <source>%1 %2, %3; %4 on two cores.</source>
-        <translation>%1 %2, %3; %4 auf zwei Kernen.</translation>
-    </message>
-    <message>
-        <source>Pause the run; its frames so far can be looked at.</source>
-        <translation>Den Lauf pausieren; seine bisherigen Bilder lassen sich ansehen.</translation>
-    </message>
-    <message>
-        <source>Run the experiment on this garment (Ctrl+R).</source>
-        <translation>Den Versuch mit diesem Kleidungsstück rechnen (Strg+R).</translation>
-    </message>
-    <message>
-        <source>Cannot run: %1</source>
-        <translation>Lässt sich nicht rechnen: %1</translation>
-    </message>
-    <message>
-        <source>Finished.</source>
-        <translation>Fertig.</translation>
-    </message>
-    <message>
-        <source>Resume the run.</source>
-        <translation>Den Lauf fortsetzen.</translation>
-    </message>
-    <message>
-        <source>This run takes about %1 of memory; %2 are free.</source>
-        <translation>Dieser Lauf belegt etwa %1 Speicher; %2 sind frei.</translation>
-    </message>
-    <message>
-        <source>Stopped.</source>
-        <translation>Gestoppt.</translation>
-    </message>
-    <message>
-        <source>%1 %2, %3; %4 on this machine.</source>
-        <translation>%1 %2, %3; %4 auf diesem Rechner.</translation>
-    </message>
-</context>
-<context>
     <name>hygroloom::RunHistory</name>
     <message>
         <source>The recording %1 holds another run now. Open it again to compare that run.</source>
@@ -8916,20 +8742,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Runs of garments</source>
-        <translation>Läufe von Kleidungsstücken</translation>
-    </message>
-    <message>
         <source>Runs to compare</source>
         <translation>Läufe zum Vergleichen</translation>
-    </message>
-    <message>
-        <source>Garment</source>
-        <translation>Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Fabric</source>
-        <translation>Gewebe</translation>
     </message>
     <message>
         <source>Experiment</source>
@@ -8970,6 +8784,471 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 aus %2</translation>
+    </message>
+    <message>
+        <source>Runs of the project</source>
+        <translation>Läufe des Projekts</translation>
+    </message>
+    <message>
+        <source>Fabric or garment</source>
+        <translation>Gewebe oder Kleidung</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::RunPanel</name>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>What will be modelled, and why…</source>
+        <translation>Was modelliert wird, und warum…</translation>
+    </message>
+    <message>
+        <source>Starting.</source>
+        <translation>Wird gestartet.</translation>
+    </message>
+    <message>
+        <source>Paused.</source>
+        <translation>Pausiert.</translation>
+    </message>
+    <message>
+        <source>Resuming.</source>
+        <translation>Wird fortgesetzt.</translation>
+    </message>
+    <message>
+        <source>Fidelity: %1</source>
+        <translation>Genauigkeit: %1</translation>
+    </message>
+    <message>
+        <source>Expected for %1</source>
+        <translation>Zu erwarten für %1</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Processor that runs the simulation.</source>
+        <translation>Prozessor, der die Simulation rechnet.</translation>
+    </message>
+    <message>
+        <source>Which physics the next run models, and the reasons.</source>
+        <translation>Welche Physik der nächste Lauf modelliert, und die Gründe.</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Progress of the run</source>
+        <translation>Fortschritt des Laufs</translation>
+    </message>
+    <message>
+        <source>State of the run</source>
+        <translation>Zustand des Laufs</translation>
+    </message>
+    <message>
+        <source>Run the experiment on what is chosen (Ctrl+R).</source>
+        <translation>Den Versuch mit dem Gewählten rechnen (Strg+R).</translation>
+    </message>
+    <message>
+        <source>Resume the run.</source>
+        <translation>Den Lauf fortsetzen.</translation>
+    </message>
+    <message>
+        <source>Pause the run; its frames so far can be looked at.</source>
+        <translation>Den Lauf pausieren; seine bisherigen Bilder lassen sich ansehen.</translation>
+    </message>
+    <message>
+        <source>Cannot run: %1</source>
+        <translation>Lässt sich nicht rechnen: %1</translation>
+    </message>
+    <message>
+        <source>%1 particles of free liquid.</source>
+        <translation>%1 Partikel freier Flüssigkeit.</translation>
+    </message>
+    <message>
+        <source>Finished.</source>
+        <translation>Fertig.</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Gestoppt.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::RunWorkspace</name>
+    <message>
+        <source>Experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Garment</source>
+        <translation>Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Gaps and Seams</source>
+        <translation>Abstände und Nähte</translation>
+    </message>
+    <message>
+        <source>Subject</source>
+        <translation>Gegenstand</translation>
+    </message>
+    <message>
+        <source>What the experiment is run on: a sample of a fabric, or a garment.</source>
+        <translation>Womit der Versuch gerechnet wird: eine Probe eines Gewebes oder ein Kleidungsstück.</translation>
+    </message>
+    <message>
+        <source>Copying runs to the project: %1 %</source>
+        <translation>Läufe werden zum Projekt kopiert: %1 %</translation>
+    </message>
+    <message>
+        <source>Sample of %1</source>
+        <translation>Probe von %1</translation>
+    </message>
+    <message>
+        <source>Garment: %1</source>
+        <translation>Kleidungsstück: %1</translation>
+    </message>
+    <message>
+        <source>A garment, yet to be added</source>
+        <translation>Ein Kleidungsstück, noch hinzuzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Pause or resume the run.</source>
+        <translation>Den Lauf pausieren oder fortsetzen.</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>Stop the run, and say whether to keep what it recorded.</source>
+        <translation>Den Lauf stoppen und sagen, ob das Aufgezeichnete bleibt.</translation>
+    </message>
+    <message>
+        <source>&amp;What Will Be Modelled, and Why…</source>
+        <translation>&amp;Was modelliert wird, und warum…</translation>
+    </message>
+    <message>
+        <source>Which physics the next run models, and the reasons.</source>
+        <translation>Welche Physik der nächste Lauf modelliert, und die Gründe.</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate…</source>
+        <translation>&amp;Kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Fit what is not known of the selected fabric to a measurement.</source>
+        <translation>Was vom gewählten Gewebe nicht bekannt ist, an eine Messung anpassen.</translation>
+    </message>
+    <message>
+        <source>P&amp;lay or Pause the Recording</source>
+        <translation>Aufzeichnung a&amp;bspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Play back the run.</source>
+        <translation>Den Lauf abspielen.</translation>
+    </message>
+    <message>
+        <source>Open the &amp;Design of the Recording</source>
+        <translation>&amp;Entwurf der Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Edit the design from which the run on screen was made.</source>
+        <translation>Den Entwurf bearbeiten, aus dem der gezeigte Lauf entstand.</translation>
+    </message>
+    <message>
+        <source>Run the experiment on the chosen sample or garment.</source>
+        <translation>Den Versuch mit der gewählten Probe oder dem gewählten Kleidungsstück rechnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Resume</source>
+        <translation>&amp;Fortsetzen</translation>
+    </message>
+    <message>
+        <source>The device failed</source>
+        <translation>Das Gerät ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>%1
+
+Run on the CPU instead?</source>
+        <translation>%1
+
+Stattdessen auf der CPU rechnen?</translation>
+    </message>
+    <message>
+        <source>&amp;Run on the CPU</source>
+        <translation>Auf der &amp;CPU rechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Do Not Run</source>
+        <translation>&amp;Nicht rechnen</translation>
+    </message>
+    <message>
+        <source>the experiment</source>
+        <translation>der Versuch</translation>
+    </message>
+    <message>
+        <source>A run is in progress</source>
+        <translation>Ein Lauf ist im Gang</translation>
+    </message>
+    <message>
+        <source>Stop the run of “%1”?</source>
+        <translation>Den Lauf von „%1“ stoppen?</translation>
+    </message>
+    <message>
+        <source>What is recorded up to now is kept with the project&apos;s runs.</source>
+        <translation>Was bis jetzt aufgezeichnet ist, bleibt bei den Läufen des Projekts.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop and Keep What Is Recorded</source>
+        <translation>&amp;Stoppen und Aufgezeichnetes behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Let It Run</source>
+        <translation>&amp;Weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Save Re&amp;cording As…</source>
+        <translation>Aufzei&amp;chnung speichern unter…</translation>
+    </message>
+    <message>
+        <source>Save the run that is shown.</source>
+        <translation>Den gezeigten Lauf speichern.</translation>
+    </message>
+    <message>
+        <source>Save Repor&amp;t…</source>
+        <translation>Be&amp;richt speichern…</translation>
+    </message>
+    <message>
+        <source>Save the results of the run that is shown, with maps and charts, as PDF or web page.</source>
+        <translation>Die Ergebnisse des gezeigten Laufs mit Karten und Diagrammen als PDF oder Webseite speichern.</translation>
+    </message>
+    <message>
+        <source>Design of %1</source>
+        <translation>Entwurf von %1</translation>
+    </message>
+    <message>
+        <source>Another recording is still being saved. Save this one when that is done.</source>
+        <translation>Eine andere Aufzeichnung wird noch gespeichert. Speichern Sie diese, wenn jene fertig ist.</translation>
+    </message>
+    <message>
+        <source>Save Recording</source>
+        <translation>Aufzeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Recordings (*.hygrorec)</source>
+        <translation>Aufzeichnungen (*.hygrorec)</translation>
+    </message>
+    <message>
+        <source>Saving %1: %2 %</source>
+        <translation>%1 wird gespeichert: %2 %</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>The recording cannot be written to %1: %2</source>
+        <translation>Die Aufzeichnung lässt sich nicht in %1 schreiben: %2</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::SampleSubject</name>
+    <message>
+        <source>Add a fabric to run an experiment on.</source>
+        <translation>Fügen Sie ein Gewebe hinzu, mit dem der Versuch läuft.</translation>
+    </message>
+    <message>
+        <source>Add an experiment to run.</source>
+        <translation>Fügen Sie einen Versuch hinzu.</translation>
+    </message>
+    <message>
+        <source>Choose a smaller sample or a lower fidelity.</source>
+        <translation>Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>Save Map of the Top &amp;Face…</source>
+        <translation>&amp;Karte der Oberseite speichern…</translation>
+    </message>
+    <message>
+        <source>Save the map of the top face at the time shown, as picture or table.</source>
+        <translation>Die Karte der Oberseite zur gezeigten Zeit speichern, als Bild oder Tabelle.</translation>
+    </message>
+    <message>
+        <source>Save Map of the &amp;Bottom Face…</source>
+        <translation>Karte &amp;der Unterseite speichern…</translation>
+    </message>
+    <message>
+        <source>Save the map of the bottom face at the time shown, as picture or table.</source>
+        <translation>Die Karte der Unterseite zur gezeigten Zeit speichern, als Bild oder Tabelle.</translation>
+    </message>
+    <message>
+        <source>Save Picture Se&amp;quence…</source>
+        <translation>Bildfol&amp;ge speichern…</translation>
+    </message>
+    <message>
+        <source>Save the picture at each time of the run that is shown, as numbered PNG files.</source>
+        <translation>Das Bild zu jeder Zeit des gezeigten Laufs als nummerierte PNG-Dateien speichern.</translation>
+    </message>
+    <message>
+        <source>Save Fil&amp;m (MP4)…</source>
+        <translation>Fil&amp;m speichern (MP4)…</translation>
+    </message>
+    <message>
+        <source>Save the pictures of the run that is shown as a film.</source>
+        <translation>Die Bilder des gezeigten Laufs als Film speichern.</translation>
+    </message>
+    <message>
+        <source>What W&amp;as Modelled, and Why…</source>
+        <translation>W&amp;as modelliert wurde, und warum…</translation>
+    </message>
+    <message>
+        <source>Which physics the run on screen modelled, and the reasons.</source>
+        <translation>Welche Physik der gezeigte Lauf modelliert hat, und die Gründe.</translation>
+    </message>
+    <message>
+        <source>&amp;Add Droplet</source>
+        <translation>Tropfen &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a droplet to the experiment.</source>
+        <translation>Dem Versuch einen Tropfen hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Add &amp;Experiment</source>
+        <translation>&amp;Versuch hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a copy of the experiment.</source>
+        <translation>Eine Kopie des Versuchs hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Save Fil&amp;m (MP4): ffmpeg Is Not Installed</source>
+        <translation>Fil&amp;m speichern (MP4): ffmpeg ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>Out of date: the design has changed since this run. Results has a link to a run of it.</source>
+        <translation>Veraltet: der Entwurf hat sich seit diesem Lauf geändert. Unter Ergebnisse steht ein Link zu einem passenden Lauf.</translation>
+    </message>
+    <message>
+        <source>These results are for “%1, %2”. Results has a link to the run of what is selected.</source>
+        <translation>Diese Ergebnisse gehören zu „%1, %2“. Unter Ergebnisse steht ein Link zum Lauf des Gewählten.</translation>
+    </message>
+    <message>
+        <source>These results are for “%1”. Run the selected fabric.</source>
+        <translation>Diese Ergebnisse gehören zu „%1“. Rechnen Sie das gewählte Gewebe.</translation>
+    </message>
+    <message>
+        <source>These results are for “%1”. Run the selected experiment.</source>
+        <translation>Diese Ergebnisse gehören zu „%1“. Rechnen Sie den gewählten Versuch.</translation>
+    </message>
+    <message>
+        <source>Out of date: the design has changed since this run. Run again.</source>
+        <translation>Veraltet: Der Entwurf hat sich seit diesem Lauf geändert. Rechnen Sie neu.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save Map of the Top Face</source>
+        <translation>Karte der Oberseite speichern</translation>
+    </message>
+    <message>
+        <source>Save Map of the Bottom Face</source>
+        <translation>Karte der Unterseite speichern</translation>
+    </message>
+    <message>
+        <source>%1, top</source>
+        <translation>%1, oben</translation>
+    </message>
+    <message>
+        <source>%1, bottom</source>
+        <translation>%1, unten</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Table of the cells</source>
+        <translation>Tabelle der Zellen</translation>
+    </message>
+    <message>
+        <source>Folder for the Pictures</source>
+        <translation>Ordner für die Bilder</translation>
+    </message>
+    <message>
+        <source>The folder has pictures of a run</source>
+        <translation>Der Ordner enthält Bilder eines Laufs</translation>
+    </message>
+    <message>
+        <source>Write the pictures of this run over those in %1?</source>
+        <translation>Die Bilder dieses Laufs über die in %1 schreiben?</translation>
+    </message>
+    <message>
+        <source>%1 pictures with such names are there.</source>
+        <translation>%1 Bilder mit solchen Namen sind da.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Save Film</source>
+        <translation>Film speichern</translation>
+    </message>
+    <message>
+        <source>Films (*.mp4)</source>
+        <translation>Filme (*.mp4)</translation>
+    </message>
+    <message>
+        <source>about 4 min, 38 MB, error ≈ 14 %</source>
+        <translation>etwa 4 min, 38 MB, Fehler ≈ 14 %</translation>
     </message>
 </context>
 <context>
@@ -9048,415 +9327,6 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>The picture needs OpenGL 3.3, which this display does not provide.</source>
         <translation>Das Bild braucht OpenGL 3.3, das diese Anzeige nicht bietet.</translation>
-    </message>
-</context>
-<context>
-    <name>hygroloom::SimulateWorkspace</name>
-    <message>
-        <source>Experiment</source>
-        <translation>Versuch</translation>
-    </message>
-    <message>
-        <source>Simulation</source>
-        <translation>Simulation</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Ergebnisse</translation>
-    </message>
-    <message>
-        <source>Save Re&amp;cording As…</source>
-        <translation>Aufzei&amp;chnung speichern unter…</translation>
-    </message>
-    <message>
-        <source>Save the run that is shown.</source>
-        <translation>Den gezeigten Lauf speichern.</translation>
-    </message>
-    <message>
-        <source>Save Repor&amp;t…</source>
-        <translation>Be&amp;richt speichern…</translation>
-    </message>
-    <message>
-        <source>Save the results of the run that is shown, with maps at the time shown and charts, as PDF or web page.</source>
-        <translation>Speichert die Ergebnisse des gezeigten Laufs, mit Karten der gezeigten Zeit und Diagrammen, als PDF oder Webseite.</translation>
-    </message>
-    <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Starten</translation>
-    </message>
-    <message>
-        <source>Run the experiment on the selected fabric.</source>
-        <translation>Den Versuch mit dem gewählten Gewebe rechnen.</translation>
-    </message>
-    <message>
-        <source>&amp;Pause</source>
-        <translation>&amp;Pause</translation>
-    </message>
-    <message>
-        <source>Pause or resume the run.</source>
-        <translation>Den Lauf pausieren oder fortsetzen.</translation>
-    </message>
-    <message>
-        <source>S&amp;top</source>
-        <translation>S&amp;topp</translation>
-    </message>
-    <message>
-        <source>&amp;What Will Be Modelled, and Why…</source>
-        <translation>&amp;Was modelliert wird, und warum…</translation>
-    </message>
-    <message>
-        <source>Which physics the next run models, and the reasons.</source>
-        <translation>Welche Physik der nächste Lauf modelliert, und die Gründe.</translation>
-    </message>
-    <message>
-        <source>What W&amp;as Modelled, and Why…</source>
-        <translation>W&amp;as modelliert wurde, und warum…</translation>
-    </message>
-    <message>
-        <source>Which physics the run on screen modelled, and the reasons.</source>
-        <translation>Welche Physik der gezeigte Lauf modelliert hat, und die Gründe.</translation>
-    </message>
-    <message>
-        <source>&amp;Calibrate…</source>
-        <translation>&amp;Kalibrieren…</translation>
-    </message>
-    <message>
-        <source>Fit what is not known of the selected fabric to a measurement.</source>
-        <translation>Was vom gewählten Gewebe nicht bekannt ist, an eine Messung anpassen.</translation>
-    </message>
-    <message>
-        <source>P&amp;lay or Pause the Recording</source>
-        <translation>Aufzeichnung a&amp;bspielen oder anhalten</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Leertaste</translation>
-    </message>
-    <message>
-        <source>Play back the run.</source>
-        <translation>Den Lauf abspielen.</translation>
-    </message>
-    <message>
-        <source>Open the &amp;Design of the Recording</source>
-        <translation>&amp;Entwurf der Aufzeichnung öffnen</translation>
-    </message>
-    <message>
-        <source>Edit the design from which the run on screen was made.</source>
-        <translation>Den Entwurf bearbeiten, aus dem der gezeigte Lauf entstand.</translation>
-    </message>
-    <message>
-        <source>&amp;Add Droplet</source>
-        <translation>Tropfen &amp;hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add a droplet to the experiment.</source>
-        <translation>Dem Versuch einen Tropfen hinzufügen.</translation>
-    </message>
-    <message>
-        <source>Add &amp;Experiment</source>
-        <translation>&amp;Versuch hinzufügen</translation>
-    </message>
-    <message>
-        <source>Add a copy of the experiment.</source>
-        <translation>Eine Kopie des Versuchs hinzufügen.</translation>
-    </message>
-    <message>
-        <source>&amp;Resume</source>
-        <translation>&amp;Fortsetzen</translation>
-    </message>
-    <message>
-        <source>These results are for “%1”. Run the selected fabric.</source>
-        <translation>Diese Ergebnisse gehören zu „%1“. Rechnen Sie das gewählte Gewebe.</translation>
-    </message>
-    <message>
-        <source>These results are for “%1”. Run the selected experiment.</source>
-        <translation>Diese Ergebnisse gehören zu „%1“. Rechnen Sie den gewählten Versuch.</translation>
-    </message>
-    <message>
-        <source>Out of date: the design has changed since this run. Run again.</source>
-        <translation>Veraltet: Der Entwurf hat sich seit diesem Lauf geändert. Rechnen Sie neu.</translation>
-    </message>
-    <message>
-        <source>Design of the recording</source>
-        <translation>Entwurf der Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>Copying runs to the project: %1 %</source>
-        <translation>Läufe werden zum Projekt kopiert: %1 %</translation>
-    </message>
-    <message>
-        <source>The device failed</source>
-        <translation>Das Gerät ist ausgefallen</translation>
-    </message>
-    <message>
-        <source>%1
-
-Run on the CPU instead?</source>
-        <translation>%1
-
-Stattdessen auf der CPU rechnen?</translation>
-    </message>
-    <message>
-        <source>the experiment</source>
-        <translation>der Versuch</translation>
-    </message>
-    <message>
-        <source>A run is in progress</source>
-        <translation>Ein Lauf ist im Gang</translation>
-    </message>
-    <message>
-        <source>Stop the run of “%1”?</source>
-        <translation>Den Lauf von „%1“ stoppen?</translation>
-    </message>
-    <message>
-        <source>What is recorded up to now is kept with the project&apos;s runs.</source>
-        <translation>Was bis jetzt aufgezeichnet ist, bleibt bei den Läufen des Projekts.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop and Keep What Is Recorded</source>
-        <translation>&amp;Stoppen und Aufgezeichnetes behalten</translation>
-    </message>
-    <message>
-        <source>&amp;Let It Run</source>
-        <translation>&amp;Weiterlaufen lassen</translation>
-    </message>
-    <message>
-        <source>Design of %1</source>
-        <translation>Entwurf von %1</translation>
-    </message>
-    <message>
-        <source>Another recording is still being saved. Save this one when that is done.</source>
-        <translation>Eine andere Aufzeichnung wird noch gespeichert. Speichern Sie diese, wenn jene fertig ist.</translation>
-    </message>
-    <message>
-        <source>Save Recording</source>
-        <translation>Aufzeichnung speichern</translation>
-    </message>
-    <message>
-        <source>Recordings (*.hygrorec)</source>
-        <translation>Aufzeichnungen (*.hygrorec)</translation>
-    </message>
-    <message>
-        <source>Saving %1: %2 %</source>
-        <translation>%1 wird gespeichert: %2 %</translation>
-    </message>
-    <message>
-        <source>Saved %1.</source>
-        <translation>%1 ist gespeichert.</translation>
-    </message>
-    <message>
-        <source>The recording cannot be written to %1: %2</source>
-        <translation>Die Aufzeichnung lässt sich nicht in %1 schreiben: %2</translation>
-    </message>
-    <message>
-        <source>Save Picture Se&amp;quence…</source>
-        <translation>Bildfol&amp;ge speichern…</translation>
-    </message>
-    <message>
-        <source>Save the picture at each time of the run that is shown, as numbered PNG files.</source>
-        <translation>Das Bild zu jeder Zeit des gezeigten Laufs als nummerierte PNG-Dateien speichern.</translation>
-    </message>
-    <message>
-        <source>Save Fil&amp;m (MP4)…</source>
-        <translation>Fil&amp;m speichern (MP4)…</translation>
-    </message>
-    <message>
-        <source>Save the pictures of the run that is shown as a film.</source>
-        <translation>Die Bilder des gezeigten Laufs als Film speichern.</translation>
-    </message>
-    <message>
-        <source>Save Fil&amp;m (MP4): ffmpeg Is Not Installed</source>
-        <translation>Fil&amp;m speichern (MP4): ffmpeg ist nicht installiert</translation>
-    </message>
-    <message>
-        <source>&amp;Run on the CPU</source>
-        <translation>Auf der &amp;CPU rechnen</translation>
-    </message>
-    <message>
-        <source>&amp;Do Not Run</source>
-        <translation>&amp;Nicht rechnen</translation>
-    </message>
-    <message>
-        <source>Folder for the Pictures</source>
-        <translation>Ordner für die Bilder</translation>
-    </message>
-    <message>
-        <source>The folder has pictures of a run</source>
-        <translation>Der Ordner enthält Bilder eines Laufs</translation>
-    </message>
-    <message>
-        <source>Write the pictures of this run over those in %1?</source>
-        <translation>Die Bilder dieses Laufs über die in %1 schreiben?</translation>
-    </message>
-    <message>
-        <source>%1 pictures with such names are there.</source>
-        <translation>%1 Bilder mit solchen Namen sind da.</translation>
-    </message>
-    <message>
-        <source>&amp;Replace</source>
-        <translation>&amp;Ersetzen</translation>
-    </message>
-    <message>
-        <source>Save Film</source>
-        <translation>Film speichern</translation>
-    </message>
-    <message>
-        <source>Films (*.mp4)</source>
-        <translation>Filme (*.mp4)</translation>
-    </message>
-    <message>
-        <source>Save Map of the Top &amp;Face…</source>
-        <translation>&amp;Karte der Oberseite speichern…</translation>
-    </message>
-    <message>
-        <source>Save Map of the &amp;Bottom Face…</source>
-        <translation>Karte &amp;der Unterseite speichern…</translation>
-    </message>
-    <message>
-        <source>Save Map of the Top Face</source>
-        <translation>Karte der Oberseite speichern</translation>
-    </message>
-    <message>
-        <source>Save Map of the Bottom Face</source>
-        <translation>Karte der Unterseite speichern</translation>
-    </message>
-    <message>
-        <source>%1, top</source>
-        <translation>%1, oben</translation>
-    </message>
-    <message>
-        <source>%1, bottom</source>
-        <translation>%1, unten</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>Table of the cells</source>
-        <translation>Tabelle der Zellen</translation>
-    </message>
-    <message>
-        <source>Save the map of the top face at the time shown, as picture or table.</source>
-        <translation>Die Karte der Oberseite zur gezeigten Zeit speichern, als Bild oder Tabelle.</translation>
-    </message>
-    <message>
-        <source>Save the map of the bottom face at the time shown, as picture or table.</source>
-        <translation>Die Karte der Unterseite zur gezeigten Zeit speichern, als Bild oder Tabelle.</translation>
-    </message>
-    <message>
-        <source>Out of date: the design has changed since this run. Results has a link to a run of it.</source>
-        <translation>Veraltet: der Entwurf hat sich seit diesem Lauf geändert. Unter Ergebnisse steht ein Link zu einem passenden Lauf.</translation>
-    </message>
-    <message>
-        <source>These results are for “%1, %2”. Results has a link to the run of what is selected.</source>
-        <translation>Diese Ergebnisse gehören zu „%1, %2“. Unter Ergebnisse steht ein Link zum Lauf des Gewählten.</translation>
-    </message>
-    <message>
-        <source>Stop the run, and say whether to keep what it recorded.</source>
-        <translation>Den Lauf stoppen und sagen, ob das Aufgezeichnete bleibt.</translation>
-    </message>
-</context>
-<context>
-    <name>hygroloom::SimulationPanel</name>
-    <message>
-        <source>Run</source>
-        <translation>Starten</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
-    </message>
-    <message>
-        <source>What will be modelled, and why…</source>
-        <translation>Was modelliert wird, und warum…</translation>
-    </message>
-    <message>
-        <source>Which physics the next run models, and the reasons.</source>
-        <translation>Welche Physik der nächste Lauf modelliert, und die Gründe.</translation>
-    </message>
-    <message>
-        <source>Resume</source>
-        <translation>Fortsetzen</translation>
-    </message>
-    <message>
-        <source>Progress of the run</source>
-        <translation>Fortschritt des Laufs</translation>
-    </message>
-    <message>
-        <source>State of the run</source>
-        <translation>Zustand des Laufs</translation>
-    </message>
-    <message>
-        <source>Starting.</source>
-        <translation>Wird gestartet.</translation>
-    </message>
-    <message>
-        <source>Fidelity: %1</source>
-        <translation>Genauigkeit: %1</translation>
-    </message>
-    <message>
-        <source>Expected for %1</source>
-        <translation>Zu erwarten für %1</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>Processor that runs the simulation.</source>
-        <translation>Prozessor, der die Simulation rechnet.</translation>
-    </message>
-    <message>
-        <source>Add a fabric to run an experiment on.</source>
-        <translation>Fügen Sie ein Gewebe hinzu, mit dem der Versuch läuft.</translation>
-    </message>
-    <message>
-        <source>Add an experiment to run.</source>
-        <translation>Fügen Sie einen Versuch hinzu.</translation>
-    </message>
-    <message>
-        <source>Expected: %1</source>
-        <translation>Zu erwarten: %1</translation>
-    </message>
-    <message>
-        <source>Run the experiment on the selected fabric (Ctrl+R).</source>
-        <translation>Den Versuch mit dem gewählten Gewebe rechnen (Strg+R).</translation>
-    </message>
-    <message>
-        <source>Cannot run: %1</source>
-        <translation>Lässt sich nicht rechnen: %1</translation>
-    </message>
-    <message>
-        <source>%1 particles of free liquid.</source>
-        <translation>%1 Partikel freier Flüssigkeit.</translation>
-    </message>
-    <message>
-        <source>Finished.</source>
-        <translation>Fertig.</translation>
-    </message>
-    <message>
-        <source>about 4 min, 38 MB, error ≈ 14 %</source>
-        <translation>etwa 4 min, 38 MB, Fehler ≈ 14 %</translation>
-    </message>
-    <message>
-        <source>Stopped.</source>
-        <translation>Gestoppt.</translation>
-    </message>
-</context>
-<context>
-    <name>hygroloom::SimulationRun</name>
-    <message>
-        <source>Choose a smaller sample or a lower fidelity.</source>
-        <translation>Wählen Sie eine kleinere Probe oder eine geringere Genauigkeit.</translation>
     </message>
 </context>
 <context>

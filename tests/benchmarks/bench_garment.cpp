@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The Garment workspace, a tee of textile F, draft: seconds from the start of a run to its first map, and pictures a second while the
-// garment is turned with its map, 1280 x 800. Needs a display: xvfb-run.
+// A garment in the workspace Run, a tee of textile F, draft: seconds from the start of a run to its first map, and pictures a second while
+// the garment is turned with its map, 1280 x 800. Needs a display: xvfb-run.
 #include "ui/document/document.h"
 #include "ui/document/recovery.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_view.h"
-#include "ui/garment/run_form.h"
 #include "ui/garment/shape_view.h"
+#include "ui/picture/viewport.h"
 #include "ui/results/project_runs.h"
 #include "ui/results/run_history.h"
+#include "ui/results/run_panel.h"
 #include "ui/window/examples.h"
-#include "ui/window/garment_workspace.h"
+#include "ui/window/run_workspace.h"
 
 #include <QApplication>
 #include <QDir>
@@ -60,7 +61,6 @@ double turning(ShapeView& shape)
 int main(int count, char** arguments)
 {
     const QApplication app(count, arguments);
-    qRegisterMetaType<GarmentRun::Outcome>();
     const QTemporaryDir folder;
     Document document;
     Recovery recovery(document, folder.path());
@@ -68,19 +68,23 @@ int main(int count, char** arguments)
     QMainWindow window;
     RunHistory history;
     ProjectRuns project(document, recovery, history);
-    GarmentWorkspace workspace(document, history, project, window);
-    window.setCentralWidget(&workspace.view());
+    WindowQueue queue;
+    Viewport viewport;
+    RunWorkspace run(document, history, project, queue, viewport, window);
+    run.setSubject(Subject::garment);
+    GarmentSubject& garment = run.garment();
+    window.setCentralWidget(&garment.view());
     window.resize(1280, 800);
     window.show();
-    workspace.choice().setGarmentIndex(addBuiltInGarment(document, "tee"));
-    if (!wait([&] { return workspace.choice().drawing() && workspace.runForm().canRun(); })) return 1;
+    garment.choice().setGarmentIndex(addBuiltInGarment(document, "tee"));
+    if (!wait([&] { return run.panel().canRun(); })) return 1;
 
     QElapsedTimer clock;
     clock.start();
-    workspace.runForm().start();
-    if (!wait([&] { return workspace.playback().frames() > 1; })) return 1;
+    run.start();
+    if (!wait([&] { return garment.playback().frames() > 1; })) return 1;
     std::printf("first map of the run after %.2f s\n", 1e-3 * static_cast<double>(clock.elapsed()));
-    if (!wait([&] { return !workspace.run().running(); })) return 1;
+    if (!wait([&] { return !run.run().running(); })) return 1;
     std::printf("all of it after %.1f s\n", 1e-3 * static_cast<double>(clock.elapsed()));
     for (ShapeView* shape : window.findChildren<ShapeView*>()) {
         if (!shape->isVisible()) continue;

@@ -6,10 +6,9 @@
 #include "ui/compare/compare_maps.h"
 #include "ui/compare/compare_view.h"
 #include "ui/garment/garment_edits.h"
-#include "ui/garment/run_form.h"
 #include "ui/picture/textile_canvas.h"
 #include "ui/picture/view_bar.h"
-#include "ui/results/simulation_panel.h"
+#include "ui/results/run_panel.h"
 #include "ui/results/water_map_view.h"
 #include "ui/weave/weave_editor.h"
 #include "ui/window/design_workspace.h"
@@ -80,17 +79,17 @@ public:
 
     void run()
     {
-        SimulateWorkspace& simulate = window_.simulate();
-        simulate.panel().setFidelity(Fidelity::draft);
-        waitFor("the estimate", 30, [&] { return simulate.panel().canRun(); });
+        RunWorkspace& runs = window_.run();
+        runs.panel().setFidelity(Fidelity::draft);
+        waitFor("the estimate", 30, [&] { return runs.panel().canRun(); });
         const std::size_t before = window_.compare().runs().runs().size();
-        simulate.startRun();
-        waitFor("the run", 600, [&] { return !simulate.run().running() && window_.compare().runs().runs().size() > before; });
+        runs.start();
+        waitFor("the run", 600, [&] { return !runs.run().running() && window_.compare().runs().runs().size() > before; });
     }
 
     void showTime(double seconds)
     {
-        Playback& playback = window_.simulate().playback();
+        Playback& playback = window_.run().sample().playback();
         playback.show(playback.frameAt(seconds));
     }
 
@@ -105,13 +104,13 @@ private:
 void takeGarment(Photographer& photographer)
 {
     MainWindow& window = photographer.window();
-    GarmentWorkspace& garment = window.garment();
+    GarmentSubject& garment = window.run().garment();
     window.setWorkspace(Workspace::garment);
     garment.choice().setGarmentIndex(addBuiltInGarment(window.document(), "tee"));
     window.resize(picture_size); // other workspaces may have widened it
-    waitFor("the estimate", 30, [&] { return garment.runForm().canRun(); });
-    garment.runForm().start();
-    waitFor("the run of the garment", 600, [&] { return !garment.run().running() && garment.playback().frames() > 0; });
+    waitFor("the estimate", 30, [&] { return window.run().panel().canRun(); });
+    window.run().start();
+    waitFor("the run of the garment", 600, [&] { return !window.run().run().running() && garment.playback().frames() > 0; });
     settle();
     garment.playback().show(garment.playback().run()->frameAt(600));
     photographer.save("garment");

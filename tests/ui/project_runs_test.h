@@ -37,8 +37,8 @@ protected:
     {
         if (window_->document().experiment()->duration_s != 0.02) { shortenExperiment(0.02, 4, 0.5); }
         simulationPanel().setFidelity(Fidelity::live);
-        QSignalSpy ended(&simulation(), &SimulationRun::ended);
-        window_->simulate().startRun();
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
+        window_->run().start();
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 60000);
     }
 

@@ -10,8 +10,9 @@
 #include "ui/panels/issues_panel.h"
 #include "ui/panels/liquid_panel.h"
 #include "ui/results/chart.h"
+#include "ui/results/playback.h"
+#include "ui/results/queued_run.h"
 #include "ui/results/results_panel.h"
-#include "ui/results/simulation_run.h"
 #include "ui/window/examples.h"
 
 #include <QDir>
@@ -382,14 +383,18 @@ private Q_SLOTS:
         Playback playback;
         const ResultsPanel panel(playback);
         WindowQueue queue;
-        SimulationRun run(queue);
-        connect(&run, &SimulationRun::started, &playback,
-                [&](const std::shared_ptr<const RunRecord>& record) { playback.begin(record, {}); });
-        connect(&run, &SimulationRun::frameArrived, &playback, &Playback::append);
-        QSignalSpy ended(&run, &SimulationRun::ended);
+        QueuedRun run(queue);
+        QSignalSpy ended(&run, &QueuedRun::ended);
         RunOptions options;
         options.fidelity = Fidelity::draft;
-        run.start(design, "cloth", experiment.name, options, "cpu");
+        RunJob job{design, experiment.name, "cloth", {}, options};
+        job.beside.started = [&](const RunRecord& record) {
+            run.post([&playback, begun = std::make_shared<const RunRecord>(record)] { playback.begin(begun, {}); });
+        };
+        job.measured = [&](const std::shared_ptr<const Frame>& frame, const std::shared_ptr<const MetricsCollector>& so_far) {
+            run.post([&playback, frame, metrics = std::make_shared<const Metrics>(so_far->metrics())] { playback.append(frame, metrics); });
+        };
+        run.start(std::move(job), "cpu", {}, [](RunResult&) {});
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 120000);
         QVERIFY2(panel.text().contains("Vapour was left out until ") && panel.text().contains(" %, over the 1 %"),
                  qPrintable(panel.text()));

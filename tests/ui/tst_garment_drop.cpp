@@ -28,8 +28,8 @@ private Q_SLOTS:
         openWindow({1280, 800});
         QVERIFY(window_->document().openExample(example("three-candidates")));
         window_->setWorkspace(Workspace::garment);
-        window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
-        QTRY_VERIFY(window_->garment().choice().drawing());
+        window_->run().garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
+        QTRY_VERIFY(window_->run().garment().choice().drawing());
         QTest::qWait(200);
     }
     void cleanup()
@@ -106,7 +106,7 @@ private Q_SLOTS:
             }
             return false;
         };
-        FlatView& flat = window_->garment().view().flat();
+        FlatView& flat = window_->run().garment().view().flat();
         const auto zoom = [&](auto& view) {
             for (const QPointF& at : {QPointF(3, 3), QPointF(view.width() - 3, view.height() / 2)}) {
                 view.fit();
@@ -125,14 +125,14 @@ private Q_SLOTS:
 
     void aLiningIsChosenForOnePanelOrForAll()
     {
-        auto* field = window_->garment().panel().findChild<LiningField*>();
+        auto* field = window_->run().garment().panel().findChild<LiningField*>();
         QVERIFY(field);
         auto* lining = field->findChild<QComboBox*>();
         const auto choose = [&](int index) {
             lining->setCurrentIndex(index);
             Q_EMIT lining->activated(index);
         };
-        const auto cut = [&](std::size_t panel) { return *window_->garment().choice().garment()->cut_of(panels()[panel].name); };
+        const auto cut = [&](std::size_t panel) { return *window_->run().garment().choice().garment()->cut_of(panels()[panel].name); };
         const Design before = *window_->document().design();
         QCOMPARE(lining->currentIndex(), 0);
         choose(1); // the same fabric
@@ -140,7 +140,7 @@ private Q_SLOTS:
             QCOMPARE(cut(k).layers, 2);
             QVERIFY(cut(k).lining.empty());
         }
-        window_->garment().panel().panels().choosePanel(1); // as a click on the cloth does
+        window_->run().garment().panel().panels().choosePanel(1); // as a click on the cloth does
         QCOMPARE(lining->currentIndex(), 1);
         choose(3); // the second fabric
         QCOMPARE(cut(1).lining, before.fabrics[1].name);
@@ -155,7 +155,7 @@ private Q_SLOTS:
     /// The fault that was seen: "Cottor".
     void theNamesOfFabricsAreReadWhole()
     {
-        const auto boxes = window_->garment().panel().panels().findChildren<QComboBox*>();
+        const auto boxes = window_->run().garment().panel().panels().findChildren<QComboBox*>();
         int seen = 0;
         for (QComboBox* box : boxes) {
             auto* fabric = dynamic_cast<ElidedCombo*>(box);
@@ -184,8 +184,8 @@ private Q_SLOTS:
     }
 
 private:
-    ShapeView& shape() { return *window_->garment().view().newest().shape(); }
-    const std::vector<DrawnPanel>& panels() { return window_->garment().choice().drawing()->panels; }
+    ShapeView& shape() { return *window_->run().garment().view().newest().shape(); }
+    const std::vector<DrawnPanel>& panels() { return window_->run().garment().choice().drawing()->panels; }
     const Garment& garment() { return window_->document().design()->garments.front(); }
     /// Its line is drawn there, over the cloth.
     bool isAtRim(const QPointF& at, int panel)

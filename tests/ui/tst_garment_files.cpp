@@ -7,9 +7,9 @@
 #include "ui/garment/garment_panel.h"
 #include "ui/garment/garment_view.h"
 #include "ui/garment/rates_file.h"
-#include "ui/garment/run_form.h"
 #include "ui/garment/wear_form.h"
 #include "ui/results/run_history.h"
+#include "ui/results/run_panel.h"
 #include "window_test.h"
 
 #include <QDir>
@@ -45,8 +45,8 @@ private Q_SLOTS:
         QVERIFY(QDir().mkpath(folder_.filePath("rates/run")));
         QVERIFY(window_->document().saveAs(project));
         write(file, "time_s,zone,g_m2_h,skin_temperature_c\n0,chest,200,33\n600,chest,840,34\n900,default,400,34\n");
-        RatesFile& rates = window_->garment().wear().rates();
-        auto* table = window_->garment().wear().findChild<QTableWidget*>();
+        RatesFile& rates = window_->run().garment().wear().rates();
+        auto* table = window_->run().garment().wear().findChild<QTableWidget*>();
         QVERIFY(table->isVisible());
         chooseFile(file);
         rates.choose();
@@ -61,7 +61,7 @@ private Q_SLOTS:
         QTest::qWait(50);
         auto* words = rates.findChild<QLabel*>();
         QVERIFY(words->height() >= words->heightForWidth(words->width())); // all lines are seen
-        QVERIFY(window_->garment().wear().widget()->width() <= window_->garment().wear().viewport()->width());
+        QVERIFY(window_->run().garment().wear().widget()->width() <= window_->run().garment().wear().viewport()->width());
 
         QVERIFY(window_->document().saveAs(folder_.filePath("moved.hygro")));
         QCOMPARE(wear().activity_file, std::string("rates/run/rates.csv"));
@@ -78,7 +78,7 @@ private Q_SLOTS:
     void commandsThatNeedAGarmentSayWhyTheyWait()
     {
         QVERIFY(window_->document().design()->garments.empty());
-        QAction* run = window_->garment().actions().start;
+        QAction* run = window_->run().actions().start;
         QAction* remove = nullptr;
         for (QAction* action : window_->findChildren<QAction*>()) {
             if (action->text().remove('&') == "Remove Garment") { remove = action; }
@@ -89,7 +89,7 @@ private Q_SLOTS:
         };
         QVERIFY(waits(run, "Add a garment.") && waits(remove, "There is no garment to remove."));
         for (const char* name : {"Remove the garment and its experiments", "Rename the garment"}) {
-            for (const QToolButton* button : window_->garment().panel().findChildren<QToolButton*>()) {
+            for (const QToolButton* button : window_->run().garment().panel().findChildren<QToolButton*>()) {
                 if (button->accessibleName() != name) { continue; }
                 QVERIFY2(!button->isEnabled() && button->toolTip().startsWith("There is no garment"), name);
             }
@@ -110,18 +110,18 @@ private Q_SLOTS:
         open(recording);
         QCOMPARE(window_->document().design()->garments.size(), std::size_t{1});
         QCOMPARE(window_->document().title(), QString("Design of tee.hygrorec"));
-        QVERIFY(window_->garment().playback().run() && window_->garment().playback().frames() > 1); // it is still shown
-        QCOMPARE(window_->garment().choice().wear()->name, std::string("wear"));
+        QVERIFY(window_->run().garment().playback().run() && window_->run().garment().playback().frames() > 1); // it is still shown
+        QCOMPARE(window_->run().garment().choice().wear()->name, std::string("wear"));
         QVERIFY(view().noticeText().isEmpty());
-        QTRY_VERIFY(window_->garment().runForm().canRun()); // its forms act
+        QTRY_VERIFY(window_->run().panel().canRun()); // its forms act
     }
 
     void aProjectWithChangesStaysAndTheRecordingSaysWhatItIs()
     {
         const QString recording = recordTee();
         QVERIFY(window_->document().openExample(example("three-candidates")));
-        window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "leggings"));
-        QTRY_VERIFY(window_->garment().choice().drawing());
+        window_->run().garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "leggings"));
+        QTRY_VERIFY(window_->run().garment().choice().drawing());
         QVERIFY(view().newest().flat().acceptDrops());
         open(recording);
         QCOMPARE(window_->document().design()->garments[0].name, std::string("leggings"));
@@ -144,11 +144,11 @@ private Q_SLOTS:
         }
         QCOMPARE(window_->document().design()->garments[0].name, std::string("tee"));
         QVERIFY(view().noticeText().isEmpty());
-        QVERIFY(window_->garment().playback().run());
+        QVERIFY(window_->run().garment().playback().run());
     }
 
 private:
-    GarmentView& view() { return window_->garment().view(); }
+    GarmentView& view() { return window_->run().garment().view(); }
     const WearExperiment& wear() { return window_->document().design()->wears.front(); }
     static void write(const QString& path, const char* text)
     {
@@ -157,14 +157,14 @@ private:
     }
     void addTee()
     {
-        window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
+        window_->run().garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
         editGarment(window_->document(), "a child's", 0, {}, [](Garment& garment) { // few cells
             garment.built_in.chest_mm = 600;
             garment.built_in.length_mm = 400;
             garment.built_in.sleeve_mm = 120;
         });
         editWear(window_->document(), "shorter", 0, {}, [](WearExperiment& wear) { wear.duration_s = 20; });
-        QTRY_VERIFY(window_->garment().choice().drawing());
+        QTRY_VERIFY(window_->run().garment().choice().drawing());
     }
     /// A run of a tee, in a file that is no project's.
     QString recordTee()
@@ -173,23 +173,24 @@ private:
         if (QFile::exists(file)) { return file; }
         addTee();
         auto run = [this] {
-            QTRY_VERIFY(window_->garment().runForm().canRun());
-            window_->garment().runForm().start();
-            QTRY_VERIFY_WITH_TIMEOUT(!window_->garment().run().running(), 120000);
+            QTRY_VERIFY(window_->run().panel().canRun());
+            window_->run().start();
+            QTRY_VERIFY_WITH_TIMEOUT(!window_->run().run().running(), 120000);
         };
         run();
-        window_->garment().saveRun(file);
+        window_->run().saveRecording(window_->run().garment().playback().path(), file);
         [&] { QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(file), 20000); }();
         QTest::qWait(200);
-        const QString own = window_->garment().playback().run()->file;
+        const QString own = window_->run().garment().playback().run()->file;
         runs().forget(own);
         QFile::remove(own); // or the next project finds it as its own
         return file;
     }
     void open(const QString& recording)
     {
+        QSignalSpy measured(&window_->run().garment().playback(), &ShownRun::measured);
         QVERIFY(window_->openFile(recording));
-        QTRY_VERIFY_WITH_TIMEOUT(!window_->garment().run().running(), 20000);
+        QTRY_COMPARE_WITH_TIMEOUT(measured.count(), 1, 20000);
         QTest::qWait(50);
     }
 };

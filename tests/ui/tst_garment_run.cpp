@@ -11,15 +11,16 @@
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_view.h"
 #include "ui/garment/parts_table.h"
-#include "ui/garment/run_form.h"
 #include "ui/garment/shape_view.h"
 #include "ui/garment/step_legend.h"
 #include "ui/garment/steps_dialog.h"
+#include "ui/picture/viewport.h"
 #include "ui/results/chart.h"
 #include "ui/results/project_runs.h"
 #include "ui/results/run_history.h"
+#include "ui/results/run_panel.h"
 #include "ui/window/examples.h"
-#include "ui/window/garment_workspace.h"
+#include "ui/window/run_workspace.h"
 
 #include <QDir>
 #include <QMainWindow>
@@ -37,7 +38,7 @@ class TestGarmentRun : public QObject {
     Q_OBJECT
 
 private Q_SLOTS:
-    void initTestCase() { qRegisterMetaType<GarmentRun::Outcome>(); }
+    void initTestCase() { qRegisterMetaType<QueuedRun::Outcome>(); }
     void init()
     {
         document_ = std::make_unique<Document>();
@@ -46,12 +47,15 @@ private Q_SLOTS:
         window_ = std::make_unique<QMainWindow>();
         history_ = std::make_unique<RunHistory>();
         project_ = std::make_unique<ProjectRuns>(*document_, *recovery_, *history_);
-        workspace_ = std::make_unique<GarmentWorkspace>(*document_, *history_, *project_, queue_, *window_);
+        viewport_ = std::make_unique<Viewport>();
+        run_ = std::make_unique<RunWorkspace>(*document_, *history_, *project_, queue_, *viewport_, *window_);
+        run_->setSubject(Subject::garment);
+        workspace_ = &run_->garment();
         window_->setCentralWidget(&workspace_->view());
         window_->resize(1000, 700);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-        workspace_->runForm().setFidelity(Fidelity::live);
+        run_->panel().setFidelity(Fidelity::live);
         workspace_->choice().setGarmentIndex(addBuiltInGarment(*document_, "singlet"));
         editGarment(*document_, "a child's", 0, {}, [](Garment& garment) { // few cells
             garment.built_in.chest_mm = 600;
@@ -65,7 +69,8 @@ private Q_SLOTS:
     }
     void cleanup()
     {
-        workspace_.reset();
+        run_.reset();
+        viewport_.reset();
         window_.reset();
         project_.reset();
         history_.reset();
@@ -74,11 +79,11 @@ private Q_SLOTS:
     }
     void framesAreShownAsTheyCome()
     {
-        QSignalSpy frames(&workspace_->run(), &GarmentRun::frameArrived);
+        QSignalSpy frames(&workspace_->playback(), &WearPlayback::frameShown);
         run();
         QCOMPARE(workspace_->playback().frames(), static_cast<int>(frames.count()));
         QCOMPARE(workspace_->playback().time(), 60.0);
-        QCOMPARE(workspace_->chart().points().size(), frames.count());
+        QCOMPARE(run_->chartOf(Subject::garment).points().size(), frames.count());
         const WornRun& run = *workspace_->playback().run();
         QVERIFY(run.most_water > 0);
         // The same as the map that the command line writes, cell by cell.
@@ -121,9 +126,7 @@ private Q_SLOTS:
         QCOMPARE(view.newest().drawing(), workspace_->playback().run()->drawing);
         workspace_->choice().setGarmentIndex(1);
         QTRY_COMPARE(view.newest().drawing(), workspace_->choice().drawing());
-        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
-        workspace_->openRecording(file);
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60000);
+        open(file);
         QCOMPARE(view.newest().drawing(), workspace_->playback().run()->drawing);
     }
     void titlesOfAAndBKeepTheirEnds()
@@ -223,7 +226,6 @@ private Q_SLOTS:
         QCOMPARE(dialog.end(7).value(), std::optional(most));
         QCOMPARE(playback.steps(), even_steps(most));
     }
-
     void aClickPinsACellWithItsHistory()
     {
         openRun();
@@ -237,29 +239,28 @@ private Q_SLOTS:
         QVERIFY(there >= 0);
         QTest::mouseClick(&flat, Qt::LeftButton, Qt::NoModifier, at);
         QVERIFY(workspace_->playback().pin().panel >= 0);
-        QVERIFY(workspace_->chart().title().contains("pin"));
+        QVERIFY(run_->chartOf(Subject::garment).title().contains("pin"));
         const WearFrame& last = *run.frames.back();
         const double expected =
             1e3 * last.water(static_cast<std::size_t>(there)) / run.layout().cells[static_cast<std::size_t>(there)].area;
-        QCOMPARE(workspace_->chart().points().back().y(), expected);
+        QCOMPARE(run_->chartOf(Subject::garment).points().back().y(), expected);
         const QString zone =
             QString::fromStdString(body_zones()[static_cast<std::size_t>(run.layout().cells[static_cast<std::size_t>(there)].zone)]);
         QVERIFY2(workspace_->view().probeText().contains(zone), qPrintable(workspace_->view().probeText()));
         QVERIFY(workspace_->view().probeText().contains("g/m²"));
-        workspace_->pressKey(Qt::Key_Escape);
-        QVERIFY(workspace_->chart().title().contains("garment"));
+        run_->pressKey(Qt::Key_Escape);
+        QVERIFY(run_->chartOf(Subject::garment).title().contains("garment"));
     }
-
     void keysStepThroughTime()
     {
         openRun();
         WearPlayback& playback = workspace_->playback();
         const int last = playback.current();
-        QVERIFY(workspace_->pressKey(Qt::Key_Left));
+        QVERIFY(run_->pressKey(Qt::Key_Left));
         QCOMPARE(playback.current(), last - 1);
-        QVERIFY(workspace_->pressKey(Qt::Key_Right));
+        QVERIFY(run_->pressKey(Qt::Key_Right));
         QCOMPARE(playback.current(), last);
-        QVERIFY(!workspace_->pressKey(Qt::Key_Q));
+        QVERIFY(!run_->pressKey(Qt::Key_Q));
         workspace_->view().flat().zoomBy(4); // a panel lies in the middle
         const FlatView& flat = workspace_->view().flat();
         GarmentSpot middle = flat.spotAt(flat.rect().center());
@@ -267,12 +268,11 @@ private Q_SLOTS:
             if (shape->isVisible()) { middle = shape->spotAt({0.5 * shape->width(), 0.5 * shape->height()}); }
         }
         const bool panel = middle.panel >= 0;
-        QVERIFY(workspace_->pressKey(Qt::Key_Return));
+        QVERIFY(run_->pressKey(Qt::Key_Return));
         QCOMPARE(playback.pin().panel >= 0, panel);
-        QVERIFY(workspace_->pressKey(Qt::Key_Escape));
+        QVERIFY(run_->pressKey(Qt::Key_Escape));
         QCOMPARE(playback.pin().panel, -1);
     }
-
     void panelsAddUpToTheGarment()
     {
         openRun();
@@ -296,7 +296,6 @@ private Q_SLOTS:
             QVERIFY2(decimals.size() <= 1, qPrintable(table.horizontalHeaderItem(column)->text()));
         }
     }
-
     void aKeptRunIsComparedAtTheSameTime()
     {
         openRun();
@@ -319,7 +318,6 @@ private Q_SLOTS:
         playback.dropA();
         QVERIFY(!workspace_->view().kept().isVisible());
     }
-
     void differencesAreSoughtAtTheSamePlaceOfOtherCells()
     {
         openRun();
@@ -333,7 +331,6 @@ private Q_SLOTS:
         const auto ones = std::count(less.begin(), less.end(), 1.0);
         QVERIFY(static_cast<std::size_t>(ones) > 0.99 * static_cast<double>(less.size()));
     }
-
     void aRecordedRunOpensAgain()
     {
         run();
@@ -342,31 +339,27 @@ private Q_SLOTS:
         const std::vector<double> before =
             cellValues(workspace_->playback().run()->layout(), *workspace_->playback().frame(), WearValue::water);
         QVERIFY(isGarmentRecording(file));
-        workspace_->clearResults();
+        run_->clearResults();
         QVERIFY(!workspace_->playback().run());
-        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
-        workspace_->openRecording(file);
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60000);
-        QCOMPARE(ended[0][1].toString(), QString());
+        open(file);
         const std::vector<double> after =
             cellValues(workspace_->playback().run()->layout(), *workspace_->playback().frame(), WearValue::water);
         QCOMPARE(after.size(), before.size());
         const double most = workspace_->playback().run()->most_water;
         for (std::size_t i = 0; i < after.size(); ++i) { QVERIFY(std::abs(after[i] - before[i]) <= 1e-5 * most); } // written as floats
     }
-
     void aRunStopsAndKeepsItsFrames()
     {
         editWear(*document_, "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 36000; });
-        QTRY_VERIFY(workspace_->runForm().canRun());
-        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
-        workspace_->runForm().start();
+        QTRY_VERIFY(run_->panel().canRun());
+        QSignalSpy ended(&run_->run(), &QueuedRun::ended);
+        run_->start();
         QTRY_VERIFY_WITH_TIMEOUT(workspace_->playback().frames() > 0, 60000);
-        workspace_->run().cancel();
+        run_->run().cancel();
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20000);
-        QVERIFY(ended[0][0].value<GarmentRun::Outcome>() == GarmentRun::Outcome::cancelled);
+        QVERIFY(ended[0][0].value<QueuedRun::Outcome>() == QueuedRun::Outcome::cancelled);
         QVERIFY(workspace_->playback().frames() > 0);
-        QVERIFY(workspace_->runForm().canRun());
+        QVERIFY(run_->panel().canRun());
         // What was computed is a run of the project, which says that it was stopped.
         const KeptRun* kept = history_->find(workspace_->playback().run()->file);
         QVERIFY(kept && kept->worn && kept->own && !kept->complete());
@@ -375,10 +368,10 @@ private Q_SLOTS:
     void aRunPausesAndGoesOn()
     {
         editWear(*document_, "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 36000; });
-        QTRY_VERIFY(workspace_->runForm().canRun());
+        QTRY_VERIFY(run_->panel().canRun());
         std::array<QPushButton*, 3> buttons{};
         const std::array<QString, 3> names{"Run", "Pause", "Stop"};
-        for (auto* button : workspace_->runForm().findChildren<QPushButton*>()) {
+        for (auto* button : run_->panel().findChildren<QPushButton*>()) {
             for (std::size_t k = 0; k < names.size(); ++k) {
                 if (button->text() == names[k]) { buttons[k] = button; }
             }
@@ -386,12 +379,12 @@ private Q_SLOTS:
         const auto places = [&] { return std::array{buttons[0]->geometry(), buttons[1]->geometry(), buttons[2]->geometry()}; };
         const auto before = places();
         QVERIFY(!buttons[1]->isEnabled());
-        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
+        QSignalSpy ended(&run_->run(), &QueuedRun::ended);
         buttons[0]->click();
         QTRY_VERIFY_WITH_TIMEOUT(workspace_->playback().frames() > 0, 60000);
         QCOMPARE(places(), before);
         buttons[1]->click();
-        QVERIFY(workspace_->run().paused());
+        QVERIFY(run_->run().paused());
         QCOMPARE(buttons[1]->text(), QString("Resume"));
         QTest::qWait(500); // a frame that was under way
         const int frames = workspace_->playback().frames();
@@ -412,12 +405,19 @@ private Q_SLOTS:
 private:
     void run()
     {
-        QTRY_VERIFY(workspace_->runForm().canRun());
-        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
-        workspace_->runForm().start();
-        QVERIFY(!workspace_->runForm().canRun());
+        QTRY_VERIFY(run_->panel().canRun());
+        QSignalSpy ended(&run_->run(), &QueuedRun::ended);
+        run_->start();
+        QVERIFY(!run_->panel().canRun());
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 120000);
         QCOMPARE(ended[0][1].toString(), QString());
+    }
+
+    void open(const QString& recording)
+    {
+        QSignalSpy measured(&workspace_->playback(), &ShownRun::measured);
+        QVERIFY(run_->openRecording(recording));
+        QTRY_COMPARE_WITH_TIMEOUT(measured.count(), 1, 60000);
     }
 
     /// What run() shows, of which one recording is made: the project is the same at the start of each test.
@@ -429,10 +429,7 @@ private:
             QVERIFY(QFile::copy(workspace_->playback().run()->file, recording));
             return;
         }
-        QSignalSpy ended(&workspace_->run(), &GarmentRun::ended);
-        workspace_->openRecording(recording);
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60000);
-        QCOMPARE(ended[0][1].toString(), QString());
+        open(recording);
     }
 
     QTemporaryDir folder_;
@@ -442,7 +439,9 @@ private:
     std::unique_ptr<ProjectRuns> project_;
     std::unique_ptr<QMainWindow> window_;
     WindowQueue queue_;
-    std::unique_ptr<GarmentWorkspace> workspace_;
+    std::unique_ptr<Viewport> viewport_;
+    std::unique_ptr<RunWorkspace> run_;
+    GarmentSubject* workspace_ = nullptr; ///< of it
 };
 
 QTEST_MAIN(TestGarmentRun)

@@ -10,10 +10,11 @@
 #include "ui/garment/garment_panel.h"
 #include "ui/garment/garment_view.h"
 #include "ui/garment/panel_table.h"
-#include "ui/garment/run_form.h"
 #include "ui/garment/shape_view.h"
 #include "ui/garment/wear_form.h"
+#include "ui/panels/issues_panel.h"
 #include "ui/results/run_history.h"
+#include "ui/results/run_panel.h"
 #include "ui/window/docks.h"
 #include "window_test.h"
 
@@ -47,15 +48,16 @@ private Q_SLOTS:
     {
         QTest::keyClick(window_.get(), Qt::Key_4, Qt::ControlModifier);
         QTRY_COMPARE(window_->workspace(), Workspace::garment);
-        QVERIFY(window_->garment().actions().start->isVisible() && !window_->simulate().actions().start->isVisible());
-        window_->setWorkspace(Workspace::simulate);
-        QVERIFY(!window_->garment().actions().start->isVisible() && window_->simulate().actions().start->isVisible());
+        QVERIFY(window_->run().docks().garment->isVisible() && !window_->run().actions().plan->isEnabled());
+        QTest::keyClick(window_.get(), Qt::Key_2, Qt::ControlModifier);
+        QTRY_COMPARE(window_->workspace(), Workspace::simulate);
+        QVERIFY(!window_->run().docks().garment->isVisible() && window_->run().actions().plan->isEnabled());
     }
 
     void everythingFitsAt1280By800()
     {
         showTee();
-        auto& garment = window_->garment();
+        auto& garment = window_->run().garment();
         QVERIFY(garment.panel().width() >= 300);
         QVERIFY(garment.panel().widget()->width() <= garment.panel().viewport()->width());
         QVERIFY(garment.wear().widget()->width() <= garment.wear().viewport()->width());
@@ -85,8 +87,8 @@ private Q_SLOTS:
     void gapsAndSeamsAreReachedByKey()
     {
         showTee();
-        auto& garment = window_->garment();
-        reveal(garment.docks().fit);
+        auto& garment = window_->run().garment();
+        reveal(window_->run().docks().fit);
         window_->activateWindow();
         QTest::qWait(100);
         const auto& zones = gap_zones();
@@ -122,25 +124,25 @@ private Q_SLOTS:
         trigger("Save Picture…");
         QTRY_VERIFY(QFileInfo::exists(picture));
         const QImage saved(picture);
-        QCOMPARE(saved.size(), window_->garment().view().size() * window_->garment().view().devicePixelRatioF());
+        QCOMPARE(saved.size(), window_->run().garment().view().size() * window_->run().garment().view().devicePixelRatioF());
         // The garment in 3D is in it.
-        ShapeView* shape = window_->garment().view().newest().shape();
-        const QPoint middle = shape->mapTo(&window_->garment().view(), shape->rect().center());
+        ShapeView* shape = window_->run().garment().view().newest().shape();
+        const QPoint middle = shape->mapTo(&window_->run().garment().view(), shape->rect().center());
         QCOMPARE(saved.pixelColor(middle), shape->picture().pixelColor(shape->rect().center()));
     }
 
     void endsOfStepsStayWithTheWindow()
     {
         const WearSteps steps{1, 2, 5, 10, 20, 50, 100, 200};
-        window_->garment().playback().setSteps(WearValue::water, steps);
+        window_->run().garment().playback().setSteps(WearValue::water, steps);
         QVERIFY(window_->close());
         openWindow({1280, 800});
-        QCOMPARE(window_->garment().playback().ownSteps(WearValue::water), std::optional(steps));
-        QVERIFY(!window_->garment().playback().ownSteps(WearValue::share));
-        window_->garment().playback().setSteps(WearValue::water, std::nullopt);
+        QCOMPARE(window_->run().garment().playback().ownSteps(WearValue::water), std::optional(steps));
+        QVERIFY(!window_->run().garment().playback().ownSteps(WearValue::share));
+        window_->run().garment().playback().setSteps(WearValue::water, std::nullopt);
         QVERIFY(window_->close());
         openWindow({1280, 800});
-        QVERIFY(!window_->garment().playback().ownSteps(WearValue::water));
+        QVERIFY(!window_->run().garment().playback().ownSteps(WearValue::water));
     }
 
     void aReportIsSavedAsPageAndAsPdf()
@@ -149,7 +151,7 @@ private Q_SLOTS:
         run();
         const QString page = folder_.filePath("worn.html"), pdf = folder_.filePath("worn.pdf");
         chooseFile(page);
-        trigger("Save Report of the Garment…");
+        trigger("Save Report…");
         QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(page).size() > 0, 60000);
         QFile html(page);
         QVERIFY(html.open(QIODevice::ReadOnly));
@@ -158,10 +160,10 @@ private Q_SLOTS:
             QVERIFY2(text.contains(words), words);
         }
         QVERIFY(!text.contains("The run was stopped"));
-        const auto panels = static_cast<qsizetype>(window_->garment().playback().run()->layout().panels.size());
+        const auto panels = static_cast<qsizetype>(window_->run().garment().playback().run()->layout().panels.size());
         QVERIFY(text.count("<img ") >= panels && text.count("<img ") <= 4 * panels);
         chooseFile(pdf);
-        trigger("Save Report of the Garment…");
+        trigger("Save Report…");
         QTRY_VERIFY_WITH_TIMEOUT(QFileInfo(pdf).size() > 10000, 60000);
         QFile written(pdf);
         QVERIFY(written.open(QIODevice::ReadOnly));
@@ -180,32 +182,32 @@ private Q_SLOTS:
         const QString project = folder_.filePath("worn.hygro"), recording = runFolderOf(project) + "/run-1.hygrorec";
         chooseFile(project);
         trigger("Save As…");
-        QCOMPARE(window_->garment().playback().run()->file, recording);
+        QCOMPARE(window_->run().garment().playback().run()->file, recording);
         QVERIFY(isGarmentRecording(recording));
         run();
-        QCOMPARE(window_->garment().playback().run()->file, runFolderOf(project) + "/run-2.hygrorec");
-        const double water = window_->garment().playback().frame()->ledger.water_liquid;
+        QCOMPARE(window_->run().garment().playback().run()->file, runFolderOf(project) + "/run-2.hygrorec");
+        const double water = window_->run().garment().playback().frame()->ledger.water_liquid;
         QVERIFY(window_->close());
 
         openWindow({1280, 800});
         QVERIFY(window_->openFile(project));
         window_->setWorkspace(Workspace::garment);
-        auto* list = window_->garment().list().findChild<QTreeWidget*>();
+        auto* list = window_->run().list().findChild<QTreeWidget*>();
         QTRY_COMPARE_WITH_TIMEOUT(list->topLevelItemCount(), 2, 20000);
         QCOMPARE(list->topLevelItem(1)->text(0), QString("2: tee of Cotton plain"));
         QCOMPARE(list->topLevelItem(1)->text(1), QString("wear"));
         QVERIFY2(!list->topLevelItem(1)->text(5).contains("older"), qPrintable(list->topLevelItem(1)->text(5)));
-        QVERIFY(!window_->garment().playback().run());
-        const auto labels = window_->garment().view().findChildren<QLabel*>();
+        QVERIFY(!window_->run().garment().playback().run());
+        const auto labels = window_->run().garment().view().findChildren<QLabel*>();
         QLabel* offer = *std::find_if(labels.begin(), labels.end(), [](QLabel* l) { return l->accessibleName() == "Run that is kept"; });
         QVERIFY(offer->isVisible() && offer->text().contains("Open the kept run of") && !offer->text().contains("older"));
         Q_EMIT offer->linkActivated("run");
-        QTRY_VERIFY_WITH_TIMEOUT(window_->garment().playback().run() && !window_->garment().run().running(), 20000);
-        QCOMPARE(window_->garment().playback().run()->file, runFolderOf(project) + "/run-2.hygrorec"); // the newest
+        QTRY_VERIFY_WITH_TIMEOUT(window_->run().garment().playback().whole(), 20000);
+        QCOMPARE(window_->run().garment().playback().run()->file, runFolderOf(project) + "/run-2.hygrorec"); // the newest
         QVERIFY(!offer->isVisible());
         QCOMPARE(runs().runs().size(), std::size_t{2}); // no third one
-        window_->garment().playback().show(window_->garment().playback().frames() - 1);
-        QCOMPARE(window_->garment().playback().frame()->ledger.water_liquid, water);
+        window_->run().garment().playback().show(window_->run().garment().playback().frames() - 1);
+        QCOMPARE(window_->run().garment().playback().frame()->ledger.water_liquid, water);
         // Compare has both, once it has read their numbers.
         window_->setWorkspace(Workspace::compare);
         for (const auto* tree : compareView().findChildren<QTreeWidget*>()) { QCOMPARE(tree->topLevelItemCount(), 2); }
@@ -255,7 +257,7 @@ private Q_SLOTS:
         expectMoved(read_project(project.toStdString()));
         QVERIFY(garmentHoldsFor(before, before.garments[0].name, before.wears[0].name, *document.design()));
         QVERIFY(!document.modified());
-        QTRY_VERIFY(window_->garment().choice().drawing());
+        QTRY_VERIFY(window_->run().garment().choice().drawing());
         document.history()->undo();
         document.history()->undo();
         QCOMPARE(document.design()->garments[0].source, std::string("../../one/files/tee.json"));
@@ -270,10 +272,10 @@ private Q_SLOTS:
     {
         showTee();
         run();
-        auto& garment = window_->garment();
+        auto& garment = window_->run().garment();
         const QString file = folder_.filePath("afterwards.hygrorec");
         chooseFile(file);
-        trigger("Save Run As…");
+        trigger("Save Recording As…");
         QTRY_VERIFY_WITH_TIMEOUT(runs().runs().size() == 1 && runs().runs()[0].copy == file, 20000);
         QVERIFY(isSaved(runs().runs()[0]));
         const WearRecording saved(file.toStdString());
@@ -288,12 +290,12 @@ private Q_SLOTS:
     {
         showTee();
         run();
-        auto& garment = window_->garment();
+        auto& garment = window_->run().garment();
         garment.playback().keepAsA();
         const auto a = garment.playback().kept();
         editWear(window_->document(), "longer", 0, {}, [](WearExperiment& wear) { wear.duration_s = 36000; });
-        QTRY_VERIFY(garment.runForm().canRun());
-        garment.runForm().start();
+        QTRY_VERIFY(window_->run().panel().canRun());
+        window_->run().start();
         QTRY_VERIFY_WITH_TIMEOUT(garment.playback().run() != a, 60000);
         const QString file = folder_.filePath("a.hygrorec");
         chooseFile(file);
@@ -317,9 +319,9 @@ private Q_SLOTS:
         };
         auto words = defaultOf();
         QVERIFY(!window_->close());
-        QCOMPARE(*words, QString("Cancel"));
-        QVERIFY(garment.run().running());
-        garment.stopRun();
+        QCOMPARE(*words, QString("Let It Run"));
+        QVERIFY(window_->run().run().running());
+        window_->run().stopRun();
         words = defaultOf();
         QVERIFY(!window_->close());
         QCOMPARE(*words, QString("Save the Project"));
@@ -332,7 +334,7 @@ private Q_SLOTS:
         run();
         const auto captions = [this] {
             QStringList texts;
-            for (const QLabel* label : window_->garment().view().newest().findChildren<QLabel*>()) { texts << label->text(); }
+            for (const QLabel* label : window_->run().garment().view().newest().findChildren<QLabel*>()) { texts << label->text(); }
             return texts.join(' ');
         };
         QVERIFY(!captions().contains("Out of date"));
@@ -345,14 +347,14 @@ private Q_SLOTS:
     void thePlaceUnderThePointerIsThatOfTheFlatPanel()
     {
         showTee();
-        ShapeView* shape = window_->garment().view().newest().shape();
+        ShapeView* shape = window_->run().garment().view().newest().shape();
         QVERIFY(shape);
         QVERIFY2(shape->problem().isEmpty(), qPrintable(shape->problem()));
         shape->lookFrom(0);
         QTest::qWait(100);
         const QPointF middle(0.5 * shape->width(), 0.5 * shape->height());
         const GarmentSpot spot = shape->spotAt(middle);
-        const auto& drawing = window_->garment().choice().drawing();
+        const auto& drawing = window_->run().garment().choice().drawing();
         QVERIFY(spot.panel >= 0);
         QCOMPARE(drawing->panels[static_cast<std::size_t>(spot.panel)].name, std::string("front"));
         QVERIFY(drawing->panels[static_cast<std::size_t>(spot.panel)].path.contains(
@@ -375,14 +377,14 @@ private Q_SLOTS:
         showTee();
         window_->activateWindow();
         QuantityEdit* duration = nullptr;
-        for (QuantityEdit* edit : window_->garment().wear().findChildren<QuantityEdit*>()) {
+        for (QuantityEdit* edit : window_->run().garment().wear().findChildren<QuantityEdit*>()) {
             if (edit->accessibleName() == "Duration") { duration = edit; }
         }
         QVERIFY(duration);
         duration->setFocus();
         duration->selectAll();
         QTest::keyClicks(duration, "45");
-        for (QToolButton* button : window_->garment().wear().findChildren<QToolButton*>()) {
+        for (QToolButton* button : window_->run().garment().wear().findChildren<QToolButton*>()) {
             if (button->toolTip().startsWith("Remove the experiment")) { button->click(); }
         }
         QVERIFY(window_->document().design()->wears.empty());
@@ -396,15 +398,15 @@ private Q_SLOTS:
         window_->setWorkspace(Workspace::design);
         editGarment(window_->document(), "too warm", 0, {}, [](Garment& garment) { garment.wearer.skin_temperature_c = 90; });
         QVERIFY(window_->document().hasError());
-        QVERIFY(!window_->garment().runForm().canRun());
-        window_->garment().showIssue(true, 0);
-        QVERIFY(window_->garment().docks().garment->isVisible());
+        QVERIFY(!window_->run().panel().canRun());
+        Q_EMIT window_->findChild<IssuesPanel*>()->issueActivated(Place("garments") / std::size_t{0} / "wearer" / "skin_temperature_c");
+        QVERIFY(window_->run().docks().garment->isVisible());
     }
 
 private:
     QPushButton* button(const QString& text)
     {
-        for (QPushButton* each : window_->garment().list().findChildren<QPushButton*>()) {
+        for (QPushButton* each : window_->run().list().findChildren<QPushButton*>()) {
             if (each->text().remove('&') == text) { return each; }
         }
         return nullptr;
@@ -412,23 +414,23 @@ private:
     void showTee()
     {
         window_->setWorkspace(Workspace::garment);
-        window_->garment().runForm().setFidelity(Fidelity::live);
-        window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
+        window_->run().panel().setFidelity(Fidelity::live);
+        window_->run().garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
         editGarment(window_->document(), "a child's", 0, {}, [](Garment& garment) { // few cells
             garment.built_in.chest_mm = 600;
             garment.built_in.length_mm = 400;
             garment.built_in.sleeve_mm = 120;
         });
         editWear(window_->document(), "shorter", 0, {}, [](WearExperiment& wear) { wear.duration_s = 5; });
-        QTRY_VERIFY(window_->garment().choice().drawing());
+        QTRY_VERIFY(window_->run().garment().choice().drawing());
         QTest::qWait(200);
     }
     void run()
     {
-        QTRY_VERIFY(window_->garment().runForm().canRun());
-        window_->garment().runForm().start();
-        QTRY_VERIFY_WITH_TIMEOUT(!window_->garment().run().running(), 120000);
-        QVERIFY(window_->garment().playback().frames() > 1);
+        QTRY_VERIFY(window_->run().panel().canRun());
+        window_->run().start();
+        QTRY_VERIFY_WITH_TIMEOUT(!window_->run().run().running(), 120000);
+        QVERIFY(window_->run().garment().playback().frames() > 1);
     }
 };
 

@@ -13,10 +13,11 @@
 #include "ui/garment/panel_table.h"
 #include "ui/garment/wear_form.h"
 #include "ui/garment/zones_form.h"
+#include "ui/picture/viewport.h"
 #include "ui/results/project_runs.h"
 #include "ui/results/run_history.h"
 #include "ui/window/examples.h"
-#include "ui/window/garment_workspace.h"
+#include "ui/window/run_workspace.h"
 
 #include <QComboBox>
 #include <QDir>
@@ -48,7 +49,10 @@ private Q_SLOTS:
         window_ = std::make_unique<QMainWindow>();
         history_ = std::make_unique<RunHistory>();
         project_ = std::make_unique<ProjectRuns>(*document_, *recovery_, *history_);
-        workspace_ = std::make_unique<GarmentWorkspace>(*document_, *history_, *project_, queue_, *window_);
+        viewport_ = std::make_unique<Viewport>();
+        run_ = std::make_unique<RunWorkspace>(*document_, *history_, *project_, queue_, *viewport_, *window_);
+        run_->setSubject(Subject::garment);
+        workspace_ = &run_->garment();
         window_->setCentralWidget(&workspace_->view());
         window_->resize(1000, 700);
         window_->show();
@@ -56,7 +60,8 @@ private Q_SLOTS:
     }
     void cleanup()
     {
-        workspace_.reset();
+        run_.reset();
+        viewport_.reset();
         window_.reset();
         project_.reset();
         history_.reset();
@@ -177,7 +182,7 @@ private Q_SLOTS:
             QFile file(folder_.filePath(name));
             QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) > 0);
             file.close();
-            QSignalSpy said(workspace_.get(), &GarmentWorkspace::problemFound);
+            QSignalSpy said(run_.get(), &RunWorkspace::problemFound);
             chooseFile(file.fileName());
             workspace_->panel().addFile();
             QTRY_COMPARE(said.count(), 1);
@@ -434,7 +439,9 @@ private:
     std::unique_ptr<ProjectRuns> project_;
     std::unique_ptr<QMainWindow> window_;
     WindowQueue queue_;
-    std::unique_ptr<GarmentWorkspace> workspace_;
+    std::unique_ptr<Viewport> viewport_;
+    std::unique_ptr<RunWorkspace> run_;
+    GarmentSubject* workspace_ = nullptr; ///< of it
 };
 
 QTEST_MAIN(TestGarmentWorkspace)

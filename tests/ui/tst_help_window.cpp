@@ -99,7 +99,7 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < experiments.size(); ++i) {
             window_->document().setExperimentIndex(static_cast<int>(i));
             QApplication::setActiveWindow(window_.get());
-            window_->simulate().experiment().findChild<QComboBox*>()->setFocus();
+            window_->run().sample().experiment().findChild<QComboBox*>()->setFocus();
             trigger("User's Guide");
             QCOMPARE(window_->guide()->page(), QString(name_of(experiments[i].type)));
         }

@@ -89,8 +89,8 @@ private Q_SLOTS:
         window_->setWorkspace(Workspace::simulate);
         simulationPanel().setFidelity(Fidelity::draft);
         type("Duration", "0.2 s");
-        QSignalSpy started(&simulation(), &SimulationRun::started);
-        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        QSignalSpy started(&playback(), &Playback::runChanged);
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
         trigger("Run");
         QTRY_VERIFY_WITH_TIMEOUT(started.count() == 1, 10000);
         simulation().cancel();
@@ -243,7 +243,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(playback().path(), first, 5000);
         QTRY_VERIFY_WITH_TIMEOUT(playback().frame(), 5000);
         QCOMPARE(window_->document().fabric()->ends_per_cm, 30.0); // the project stays
-        QVERIFY(window_->simulate().resultsAreStale());
+        QVERIFY(window_->run().sample().resultsAreStale());
         QVERIFY(!QSettings().value("recent").toStringList().contains(first)); // it belongs to the project
     }
 
@@ -287,9 +287,8 @@ private Q_SLOTS:
         QVERIFY(QFile::copy(first, saved));
         window_->document().edit("a longer experiment", {}, [](Design& d) { d.experiments[0].duration_s = 30; });
         simulationPanel().setFidelity(Fidelity::draft); // seconds long
-        QSignalSpy arrived(&simulation(), &SimulationRun::frameArrived);
-        window_->simulate().startRun();
-        QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 0, 30000);
+        window_->run().start();
+        QTRY_VERIFY_WITH_TIMEOUT(playback().live() && playback().frames() > 0, 30000);
         const QString second = playback().path();
         const auto asked = press("Stop and Keep What Is Recorded");
         QVERIFY(window_->openFile(saved));
@@ -384,8 +383,8 @@ private:
     void run()
     {
         shortenExperiment(0.02, 4, 0.5);
-        QSignalSpy ended(&simulation(), &SimulationRun::ended);
-        window_->simulate().startRun();
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
+        window_->run().start();
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 60000);
     }
 

@@ -126,17 +126,17 @@ private Q_SLOTS:
     {
         shortenExperiment(0.02, 4, 0.5);
         simulationPanel().setFidelity(Fidelity::draft); // of particles
-        QSignalSpy started(&simulation(), &SimulationRun::started);
-        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        QSignalSpy started(&playback(), &Playback::runChanged);
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
         QSignalSpy maps(&waterMaps(), &WaterMapView::mapChanged);
 
-        window_->simulate().startRun();
+        window_->run().start();
         QTRY_VERIFY_WITH_TIMEOUT(started.count() == 1, 10000);
         QCOMPARE(window_->workspace(), Workspace::simulate);
         QTRY_VERIFY_WITH_TIMEOUT(maps.count() > 0, 60000);
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 120000);
 
-        QCOMPARE(ended.first().at(0).value<SimulationRun::Outcome>(), SimulationRun::Outcome::finished);
+        QCOMPARE(ended.first().at(0).value<QueuedRun::Outcome>(), QueuedRun::Outcome::finished);
         QVERIFY(playback().frames() > 1);
         QTRY_VERIFY_WITH_TIMEOUT(waterMaps().top().map().maximum() > 0, 5000);
         QVERIFY(waterMaps().top().circle().radius > 0);
@@ -145,7 +145,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(waterMaps().top().circle().radius, reached, 5000);
         QVERIFY(chart().points().size() > 1);
         QCOMPARE(chart().curves(), (QStringList{"free", "in yarns", "in fibres", "evaporated"}));
-        QVERIFY(!window_->simulate().resultsAreStale());
+        QVERIFY(!window_->run().sample().resultsAreStale());
     }
 
     void resultsFitASmallScreenSideways()
@@ -227,21 +227,21 @@ private Q_SLOTS:
     void anEditMarksTheResultsStaleAndUndoDoesNot()
     {
         window_->document().edit("picks", {}, [](Design& d) { d.fabrics[0].picks_per_cm -= 1; });
-        QVERIFY(window_->simulate().resultsAreStale());
+        QVERIFY(window_->run().sample().resultsAreStale());
         QVERIFY(waterMaps().top().map().maximum() > 0);
         window_->document().history()->undo();
-        QVERIFY(!window_->simulate().resultsAreStale());
+        QVERIFY(!window_->run().sample().resultsAreStale());
     }
 
     void theLiquidThatWasUsedMakesResultsStale()
     {
         window_->document().edit("another", {}, [](Design& d) { d.liquids = {{"oil"}}; });
-        QVERIFY(!window_->simulate().resultsAreStale());
+        QVERIFY(!window_->run().sample().resultsAreStale());
         window_->document().edit("water", {}, [](Design& d) { d.liquids = {{"water", 72.74, 5}}; });
-        QVERIFY(window_->simulate().resultsAreStale());
+        QVERIFY(window_->run().sample().resultsAreStale());
         window_->document().history()->undo();
         window_->document().history()->undo();
-        QVERIFY(!window_->simulate().resultsAreStale());
+        QVERIFY(!window_->run().sample().resultsAreStale());
     }
 
     void theRecordingOpensAgain()
@@ -271,10 +271,10 @@ private Q_SLOTS:
     void aRunCanBePausedAndStopped()
     {
         window_->document().edit("a long experiment", {}, [](Design& d) { d.experiments[0].duration_s = 60; });
-        QSignalSpy started(&simulation(), &SimulationRun::started);
-        QSignalSpy progressed(&simulation(), &SimulationRun::progressed);
-        QSignalSpy ended(&simulation(), &SimulationRun::ended);
-        window_->simulate().startRun();
+        QSignalSpy started(&playback(), &Playback::runChanged);
+        QSignalSpy progressed(&simulation(), &QueuedRun::progressed);
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
+        window_->run().start();
         QTRY_VERIFY_WITH_TIMEOUT(started.count() == 1 && progressed.count() > 0, 20000);
 
         simulation().setPaused(true);
@@ -283,7 +283,7 @@ private Q_SLOTS:
         simulation().cancel();
 
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 2000);
-        QCOMPARE(ended.first().at(0).value<SimulationRun::Outcome>(), SimulationRun::Outcome::cancelled);
+        QCOMPARE(ended.first().at(0).value<QueuedRun::Outcome>(), QueuedRun::Outcome::cancelled);
         QVERIFY(!simulation().running());
     }
 

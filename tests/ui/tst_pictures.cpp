@@ -80,7 +80,7 @@ private Q_SLOTS:
         for (const auto& [name, workspace] : workspaces) {
             window_->setWorkspace(workspace);
             if (workspace == Workspace::garment) {
-                window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
+                window_->run().garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
             }
             compare(which + "-" + name, changed);
         }

@@ -83,8 +83,8 @@ private Q_SLOTS:
         auto* slider = timeline().findChild<QSlider*>();
         QTest::qWait(500);
         const QRect place = placeOf(slider);
-        QSignalSpy ended(&simulation(), &SimulationRun::ended);
-        window_->simulate().startRun();
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
+        window_->run().start();
         QTRY_VERIFY_WITH_TIMEOUT(ended.count() == 1, 60000);
         QTest::qWait(50);
         QCOMPARE(placeOf(slider), place);
@@ -168,9 +168,9 @@ private Q_SLOTS:
         QTest::qWait(500);
         const std::vector<QRect> before = places();
         QVERIFY(!before[0].intersects(before[1]) && !before[0].intersects(before[2]) && !before[1].intersects(before[2]));
-        QSignalSpy arrived(&simulation(), &SimulationRun::frameArrived), ended(&simulation(), &SimulationRun::ended);
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
         buttons[0]->click();
-        QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 0, 30000);
+        QTRY_VERIFY_WITH_TIMEOUT(playback().live() && playback().frames() > 0, 30000);
         simulation().setPaused(true);
         QCOMPARE(enabled(), QString("-RS")); // resume and stop
         QTest::qWait(50);

@@ -2,6 +2,8 @@
 // What a run asks: before it takes more memory than is free, and whether to keep what it recorded; and that it writes nothing into an
 // installation. Needs a display: xvfb-run.
 #include "project_runs_test.h"
+#include "ui/garment/garment_edits.h"
+#include "ui/results/device_choice.h"
 
 #include <QRegularExpression>
 
@@ -31,7 +33,7 @@ private Q_SLOTS:
         QFETCH(bool, kept);
         startLongRun();
         const QString recording = playback().path();
-        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
         const auto asked = press(answer);
         for (QPushButton* each : simulationPanel().findChildren<QPushButton*>()) {
             if (each->text().remove('&') == "Stop") { each->click(); }
@@ -48,7 +50,7 @@ private Q_SLOTS:
     {
         shortenExperiment(3600, 10, 5);
         QTRY_VERIFY(simulationPanel().canRun());
-        window_->simulate().startRun();
+        window_->run().start();
         QVERIFY(simulation().running()); // before any word of its thread
         int found = 0;
         for (const QPushButton* each : simulationPanel().findChildren<QPushButton*>()) {
@@ -58,9 +60,40 @@ private Q_SLOTS:
             QVERIFY2(each->isEnabled() == (text != "Run"), qPrintable(text));
         }
         QCOMPARE(found, 3);
-        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
         simulation().cancel();
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 20000);
+    }
+
+    void aSubjectWhoseGpuCannotBeOpenedMayRunOnTheCpu_data()
+    {
+        QTest::addColumn<bool>("worn");
+        QTest::newRow("sample") << false;
+        QTest::newRow("garment") << true;
+    }
+    void aSubjectWhoseGpuCannotBeOpenedMayRunOnTheCpu()
+    {
+        QFETCH(bool, worn);
+        for (const DeviceLine& device : devicesOfThisMachine()) {
+            if (device.is_gpu && device.problem.isEmpty()) { QSKIP("this machine has a GPU"); }
+        }
+        shortenExperiment(0.02, 4, 0.5);
+        if (worn) {
+            addBuiltInGarment(window_->document(), "singlet");
+            editWear(window_->document(), "shorter", 0, {}, [](WearExperiment& wear) { wear.duration_s = 5; });
+            window_->setWorkspace(Workspace::garment);
+        }
+        simulationPanel().setBackend("cuda");
+        QTRY_VERIFY(simulationPanel().canRun());
+        const auto asked = press("Run on the CPU");
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
+        window_->run().start();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, 60000);
+        QVERIFY2(asked->contains("Run on the CPU instead?"), qPrintable(*asked));
+        QCOMPARE(simulationPanel().backend(), std::string("cpu"));
+        QCOMPARE(ended[1][0].value<QueuedRun::Outcome>(), QueuedRun::Outcome::finished);
+        QCOMPARE(runs().runs().size(), std::size_t{1});
+        QCOMPARE(runs().runs()[0].worn, worn);
     }
 
     void anInstalledExampleIsOpenedWithoutItsFolder()
@@ -98,17 +131,17 @@ private Q_SLOTS:
                 if (button->text().remove('&') == answer) { button->click(); }
             }
         });
-        QSignalSpy ended(&simulation(), &SimulationRun::ended);
+        QSignalSpy ended(&simulation(), &QueuedRun::ended);
         const rlimit little{takenAddresses() + 900'000'000, before.rlim_max};
         QCOMPARE(setrlimit(RLIMIT_AS, &little), 0);
-        window_->simulate().startRun();
+        window_->run().start();
         const bool runs_all_the_same = answer != "Cancel";
         QTRY_VERIFY_WITH_TIMEOUT(!question->isEmpty() && ended.count() == (runs_all_the_same ? 2 : 1), 120000);
         setrlimit(RLIMIT_AS, &before);
         static const QRegularExpression numbers("This run takes about [0-9.]+.[MG]B of memory; [0-9.]+.MB are free\\.");
         QVERIFY2(numbers.match(*question).hasMatch(), qPrintable(*question));
-        const auto outcome = ended.back().at(0).value<SimulationRun::Outcome>();
-        QCOMPARE(outcome, runs_all_the_same ? SimulationRun::Outcome::finished : SimulationRun::Outcome::memory_short);
+        const auto outcome = ended.back().at(0).value<QueuedRun::Outcome>();
+        QCOMPARE(outcome, runs_all_the_same ? QueuedRun::Outcome::finished : QueuedRun::Outcome::memory_short);
         QCOMPARE(QDir(runFolderOf(project_)).exists(), runs_all_the_same);
     }
 
@@ -123,9 +156,8 @@ private:
     {
         shortenExperiment(3600, 10, 5);
         simulationPanel().setFidelity(Fidelity::draft); // seconds long
-        QSignalSpy arrived(&simulation(), &SimulationRun::frameArrived);
-        window_->simulate().startRun();
-        QTRY_VERIFY_WITH_TIMEOUT(arrived.count() > 1, 30000);
+        window_->run().start();
+        QTRY_VERIFY_WITH_TIMEOUT(playback().live() && playback().frames() > 1, 30000);
         simulation().setPaused(true); // or it ends while the test goes on
         QVERIFY(simulation().running());
     }

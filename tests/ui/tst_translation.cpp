@@ -253,10 +253,10 @@ private Q_SLOTS:
     {
         QVERIFY(window_->openFile(example("three-candidates")));
         window_->setWorkspace(Workspace::garment);
-        window_->garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
-        QTRY_VERIFY(window_->garment().choice().drawing());
+        window_->run().garment().choice().setGarmentIndex(addBuiltInGarment(window_->document(), "tee"));
+        QTRY_VERIFY(window_->run().garment().choice().drawing());
         QTest::qWait(200);
-        const PanelTable& panels = window_->garment().panel().panels();
+        const PanelTable& panels = window_->run().garment().panel().panels();
         QVERIFY(panels.rowCount() > 0);
         for (int row = 0; row < panels.rowCount(); ++row) {
             const auto* fabric = static_cast<ElidedCombo*>(panels.cellWidget(row, 1));

@@ -5,7 +5,7 @@
 #include "ui/basics/appearance.h"
 #include "ui/basics/preferences.h"
 #include "ui/compare/compare_view.h"
-#include "ui/results/simulation_panel.h"
+#include "ui/results/run_panel.h"
 #include "ui/window/main_window.h"
 
 #include <QAbstractButton>
@@ -28,13 +28,13 @@ public:
     static void initMain() { requestOpenGL(); }
 
 protected:
-    Playback& playback() { return window_->simulate().playback(); }
-    SimulationRun& simulation() { return window_->simulate().run(); }
-    SimulationPanel& simulationPanel() { return window_->simulate().panel(); }
-    WaterMapView& waterMaps() { return window_->simulate().maps(); }
-    Chart& chart() { return window_->simulate().chart(); }
-    ResultsPanel& results() { return window_->simulate().results(); }
-    Timeline& timeline() { return window_->simulate().timeline(); }
+    Playback& playback() { return window_->run().sample().playback(); }
+    QueuedRun& simulation() { return window_->run().run(); }
+    RunPanel& simulationPanel() { return window_->run().panel(); }
+    WaterMapView& waterMaps() { return window_->run().sample().maps(); }
+    Chart& chart() { return window_->run().chartOf(Subject::sample); }
+    ResultsPanel& results() { return window_->run().sample().resultsPanel(); }
+    Timeline& timeline() { return window_->run().timelineOf(Subject::sample); }
     CompareView& compareView() { return window_->compare().view(); }
     RunHistory& runs() { return window_->compare().runs(); }
     static QString example(const QString& name) { return QString(HYGROLOOM_SOURCE_DIR) + "/resources/examples/" + name + ".hygro"; }

@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <utility>
 
 namespace hygroloom {
@@ -80,5 +81,11 @@ QString messageText(const Message& message)
 }
 
 QString issueText(const Issue& issue) { return messageText(issue.message); }
+
+QString firstError(const std::vector<Issue>& issues)
+{
+    const auto error = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
+    return error == issues.end() ? QString() : issueText(*error);
+}
 
 } // namespace hygroloom

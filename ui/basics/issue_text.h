@@ -6,6 +6,8 @@
 
 #include <QString>
 
+#include <vector>
+
 namespace hygroloom {
 
 /// Amounts whose unit the preferences choose have three digits.
@@ -13,5 +15,8 @@ QString messageText(const Message& message);
 
 /// What an issue says, to be shown.
 QString issueText(const Issue& issue);
+
+/// What the first error says; empty: there is none.
+QString firstError(const std::vector<Issue>& issues);
 
 } // namespace hygroloom

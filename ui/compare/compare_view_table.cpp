@@ -184,13 +184,7 @@ std::vector<StudyJob> CompareView::missing() const
     return jobs;
 }
 
-QString CompareView::whyNoRun() const
-{
-    for (const Issue& issue : document_.issues()) {
-        if (issue.severity == Severity::error) { return issueText(issue); }
-    }
-    return {};
-}
+QString CompareView::whyNoRun() const { return firstError(document_.issues()); }
 
 std::optional<double> CompareView::secondsOf(const StudyJob& job) const
 {

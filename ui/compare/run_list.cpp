@@ -56,7 +56,7 @@ RunList::RunList(RunHistory& history, std::function<QString(const KeptRun&)> why
 }
 
 RunList::RunList(RunHistory& history, QWidget* parent)
-    : QWidget(parent), history_(history), list_(new QTreeWidget), actions_(new RunActions(history, true))
+    : QWidget(parent), history_(history), list_(new QTreeWidget), actions_(new RunActions(history))
 {
     build();
     connect(&history_, &RunHistory::changed, this, [this] { refresh({}); });
@@ -65,15 +65,14 @@ RunList::RunList(RunHistory& history, QWidget* parent)
 
 void RunList::build()
 {
-    list_->setAccessibleName(ofGarments() ? tr("Runs of garments") : tr("Runs to compare"));
-    list_->setHeaderLabels(
-        {ofGarments() ? tr("Garment") : tr("Fabric"), tr("Experiment"), tr("Fidelity"), tr("Took"), tr("Size"), tr("State")});
+    list_->setAccessibleName(hasTicks() ? tr("Runs to compare") : tr("Runs of the project"));
+    list_->setHeaderLabels({tr("Fabric or garment"), tr("Experiment"), tr("Fidelity"), tr("Took"), tr("Size"), tr("State")});
     list_->setRootIsDecorated(false);
     list_->setTextElideMode(Qt::ElideMiddle); // names often differ at their end
     list_->setFrameShape(QFrame::NoFrame);
     list_->setMinimumSize(240, 80);
-    list_->setToolTip(ofGarments() ? tr("Double-click a run, or press Enter, to show it.")
-                                   : tr("Tick two to four runs of the same experiment. Double-click one to open it."));
+    list_->setToolTip(hasTicks() ? tr("Tick two to four runs of the same experiment. Double-click one to open it.")
+                                 : tr("Double-click a run, or press Enter, to show it."));
     connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
         const QString path = item->data(0, Qt::UserRole).toString();
         const bool on = item->checkState(0) == Qt::Checked;
@@ -101,7 +100,6 @@ void RunList::refresh(const QStringList& ticked)
     const QString at = current ? current->data(0, Qt::UserRole).toString() : QString();
     list_->clear();
     for (const KeptRun& run : history_.runs()) {
-        if (ofGarments() && !run.worn) { continue; }
         auto* item = new QTreeWidgetItem(list_);
         fill(item, run, ticked.contains(run.path));
         if (run.path == at) { list_->setCurrentItem(item); }
@@ -121,11 +119,11 @@ void RunList::fill(QTreeWidgetItem* item, const KeptRun& run, bool ticked)
     item->setText(3, run.complete() ? tr("%1 s").arg(shownNumber(run.run->wall, decimals_for(run.run->wall, 2))) : tr("stopped"));
     item->setText(4, bytesText(run.bytes));
     item->setText(5, stateOf(run, *history_.design()));
-    const QString why = ofGarments() ? run.problem : why_not_(run);
+    const QString why = hasTicks() ? why_not_(run) : run.problem;
     const QString origin = run.worn ? QString::fromStdString(run.run->date + ", " + run.run->device) : originOf(*run.run, false);
     const QString name = item->text(0) + ", " + item->text(1);
     const QString tip = name + ". " + (why.isEmpty() ? origin : why) + ". " + QDir::toNativeSeparators(run.path);
-    if (!ofGarments()) { item->setCheckState(0, ticked ? Qt::Checked : Qt::Unchecked); }
+    if (hasTicks()) { item->setCheckState(0, ticked ? Qt::Checked : Qt::Unchecked); }
     if (!why.isEmpty()) { item->setFlags(item->flags() & ~Qt::ItemIsUserCheckable); }
     for (int column = 0; column < list_->columnCount(); ++column) {
         item->setToolTip(column, "<p>" + tip.toHtmlEscaped() + "</p>");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// All runs of the project, or those of garments, also of older designs, and recordings that were opened; to be opened, kept, forgotten and
-// ticked.
+// All runs of the project, also of older designs, and recordings that were opened; to be opened, kept, forgotten and ticked.
 #pragma once
 
 #include "ui/results/run_history.h"
@@ -19,9 +18,9 @@ class RunActions;
 class RunList : public QWidget {
     Q_OBJECT
 public:
-    /// Of all. why_not: why a run cannot be ticked now; empty when it can.
+    /// why_not: why a run cannot be ticked now; empty when it can.
     RunList(RunHistory& history, std::function<QString(const KeptRun&)> why_not, QWidget* parent = nullptr);
-    /// Of garments alone, which follows the history and has nothing to tick.
+    /// Which follows the history and has nothing to tick.
     explicit RunList(RunHistory& history, QWidget* parent = nullptr);
 
     void refresh(const QStringList& ticked);
@@ -35,7 +34,7 @@ Q_SIGNALS:
 private:
     void build();
     void fill(QTreeWidgetItem* item, const KeptRun& run, bool ticked);
-    bool ofGarments() const { return !why_not_; }
+    bool hasTicks() const { return static_cast<bool>(why_not_); }
 
     RunHistory& history_;
     std::function<QString(const KeptRun&)> why_not_;

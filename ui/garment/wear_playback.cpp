@@ -29,17 +29,24 @@ double scaleEndOfRun(double most, double share_of_time, double capacity)
     return rounded_up(std::max(most, std::min(at_end, capacity)));
 }
 
-WearPlayback::WearPlayback(QObject* parent) : ShownTime(parent)
+WearPlayback::WearPlayback(QObject* parent) : ShownRun(parent)
 {
     for (const auto signal : {&WearPlayback::scaleChanged, &WearPlayback::pinChanged}) {
-        connect(this, signal, this, &ShownTime::metricsChanged);
+        connect(this, signal, this, &ShownRun::metricsChanged);
     }
-    connect(this, &ShownTime::framesChanged, this, &ShownTime::metricsChanged);
+    connect(this, &ShownRun::framesChanged, this, &ShownRun::metricsChanged);
 }
 
 void WearPlayback::begin(const std::shared_ptr<WornRun>& run)
 {
+    stopOpening();
+    take(run);
+}
+
+void WearPlayback::take(const std::shared_ptr<WornRun>& run)
+{
     run_ = run;
+    whole_ = false;
     current_ = -1;
     follow_ = true;
     held_ = {};
@@ -68,15 +75,56 @@ void WearPlayback::append(const std::shared_ptr<const WearFrame>& frame, const s
     }
 }
 
+void WearPlayback::stopOpening() { ++opening_; }
+
+void WearPlayback::open(const QString& path)
+{
+    reader_.run([this, path, opening = ++opening_](const NewestJob::Turn& turn) {
+        const auto post = [this, opening](std::function<void()> work) {
+            mail_.post([this, opening, work = std::move(work)] {
+                if (opening == opening_) { work(); } // else another run has begun or is being opened
+            });
+        };
+        try {
+            const WearRecording file(path.toStdString());
+            const auto run = newWornRun(std::make_shared<const WearRecord>(file.record()));
+            run->file = path;
+            run->wall = file.wall();
+            post([this, run, path] {
+                take(run);
+                Q_EMIT opened(path);
+            });
+            WearMetrics metrics(run->layout());
+            for (int k = 0; k < file.frames() && opening == opening_ && !turn.outdated(); ++k) {
+                const auto frame = std::make_shared<const WearFrame>(file.frame(k));
+                metrics.add(*frame);
+                post([this, frame, most = mostWater(run->layout(), *frame), now = std::make_shared<const WearMetrics>(metrics)] {
+                    append(frame, now, most);
+                });
+            }
+            post([this] { setWhole(); });
+        } catch (const std::exception& error) {
+            post([this, sentence = QString::fromUtf8(error.what())] { Q_EMIT failed(sentence); });
+        }
+    });
+}
+
 void WearPlayback::end()
 {
-    if (!run_) { return; }
+    if (!live()) { return; }
     const double before = most();
     run_->live = false;
     held_ = {};
     if (!run_->frames.empty()) { run_->duration = run_->frames.back()->time; }
     if (most() != before) { Q_EMIT scaleChanged(); }
+    setWhole();
+}
+
+void WearPlayback::setWhole()
+{
+    whole_ = true;
     Q_EMIT framesChanged();
+    Q_EMIT measured();
 }
 
 void WearPlayback::clear()
@@ -87,6 +135,7 @@ void WearPlayback::clear()
 
 void WearPlayback::discard()
 {
+    stopOpening();
     run_.reset();
     pair();
     current_ = -1;
@@ -267,5 +316,7 @@ void WearPlayback::setPin(const GarmentSpot& spot)
     pin_ = spot;
     Q_EMIT pinChanged();
 }
+
+bool isGarmentRecording(const QString& path) { return WearRecording::is_one(path.toStdString()); }
 
 } // namespace hygroloom

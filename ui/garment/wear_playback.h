@@ -2,8 +2,12 @@
 // The runs of garments that are shown: the newest, and one kept as A beside it; the time shown; the scale of the colours.
 #pragma once
 
+#include "ui/basics/mailbox.h"
+#include "ui/basics/newest_job.h"
 #include "ui/garment/worn_run.h"
-#include "ui/results/shown_time.h"
+#include "ui/results/shown_run.h"
+
+#include <atomic>
 
 namespace hygroloom {
 
@@ -11,7 +15,7 @@ namespace hygroloom {
 /// water went on coming as fast, up to the capacity; a round number that is not below most.
 double scaleEndOfRun(double most, double share_of_time, double capacity);
 
-class WearPlayback : public ShownTime {
+class WearPlayback : public ShownRun {
     Q_OBJECT
 public:
     explicit WearPlayback(QObject* parent = nullptr);
@@ -20,22 +24,30 @@ public:
     const std::shared_ptr<WornRun>& run() const { return run_; }
     /// A; nullptr: none is kept.
     const std::shared_ptr<WornRun>& kept() const { return kept_; }
+    /// One whose frames follow.
     void begin(const std::shared_ptr<WornRun>& run);
+    /// metrics: of all frames up to this one. most: of any cell in it.
     void append(const std::shared_ptr<const WearFrame>& frame, const std::shared_ptr<const WearMetrics>& metrics, const MostWater& most);
-    void end();
-    void clear();
-    /// Lets go of the run alone; what is kept as A stays.
-    void discard();
+    void open(const QString& path) override;
+    void stopOpening() override;
+    void end() override;
+    void clear() override;
+    /// What is kept as A stays.
+    void discard() override;
     void keepAsA();
     void dropA();
-    /// The recording of a run that is shown lies elsewhere from now on.
-    void move(const QString& from, const QString& to);
+    void move(const QString& from, const QString& to) override;
 
     int frames() const override { return run_ ? static_cast<int>(run_->frames.size()) : 0; }
     double timeOf(int index) const override { return run_->frames[static_cast<std::size_t>(index)]->time; }
     double duration() const override { return run_ ? run_->duration : 0; }
     int expectedFrames() const override;
     bool live() const override { return run_ && run_->live; }
+    /// Whether all frames are there that there will be.
+    bool whole() const { return whole_; }
+    QString path() const override { return run_ ? run_->file : QString(); }
+    const Design* design() const override { return run_ ? &run_->record->design : nullptr; }
+    std::pair<std::string, std::string> names() const override { return {run_->layout().garment, run_->layout().experiment}; }
     /// Of the pinned cell, else of the garment; of A too.
     std::vector<TimePlot> plots() const override;
     /// nullptr: there is none. Of A at the time shown.
@@ -74,6 +86,8 @@ protected:
 
 private:
     QList<QPointF> curveOf(const WornRun& run) const;
+    void take(const std::shared_ptr<WornRun>& run);
+    void setWhole();
     void pair();
     void holdScale(double time);
     void measureDifference() const;
@@ -88,6 +102,13 @@ private:
     std::array<double, 2> held_{}; ///< ends of the scales of a run that goes on; 0: none yet
     std::array<std::optional<WearSteps>, 2> steps_;
     GarmentSpot pin_;
+    bool whole_ = false;
+    std::atomic<long> opening_{0}; ///< of the newest request
+    Mailbox mail_;                 ///< of what is read
+    NewestJob reader_;
 };
+
+/// Whether a file is the recording of a garment; false for whatever cannot be read.
+bool isGarmentRecording(const QString& path);
 
 } // namespace hygroloom

@@ -38,7 +38,7 @@ constexpr std::size_t most_curves = std::size(strokes);
 
 } // namespace
 
-Chart::Chart(ShownTime& shown, QWidget* parent) : QWidget(parent), shown_(shown)
+Chart::Chart(ShownRun& shown, QWidget* parent) : QWidget(parent), shown_(shown)
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -51,10 +51,10 @@ Chart::Chart(ShownTime& shown, QWidget* parent) : QWidget(parent), shown_(shown)
     }
     setMinimumHeight(110);
     applyPalette();
-    connect(&shown_, &ShownTime::metricsChanged, this, &Chart::refresh);
-    connect(&shown_, &ShownTime::runChanged, this, &Chart::refresh);
+    connect(&shown_, &ShownRun::metricsChanged, this, &Chart::refresh);
+    connect(&shown_, &ShownRun::runChanged, this, &Chart::refresh);
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &Chart::refresh);
-    connect(&shown_, &ShownTime::frameShown, this, [this] {
+    connect(&shown_, &ShownRun::frameShown, this, [this] {
         for (const PlotView& plot : plots_) { plot.view->setCursorTime(shown_.current() >= 0 ? shown_.time() : -1); }
     });
     refresh();

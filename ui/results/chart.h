@@ -2,7 +2,7 @@
 // Curves of a run over time, with the shown time as a vertical line.
 #pragma once
 
-#include "ui/results/shown_time.h"
+#include "ui/results/shown_run.h"
 
 #include <QWidget>
 
@@ -19,7 +19,7 @@ class TimeChartView;
 class Chart : public QWidget {
     Q_OBJECT
 public:
-    explicit Chart(ShownTime& shown, QWidget* parent = nullptr);
+    explicit Chart(ShownRun& shown, QWidget* parent = nullptr);
 
     /// Of the first curve.
     QList<QPointF> points() const;
@@ -48,7 +48,7 @@ private:
     static void refreshLegend(PlotView& plot);
     void applyPalette();
 
-    ShownTime& shown_;
+    ShownRun& shown_;
     std::vector<PlotView> plots_;
 };
 

@@ -21,14 +21,6 @@ constexpr int cells_across = 2; // crossings, of a map
 constexpr double frames = 20, usual_frames = 100;
 constexpr double all_of_it = std::numeric_limits<double>::infinity(); // s, of an experiment
 
-QString firstError(const Design& design)
-{
-    for (const Issue& issue : validate(design)) {
-        if (issue.severity == Severity::error) { return issueText(issue); }
-    }
-    return {};
-}
-
 /// whole: with the frames of any other run.
 std::shared_ptr<Answer> answerTo(const Design& design, Fidelity fidelity, bool whole, RunControl& control)
 {
@@ -97,10 +89,10 @@ void LiveAnswer::ask(const std::shared_ptr<const Design>& design, int fabric, in
         std::shared_ptr<Answer> answer;
         QString refusal;
         try {
-            refusal = firstError(cutDesign(*design, fabric, experiment, {.length = all_of_it}));
+            refusal = firstError(validate(cutDesign(*design, fabric, experiment, {.length = all_of_it})));
             for (bool fits = !refusal.isEmpty(); !fits;) {
                 const Design one = cutDesign(*design, fabric, experiment, cut);
-                const QString error = firstError(one);
+                const QString error = firstError(validate(one));
                 if (error.isEmpty()) { answer = answerTo(one, fidelity, !cuts, *control); }
                 if (cut.halvings == 0) { refusal = error; }
                 fits = cut.halvings == 0 || (error.isEmpty() && !answer->edge_is_wet);

@@ -60,7 +60,7 @@ double maximum_of(const Frame& frame)
 
 } // namespace
 
-Playback::Playback(QObject* parent) : ShownTime(parent) {}
+Playback::Playback(QObject* parent) : ShownRun(parent) {}
 
 void Playback::reset()
 {
@@ -90,7 +90,7 @@ void Playback::stopOpening()
     scanner_.drop();
 }
 
-void Playback::clear()
+void Playback::discard()
 {
     stopOpening();
     reset();
@@ -143,6 +143,7 @@ void Playback::end()
     live_ = false;
     Q_EMIT framesChanged();
     Q_EMIT metricsChanged();
+    Q_EMIT measured();
     Q_EMIT ended();
 }
 
@@ -296,6 +297,7 @@ void Playback::scan(const QString& path)
                         whole_ = whole;
                         maximum_saturation_ = maximum;
                         Q_EMIT metricsChanged();
+                        if (whole) { Q_EMIT measured(); }
                     }
                 });
             }

@@ -4,7 +4,7 @@
 
 #include "core/analysis/metrics.h"
 #include "ui/basics/newest_job.h"
-#include "ui/results/shown_time.h"
+#include "ui/results/shown_run.h"
 
 #include <atomic>
 #include <map>
@@ -14,7 +14,7 @@ namespace hygroloom {
 class Recording;
 
 /// Keeps frames in memory up to a limit; the rest is read from the recording in the background when it is needed.
-class Playback : public ShownTime {
+class Playback : public ShownRun {
     Q_OBJECT
 public:
     explicit Playback(QObject* parent = nullptr);
@@ -24,15 +24,11 @@ public:
     void append(const std::shared_ptr<const Frame>& frame, const std::shared_ptr<const Metrics>& metrics);
     /// The live run got to its end; what is known of it only then.
     void complete(const std::shared_ptr<const RunRecord>& run);
-    /// The recording is complete, or cut short, and can be read.
-    void end();
-    /// Reads a recording in the background; opened() or failed() follows.
-    void open(const QString& path);
-    /// Opens nothing that is still being read.
-    void stopOpening();
-    void clear();
-    /// The recording that is shown lies at another path from now on.
-    void move(const QString& from, const QString& to);
+    void end() override;
+    void open(const QString& path) override;
+    void stopOpening() override;
+    void discard() override;
+    void move(const QString& from, const QString& to) override;
 
     const std::shared_ptr<const RunRecord>& run() const { return run_; }
     /// Another with each run that is shown; run() alone changes also when a live one is complete.
@@ -40,8 +36,9 @@ public:
     bool live() const override { return live_; }
     /// Whether metrics() are of all frames there will be.
     bool whole() const { return whole_; }
-    /// Empty when nothing is shown.
-    const QString& path() const { return path_; }
+    QString path() const override { return path_; }
+    const Design* design() const override { return run_ ? &run_->design : nullptr; }
+    std::pair<std::string, std::string> names() const override { return {run_->fabric, run_->experiment}; }
     int frames() const override { return static_cast<int>(times_.size()); }
     double timeOf(int index) const override { return times_[static_cast<std::size_t>(index)]; }
     double duration() const override;
@@ -57,10 +54,8 @@ public:
     double maximumSaturation() const { return maximum_saturation_; }
 
 Q_SIGNALS:
-    void opened(const QString& path);
     /// The live run's recording can be read.
     void ended();
-    void failed(const QString& sentence);
 
 protected:
     void bring() override;

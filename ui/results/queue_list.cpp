@@ -187,7 +187,7 @@ void QueueButton::refresh()
 {
     const QString text = queueText(queue_.list());
     setText(text);
-    setAccessibleName(text);
+    setAccessibleName(text.isEmpty() ? list_->windowTitle() : text);
     setVisible(!text.isEmpty());
 }
 

@@ -44,11 +44,9 @@ QString failureText(const RunResult& result, const QString& else_do)
     }
 }
 
-QueuedRun::QueuedRun(WindowQueue& queue, const QString& else_do, QObject* parent) : QObject(parent), queue_(queue), else_do_(else_do) {}
+QueuedRun::QueuedRun(WindowQueue& queue, QObject* parent) : QObject(parent), queue_(queue) {}
 
-QueuedRun::~QueuedRun() { stopAndWait(); }
-
-void QueuedRun::stopAndWait()
+QueuedRun::~QueuedRun()
 {
     cancel();
     try {
@@ -57,9 +55,13 @@ void QueuedRun::stopAndWait()
     }
 }
 
-void QueuedRun::begin(RunJob job, const std::string& backend, std::function<void(RunResult&)> completed)
+void QueuedRun::start(RunJob job, const std::string& backend, const QString& else_do, std::function<void(RunResult&)> completed)
 {
+    else_do_ = else_do;
     paused_ = stops_here_ = false;
+    job.beside.device_failed = [this](const std::string& sentence) {
+        post([this, said = QString::fromStdString(sentence)] { Q_EMIT deviceFailed(said); });
+    };
     job.beside.memory_is_short = [this](const std::string&) { post([this] { Q_EMIT memoryIsShort(); }); };
     job.beside.progress = [this](const RunProgress& progress) { post([this, progress] { Q_EMIT progressed(progress); }); };
     const auto found = std::make_shared<RunResult>();
@@ -80,6 +82,7 @@ void QueuedRun::begin(RunJob job, const std::string& backend, std::function<void
     };
     batch.over = [this, found] { post([this, found] { end(found); }); };
     id_ = queue_.runs().add(std::move(batch));
+    Q_EMIT begun();
 }
 
 void QueuedRun::end(const std::shared_ptr<RunResult>& result)

@@ -16,10 +16,15 @@ class QueuedRun : public QObject {
 public:
     enum class Outcome { finished, cancelled, device_failed, memory_short, failed };
 
-    /// else_do: see failureText().
-    QueuedRun(WindowQueue& queue, const QString& else_do, QObject* parent);
+    explicit QueuedRun(WindowQueue& queue, QObject* parent = nullptr);
+    /// Stops it and waits, 0.2 s or so.
     ~QueuedRun() override;
 
+    /// else_do: see failureText(). completed: in the thread of the run, which came to its end. Precondition: not running(), and validate()
+    /// found no error.
+    void start(RunJob job, const std::string& backend, const QString& else_do, std::function<void(RunResult&)> completed);
+    /// What the callbacks of the job have for this object's thread, in order, before ended(). From any thread.
+    void post(std::function<void()> work) { mail_.post(std::move(work)); }
     bool running() const { return id_ != 0; }
     bool paused() const { return paused_; }
     void setPaused(bool paused);
@@ -28,6 +33,10 @@ public:
     bool stoppedInList(Outcome outcome) const { return outcome == Outcome::cancelled && !stops_here_; }
 
 Q_SIGNALS:
+    /// From start(); its first word may take minutes.
+    void begun();
+    /// The device failed, and the run goes on on the CPU; a sentence.
+    void deviceFailed(const QString& sentence);
     /// Before it begins: it takes much of the memory that is free.
     void memoryIsShort();
     void progressed(const RunProgress& progress);
@@ -35,19 +44,12 @@ Q_SIGNALS:
     /// sentence: what went wrong, empty otherwise.
     void ended(Outcome outcome, const QString& sentence);
 
-protected:
-    /// completed: in the thread of the run, which came to its end. Precondition: not running(), and validate() found no error.
-    void begin(RunJob job, const std::string& backend, std::function<void(RunResult&)> completed);
-    void post(std::function<void()> work) { mail_.post(std::move(work)); }
-    /// Stops it and waits, 0.2 s or so: who adds callbacks does so before it goes.
-    void stopAndWait();
-
 private:
     void end(const std::shared_ptr<RunResult>& result);
     void showPaused(bool paused);
 
     WindowQueue& queue_;
-    const QString else_do_;
+    QString else_do_;
     int id_ = 0; ///< in the queue; 0: none is on
     bool paused_ = false, stops_here_ = false;
     Mailbox mail_;

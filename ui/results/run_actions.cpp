@@ -14,8 +14,8 @@
 
 namespace hygroloom {
 
-RunActions::RunActions(const RunHistory& history, bool worn, QWidget* parent)
-    : QWidget(parent), history_(history), worn_(worn), keep_(new QPushButton(tr("&Keep"))), forget_(new QPushButton(tr("For&get…"))),
+RunActions::RunActions(const RunHistory& history, QWidget* parent)
+    : QWidget(parent), history_(history), keep_(new QPushButton(tr("&Keep"))), forget_(new QPushButton(tr("For&get…"))),
       older_(new QPushButton(tr("Forget &Older…"))), room_(new QLabel)
 {
     auto* layout = new QHBoxLayout(this);
@@ -57,9 +57,8 @@ void RunActions::refresh()
     double bytes = 0;
     int own = 0;
     for (const KeptRun& each : history_.runs()) {
-        const bool counts = each.own && (each.worn || !worn_);
-        bytes += counts ? each.bytes : 0;
-        own += counts;
+        bytes += each.own ? each.bytes : 0;
+        own += each.own;
     }
     room_->setText(own == 0   ? QString()
                    : own == 1 ? tr("1 run, %1").arg(bytesText(bytes))
@@ -72,7 +71,7 @@ std::vector<KeptRun> RunActions::older() const
     std::vector<KeptRun> found;
     const auto& runs = history_.runs();
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(found),
-                 [this](const KeptRun& run) { return run.own && (run.worn || !worn_) && !run.current && !run.marked; });
+                 [](const KeptRun& run) { return run.own && !run.current && !run.marked; });
     return found;
 }
 

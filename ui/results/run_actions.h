@@ -14,8 +14,7 @@ namespace hygroloom {
 class RunActions : public QWidget {
     Q_OBJECT
 public:
-    /// worn: of garments' runs alone.
-    explicit RunActions(const RunHistory& history, bool worn = false, QWidget* parent = nullptr);
+    explicit RunActions(const RunHistory& history, QWidget* parent = nullptr);
 
     /// The selected run; empty: none.
     void setRun(const QString& path);
@@ -33,7 +32,6 @@ private:
     bool mayDelete(const std::vector<KeptRun>& runs);
 
     const RunHistory& history_;
-    const bool worn_;
     QString path_;
     QPushButton* keep_;
     QPushButton* forget_;

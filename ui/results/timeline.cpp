@@ -20,7 +20,7 @@ constexpr double longest_show = 20; // s; longer runs play faster than real time
 
 } // namespace
 
-Timeline::Timeline(ShownTime& shown, QWidget* parent)
+Timeline::Timeline(ShownRun& shown, QWidget* parent)
     : QWidget(parent), shown_(shown), first_(iconButton("first", tr("To the start"))),
       play_(iconButton("run", tr("Play or pause (Space)"))), last_(iconButton("last", tr("To the end"))),
       slider_(new QSlider(Qt::Horizontal)), time_(new QLabel), event_(new QLabel)
@@ -56,10 +56,10 @@ Timeline::Timeline(ShownTime& shown, QWidget* parent)
         setPlaying(false);
         shown_.show(std::min(value, shown_.frames() - 1));
     });
-    for (const auto signal : {&ShownTime::framesChanged, &ShownTime::frameShown, &ShownTime::metricsChanged}) {
+    for (const auto signal : {&ShownRun::framesChanged, &ShownRun::frameShown, &ShownRun::metricsChanged}) {
         connect(&shown_, signal, this, &Timeline::refresh);
     }
-    connect(&shown_, &ShownTime::runChanged, this, [this] {
+    connect(&shown_, &ShownRun::runChanged, this, [this] {
         setPlaying(false);
         refresh();
     });

@@ -2,7 +2,7 @@
 // The shown time: a slider over the frames, and playback.
 #pragma once
 
-#include "ui/results/shown_time.h"
+#include "ui/results/shown_run.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -17,7 +17,7 @@ namespace hygroloom {
 class Timeline : public QWidget {
     Q_OBJECT
 public:
-    explicit Timeline(ShownTime& shown, QWidget* parent = nullptr);
+    explicit Timeline(ShownRun& shown, QWidget* parent = nullptr);
 
     bool playing() const { return ticker_.isActive(); }
     /// By so many frames.
@@ -34,7 +34,7 @@ private:
     void tick();
     void refresh();
 
-    ShownTime& shown_;
+    ShownRun& shown_;
     QToolButton* first_;
     QToolButton* play_;
     QToolButton* last_;

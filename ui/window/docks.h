@@ -6,6 +6,7 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QStackedWidget>
 
 namespace hygroloom {
 
@@ -17,6 +18,16 @@ inline QDockWidget* makeDock(QMainWindow& window, const char* name, const QStrin
     dock->setAccessibleName(title);
     dock->setWidget(new Scrolled(content));
     return dock;
+}
+
+/// The other pages ask for no room: one that is not seen would push the panels together.
+inline void showPage(QStackedWidget& pages, int shown)
+{
+    for (int page = 0; page < pages.count(); ++page) {
+        const QSizePolicy::Policy policy = page == shown ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+        pages.widget(page)->setSizePolicy(policy, policy);
+    }
+    pages.setCurrentIndex(shown);
 }
 
 /// Shows it in front of those that share its place.

@@ -8,12 +8,12 @@
 #include "ui/compare/compare_view.h"
 #include "ui/compare/study_runs.h"
 #include "ui/garment/garment_view.h"
+#include "ui/panels/experiment_panel.h"
 #include "ui/panels/issues_panel.h"
 #include "ui/picture/textile_canvas.h"
 #include "ui/results/live_panel.h"
 #include "ui/results/queue_list.h"
-#include "ui/results/simulation_panel.h"
-#include "ui/results/timeline.h"
+#include "ui/results/run_panel.h"
 #include "ui/results/water_map_view.h"
 #include "ui/study/study_page.h"
 #include "ui/window/design_workspace.h"
@@ -49,7 +49,7 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent)
     refreshTitle();
     refreshPicture();
     refreshIssueCount();
-    simulate_->refreshActions();
+    run_->refreshActions();
     NewestJob::reportTo([this](const QString& sentence) { showProblem(sentence); });
 }
 
@@ -58,8 +58,7 @@ MainWindow::~MainWindow()
     NewestJob::reportTo({});
     hide(); // the field that has the focus commits its value while there is a document
     // The parts report their end, when this window is half gone.
-    simulate_->disconnect(this);
-    garment_->disconnect(this);
+    run_->disconnect(this);
     study_->disconnect(this);
     delete study_; // its runs end before the queue does
     document_.disconnect(this);
@@ -70,29 +69,28 @@ void MainWindow::buildPanels()
     viewport_ = new Viewport;
     design_ = std::make_unique<DesignWorkspace>(document_, *viewport_, *this);
     compare_ = std::make_unique<CompareWorkspace>(document_, recovery_, queue_);
-    simulate_ = std::make_unique<SimulateWorkspace>(document_, compare_->runs(), compare_->project(), queue_, *viewport_, *this);
-    garment_ = std::make_unique<GarmentWorkspace>(document_, compare_->runs(), compare_->project(), queue_, *this);
+    run_ = std::make_unique<RunWorkspace>(document_, compare_->runs(), compare_->project(), queue_, *viewport_, *this);
     design_->live().shareRanges(ranges_);
     compare_->view().shareRanges(ranges_);
-    simulate_->maps().shareRanges(ranges_);
+    run_->sample().maps().shareRanges(ranges_);
     issues_ = new IssuesPanel(document_);
     issues_dock_ = makeDock(*this, "issues", tr("Issues"), issues_);
 
     auto* fabric = new QSplitter(Qt::Horizontal);
     fabric->setChildrenCollapsible(false);
     fabric->addWidget(viewport_);
-    fabric->addWidget(&simulate_->maps());
+    fabric->addWidget(&run_->sample().maps());
     fabric->setStretchFactor(0, 3);
     fabric->setStretchFactor(1, 2);
     fabric->setSizes({600, 400});
     middle_ = new QStackedWidget;
     middle_->addWidget(fabric);
     middle_->addWidget(&compare_->view());
-    middle_->addWidget(&garment_->view());
+    middle_->addWidget(&run_->garment().view());
     study_ = new StudyPage(document_, queue_);
     middle_->addWidget(study_);
     setCentralWidget(new Scrolled(middle_));
-    showPage(0);
+    showPage(*middle_, 0);
 
     statusBar()->addPermanentWidget(queue_button_ = new QueueButton(queue_));
     issue_count_ = new QToolButton;
@@ -103,16 +101,6 @@ void MainWindow::buildPanels()
         issues_dock_->setVisible(!issues_dock_->isVisible());
         issues_dock_->raise();
     });
-}
-
-/// The others ask for no room: one that is not seen would push the panels together.
-void MainWindow::showPage(int shown)
-{
-    for (int page = 0; page < middle_->count(); ++page) {
-        const QSizePolicy::Policy policy = page == shown ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-        middle_->widget(page)->setSizePolicy(policy, policy);
-    }
-    middle_->setCurrentIndex(shown);
 }
 
 /// Panels ask for all of their content where the window has room for it, else for an equal share of it, and scroll. The window itself never
@@ -155,21 +143,13 @@ void MainWindow::restoreLayout()
     const QSize room = screen()->availableSize() - QSize(16, 48);
     setMinimumSize(QSize(800, 520).boundedTo(room));
     resize(QSize(1360, 860).boundedTo(room));
-    for (const Workspace workspace : {Workspace::study, Workspace::garment, Workspace::compare, Workspace::simulate, Workspace::design}) {
-        arrange(workspace);
-        first_states_[static_cast<int>(workspace)] = saveState(layout_version);
-    }
+    arrange(workspace_);
     QSettings settings;
     restoreGeometry(settings.value("window/geometry").toByteArray());
-    states_[0] = settings.value("window/design").toByteArray();
-    states_[1] = settings.value("window/simulate").toByteArray();
-    states_[2] = settings.value("window/compare").toByteArray();
-    states_[3] = settings.value("window/garment").toByteArray();
-    states_[4] = settings.value("window/study").toByteArray();
-    garment_->view().restoreSteps(settings);
+    for (std::size_t i = 0; i < std::size(states_); ++i) { states_[i] = settings.value(stateName(i)).toByteArray(); }
+    run_->garment().view().restoreSteps(settings);
     if (!states_[0].isEmpty()) { restoreState(states_[0], layout_version); }
-    simulate_->maps().setVisible(false);
-    showRunCommands();
+    run_->sample().maps().setVisible(false);
     layout()->activate();
     if (!settings.contains("window/geometry")) { resize(QSize(1360, 860).boundedTo(room)); }
     stayOnScreen();
@@ -191,10 +171,9 @@ void MainWindow::stayOnScreen()
 std::vector<QDockWidget*> MainWindow::docks() const
 {
     const auto& d = design_->docks();
-    const auto& s = simulate_->docks();
-    const auto& g = garment_->docks();
-    return {d.candidates, d.weave, d.draft, d.fabric, d.live, s.experiment, s.simulation, s.timeline,  s.results,
-            g.garment,    g.fit,   g.wear,  g.run,    g.time, g.parts,      g.runs,       issues_dock_};
+    const auto& r = run_->docks();
+    return {d.candidates, d.weave, d.draft, d.fabric,  d.live, r.garment,   r.fit,
+            r.experiment, r.run,   r.time,  r.results, r.runs, issues_dock_};
 }
 
 void MainWindow::arrange(Workspace workspace)
@@ -202,32 +181,27 @@ void MainWindow::arrange(Workspace workspace)
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     const auto& d = design_->docks();
-    const auto& s = simulate_->docks();
-    const auto& g = garment_->docks();
+    const auto& r = run_->docks();
     for (QDockWidget* dock : docks()) { dock->setFloating(false); }
     addDockWidget(Qt::LeftDockWidgetArea, d.candidates);
     addDockWidget(Qt::LeftDockWidgetArea, d.weave);
     splitDockWidget(d.candidates, d.weave, Qt::Vertical);
+    addDockWidget(Qt::LeftDockWidgetArea, r.garment);
+    addDockWidget(Qt::LeftDockWidgetArea, r.fit);
+    tabifyDockWidget(r.garment, r.fit);
     addDockWidget(Qt::RightDockWidgetArea, d.fabric);
     addDockWidget(Qt::RightDockWidgetArea, d.live);
     splitDockWidget(d.fabric, d.live, Qt::Vertical);
-    addDockWidget(Qt::RightDockWidgetArea, s.experiment);
-    splitDockWidget(d.live, s.experiment, Qt::Vertical);
-    splitDockWidget(s.experiment, s.simulation, Qt::Vertical);
-    addDockWidget(Qt::LeftDockWidgetArea, g.garment);
-    addDockWidget(Qt::LeftDockWidgetArea, g.fit);
-    tabifyDockWidget(g.garment, g.fit);
-    addDockWidget(Qt::RightDockWidgetArea, g.wear);
-    splitDockWidget(g.wear, g.run, Qt::Vertical);
-    addDockWidget(Qt::BottomDockWidgetArea, g.time);
-    splitDockWidget(g.time, g.parts, Qt::Horizontal);
-    tabifyDockWidget(g.parts, g.runs);
-    addDockWidget(Qt::BottomDockWidgetArea, s.timeline);
+    addDockWidget(Qt::RightDockWidgetArea, r.experiment);
+    splitDockWidget(d.live, r.experiment, Qt::Vertical);
+    splitDockWidget(r.experiment, r.run, Qt::Vertical);
+    addDockWidget(Qt::BottomDockWidgetArea, r.time);
     addDockWidget(Qt::BottomDockWidgetArea, d.draft);
-    splitDockWidget(s.timeline, d.draft, Qt::Vertical);
+    splitDockWidget(r.time, d.draft, Qt::Vertical);
     addDockWidget(Qt::BottomDockWidgetArea, issues_dock_);
     splitDockWidget(d.draft, issues_dock_, Qt::Vertical);
-    splitDockWidget(s.timeline, s.results, Qt::Horizontal);
+    splitDockWidget(r.time, r.results, Qt::Horizontal);
+    tabifyDockWidget(r.results, r.runs);
     showDocks(workspace);
 }
 
@@ -235,74 +209,71 @@ void MainWindow::arrange(Workspace workspace)
 void MainWindow::showDocks(Workspace workspace)
 {
     const auto& d = design_->docks();
-    const auto& s = simulate_->docks();
-    const auto& g = garment_->docks();
-    const bool design = workspace == Workspace::design, simulate = workspace == Workspace::simulate;
-    d.candidates->setVisible(design);
-    d.weave->setVisible(design);
-    d.fabric->setVisible(design);
-    d.live->setVisible(design);
-    s.experiment->setVisible(simulate);
-    s.simulation->setVisible(simulate);
-    s.timeline->setVisible(simulate);
-    s.results->setVisible(simulate);
-    for (QDockWidget* dock : {g.garment, g.fit, g.wear, g.run, g.time, g.parts, g.runs}) {
-        dock->setVisible(workspace == Workspace::garment);
-    }
+    const auto& r = run_->docks();
+    const bool design = workspace == Workspace::design, worn = workspace == Workspace::garment;
+    const bool run = worn || workspace == Workspace::simulate;
+    for (QDockWidget* dock : {d.candidates, d.weave, d.fabric, d.live}) { dock->setVisible(design); }
+    for (QDockWidget* dock : {r.experiment, r.run, r.time, r.results, r.runs}) { dock->setVisible(run); }
+    for (QDockWidget* dock : {r.garment, r.fit}) { dock->setVisible(worn); }
     d.draft->setVisible(false);
     issues_dock_->setVisible(false);
     if (design) {
         resizeDocks({d.candidates, d.weave}, {130, 470}, Qt::Vertical);
         resizeDocks({d.fabric, d.live}, {400, 310}, Qt::Vertical);
         resizeDocks({d.candidates, d.fabric}, {230, 320}, Qt::Horizontal);
-    } else if (simulate) {
-        resizeDocks({s.experiment, s.simulation}, {480, 240}, Qt::Vertical);
-        resizeDocks({s.experiment}, {310}, Qt::Horizontal);
-        resizeDocks({s.timeline, s.results}, {530, 420}, Qt::Horizontal); // so that results fit without scrolling sideways
-        resizeDocks({s.timeline}, {200}, Qt::Vertical);
-    } else if (workspace == Workspace::garment) {
-        g.garment->raise();
-        g.parts->raise();
-        resizeDocks({g.wear, g.run}, {330, 270}, Qt::Vertical);
-        resizeDocks({g.garment, g.wear}, {330, 250}, Qt::Horizontal);
-        resizeDocks({g.time, g.parts}, {560, 640}, Qt::Horizontal);
-        resizeDocks({g.time}, {190}, Qt::Vertical);
+    } else if (run) {
+        r.garment->raise();
+        r.results->raise();
+        resizeDocks({r.experiment, r.run}, {480, 240}, Qt::Vertical);
+        resizeDocks({r.garment, r.experiment}, {330, worn ? 250 : 310}, Qt::Horizontal);
+        resizeDocks({r.time, r.results}, {530, 420}, Qt::Horizontal); // so that results fit without scrolling sideways
+        resizeDocks({r.time}, {200}, Qt::Vertical);
     }
+}
+
+std::pair<int, int> MainWindow::placeOf(Workspace workspace)
+{
+    constexpr int design = 0, run = 1, compare = 2;
+    constexpr std::pair<int, int> places[] = {{design, -1}, {run, 0}, {compare, 2}, {run, 1}, {compare, 3}};
+    return places[static_cast<std::size_t>(workspace)];
+}
+
+std::size_t MainWindow::stateOf(Workspace workspace)
+{
+    constexpr std::size_t states[] = {0, 1, 3, 2, 3};
+    return states[static_cast<std::size_t>(workspace)];
+}
+
+QString MainWindow::stateName(std::size_t state)
+{
+    const char* names[] = {"window/design", "window/sample", "window/garment", "window/compare"};
+    return names[state];
 }
 
 void MainWindow::setWorkspace(Workspace workspace)
 {
     if (workspace == workspace_) { return; }
-    states_[static_cast<int>(workspace_)] = saveState(layout_version);
+    const std::size_t now = stateOf(workspace);
+    const bool runs = workspace == Workspace::simulate || workspace == Workspace::garment;
+    states_[stateOf(workspace_)] = saveState(layout_version);
     workspace_ = workspace;
     constexpr int pages[] = {0, 0, 1, 2, 3};
-    const auto at = static_cast<std::size_t>(workspace);
-    showPage(pages[at]);
-    simulate_->maps().setVisible(workspace == Workspace::simulate);
-    restoreState(states_[at].isEmpty() ? first_states_[at] : states_[at], layout_version);
+    showPage(*middle_, pages[static_cast<std::size_t>(workspace)]);
+    run_->sample().maps().setVisible(workspace == Workspace::simulate);
+    if (runs) { run_->setSubject(workspace == Workspace::garment ? Subject::garment : Subject::sample); }
+    run_->setShown(runs);
+    if (states_[now].isEmpty() || !restoreState(states_[now], layout_version)) { arrange(workspace); }
+    fitted_.clear(); // the same panels may show something else
     fitPanels();
-    simulate_->setShown(workspace == Workspace::simulate);
-    showRunCommands();
     compare_->project().setCompared(workspace == Workspace::compare);
     showModes();
     refreshPicture();
-}
-
-/// Run and Stop are those of the workspace.
-void MainWindow::showRunCommands()
-{
-    const bool worn = workspace_ == Workspace::garment;
-    for (QAction* action : {simulate_->actions().start, simulate_->actions().pause, simulate_->actions().stop}) {
-        action->setVisible(!worn);
-    }
-    garment_->setShown(worn);
 }
 
 void MainWindow::resetLayout()
 {
     for (QByteArray& state : states_) { state.clear(); }
     arrange(workspace_);
-    first_states_[static_cast<int>(workspace_)] = saveState(layout_version);
 }
 
 void MainWindow::connectParts()
@@ -318,30 +289,17 @@ void MainWindow::connectParts()
     connect(&recovery_, &Recovery::failed, this, &MainWindow::showProblem);
     connect(design_.get(), &DesignWorkspace::problemFound, this, &MainWindow::showProblem);
     connect(design_.get(), &DesignWorkspace::messageShown, this, &MainWindow::showMessage);
-    connect(simulate_.get(), &SimulateWorkspace::problemFound, this, &MainWindow::showProblem);
-    connect(simulate_.get(), &SimulateWorkspace::messageShown, this, &MainWindow::showMessage);
-    connect(garment_.get(), &GarmentWorkspace::problemFound, this, &MainWindow::showProblem);
-    connect(garment_.get(), &GarmentWorkspace::messageShown, this, &MainWindow::showMessage);
-    connect(garment_.get(), &GarmentWorkspace::wanted, this, [this] { setWorkspace(Workspace::garment); });
-    connect(simulate_.get(), &SimulateWorkspace::pictureChanged, this, &MainWindow::refreshPicture);
-    connect(simulate_.get(), &SimulateWorkspace::wanted, this, [this] { setWorkspace(Workspace::simulate); });
-    connect(simulate_.get(), &SimulateWorkspace::recordingUsed, recent_, &RecentFiles::add);
-    connect(garment_.get(), &GarmentWorkspace::recordingUsed, recent_, &RecentFiles::add);
-    connect(simulate_.get(), &SimulateWorkspace::designRequested, this, [this] {
-        if (simulate_->playback().run() && mayLeave()) { simulate_->takeDesign(); }
+    connect(run_.get(), &RunWorkspace::problemFound, this, &MainWindow::showProblem);
+    connect(run_.get(), &RunWorkspace::messageShown, this, &MainWindow::showMessage);
+    connect(run_.get(), &RunWorkspace::wanted, this,
+            [this](Subject subject) { setWorkspace(subject == Subject::garment ? Workspace::garment : Workspace::simulate); });
+    connect(run_.get(), &RunWorkspace::recordingUsed, recent_, &RecentFiles::add);
+    connect(run_.get(), &RunWorkspace::designRequested, this, [this] {
+        if (mayLeave()) { run_->takeDesign(); }
     });
-    connect(garment_.get(), &GarmentWorkspace::designRequested, this, [this] {
-        if (garment_->playback().run() && mayLeave()) { garment_->takeDesign(); }
-    });
-    connect(&compare_->view(), &CompareView::runRequested, this, [this](const QString& path) {
-        const KeptRun* run = compare_->runs().find(path);
-        if (run && run->worn) {
-            garment_->showEarlierRun(path);
-        } else {
-            simulate_->showEarlierRun(path);
-        }
-    });
-    connect(&compare_->study(), &StudyRuns::ended, &simulate_->panel(), &SimulationPanel::refreshPlans);
+    connect(&run_->sample(), &SampleSubject::pictureChanged, this, &MainWindow::refreshPicture);
+    connect(&compare_->view(), &CompareView::runRequested, run_.get(), &RunWorkspace::showEarlierRun);
+    connect(&compare_->study(), &StudyRuns::ended, &run_->panel(), &RunPanel::refreshForecasts);
     connect(&compare_->view(), &CompareView::failed, this, &MainWindow::showProblem);
     connect(&compare_->view(), &CompareView::saved, this,
             [this](const QString& file) { statusBar()->showMessage(tr("Saved %1").arg(file), 4000); });
@@ -367,24 +325,18 @@ void MainWindow::refreshTitle()
 void MainWindow::refreshPicture()
 {
     const bool simulate = workspace_ == Workspace::simulate;
-    simulate_->refreshDrops();
-    if (simulate && simulate_->drawRun()) { return; }
+    SampleSubject& sample = run_->sample();
+    sample.refreshDrops();
+    if (simulate && sample.drawRun()) { return; }
     if (!document_.fabric()) {
         viewport_->showNothing(tr("This project has no fabric. Add one with Fabric ▸ Add Fabric."));
         return;
     }
     if (document_.fabricHasError()) {
-        QString why;
-        for (const Issue& issue : document_.issues()) {
-            if (issue.severity == Severity::error) {
-                why = issueText(issue);
-                break;
-            }
-        }
-        viewport_->setNotice(tr("Out of date: %1").arg(why));
+        viewport_->setNotice(tr("Out of date: %1").arg(firstError(document_.issues())));
         return;
     }
-    if (simulate && simulate_->drawSample()) { return; }
+    if (simulate && sample.drawSample()) { return; }
     viewport_->showFabric(document_.design(), document_.fabricIndex(), document_.fitted());
 }
 
@@ -418,10 +370,13 @@ void MainWindow::showIssue(const Place& where)
         design_->showMaterialIssue(where);
     } else if (list == "garments" || (list == "experiments" && index >= before)) {
         setWorkspace(Workspace::garment);
-        garment_->showIssue(list == "garments", list == "garments" ? index : index - before);
+        run_->garment().chooseIssue(list == "garments", list == "garments" ? index : index - before);
+        run_->revealForm(list == "garments");
     } else {
         if (list == "experiments") { document_.setExperimentIndex(index); }
-        simulate_->showIssue(where);
+        setWorkspace(Workspace::simulate);
+        run_->revealForm(false);
+        run_->sample().experiment().showField(where);
     }
 }
 
@@ -435,13 +390,9 @@ void MainWindow::keyPressEvent(QKeyEvent* event)
         QMainWindow::keyPressEvent(event);
         return;
     }
-    if (workspace_ == Workspace::garment) {
-        if (!garment_->pressKey(event->key())) { QMainWindow::keyPressEvent(event); }
-    } else if (event->key() == Qt::Key_Space) {
-        simulate_->timeline().togglePlaying();
-    } else if (!viewport_->pressKey(event->key())) {
-        QMainWindow::keyPressEvent(event);
-    }
+    const bool worn = workspace_ == Workspace::garment, runs = worn || workspace_ == Workspace::simulate;
+    if (runs && run_->pressKey(event->key())) { return; }
+    if (worn || !viewport_->pressKey(event->key())) { QMainWindow::keyPressEvent(event); }
 }
 
 } // namespace hygroloom

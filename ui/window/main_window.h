@@ -7,8 +7,7 @@
 #include "ui/picture/viewport.h"
 #include "ui/results/color_ranges.h"
 #include "ui/window/compare_workspace.h"
-#include "ui/window/garment_workspace.h"
-#include "ui/window/simulate_workspace.h"
+#include "ui/window/run_workspace.h"
 
 #include <QMainWindow>
 #include <QPointer>
@@ -55,9 +54,8 @@ public:
     Document& document() { return document_; }
     Viewport& viewport() { return *viewport_; }
     DesignWorkspace& design() { return *design_; }
-    SimulateWorkspace& simulate() { return *simulate_; }
+    RunWorkspace& run() { return *run_; }
     CompareWorkspace& compare() { return *compare_; }
-    GarmentWorkspace& garment() { return *garment_; }
     StudyPage& study() { return *study_; }
     /// nullptr until the user's guide has been opened.
     HelpWindow* guide() { return guide_; }
@@ -78,18 +76,21 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    static constexpr int layout_version = 5;
+    static constexpr int layout_version = 6;
     // main_window.cpp
     void buildPanels();
     void connectParts();
     void restoreLayout();
-    void showPage(int shown);
     void fitPanels();
     void stayOnScreen();
     std::vector<QDockWidget*> docks() const;
     void arrange(Workspace workspace);
     void showDocks(Workspace workspace);
-    void showRunCommands();
+    /// Which of the three workspaces it is, and which mode of it; -1: it has none.
+    static std::pair<int, int> placeOf(Workspace workspace);
+    /// Which state of the panels it has, and its name in the settings.
+    static std::size_t stateOf(Workspace workspace);
+    static QString stateName(std::size_t state);
     void showModes();
     void refreshTitle();
     void refreshPicture();
@@ -154,11 +155,9 @@ private:
     QPointer<LessonWindow> lesson_;
     std::unique_ptr<DesignWorkspace> design_;
     std::unique_ptr<CompareWorkspace> compare_;
-    std::unique_ptr<SimulateWorkspace> simulate_; ///< reads the runs of compare_
-    std::unique_ptr<GarmentWorkspace> garment_;
+    std::unique_ptr<RunWorkspace> run_; ///< reads the runs of compare_
     Workspace workspace_ = Workspace::design;
-    QByteArray states_[5]; ///< by workspace
-    QByteArray first_states_[5];
+    QByteArray states_[4];        ///< of the panels: see stateOf()
     QList<QSize> fitted_;         ///< the window's size and which panels are seen, for which the shares are
     int wide_ = 100, high_ = 100; ///< %, of what panels ask for
     int water_colors_ = 0;        ///< that are shown
@@ -184,7 +183,7 @@ private:
     QActionGroup* workspaces_ = nullptr; ///< Design, Run, Compare
     QActionGroup* modes_ = nullptr;      ///< of Run: sample, garment; of Compare: runs, study
     std::vector<QAction*> mode_buttons_;
-    Workspace run_ = Workspace::simulate, comparing_ = Workspace::compare; ///< as last shown
+    Workspace comparing_ = Workspace::compare; ///< as last shown
 };
 
 } // namespace hygroloom

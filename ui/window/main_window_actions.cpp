@@ -60,12 +60,12 @@ void MainWindow::buildActions()
     buildEditMenu();
     buildViewMenu();
     menuBar()->addMenu(tr("F&abric"))->addActions(design_->candidates().fabricActions());
-    simulate_->fillExperimentMenu(menuBar()->addMenu(tr("E&xperiment")));
+    run_->fillExperimentMenu(menuBar()->addMenu(tr("E&xperiment")));
     QMenu* garment = menuBar()->addMenu(tr("&Garment"));
     connect(addCommand(garment, {}, tr("Show the Garment"), {}, tr("Cut a garment from fabrics, and wear it.")), &QAction::triggered, this,
             [this] { setWorkspace(Workspace::garment); });
     garment->addSeparator();
-    garment_->fillMenu(garment);
+    run_->garment().fillMenu(garment);
     buildHelpMenu();
     buildToolBar();
 }
@@ -107,7 +107,7 @@ void MainWindow::buildFileMenu()
                 card->save();
             });
     menu->addSeparator();
-    simulate_->fillFileMenu(menu);
+    run_->fillFileMenu(menu);
     screenshot_ = addCommand(menu, "camera", tr("Save &Picture…"), QKeySequence("Ctrl+Shift+P"),
                              tr("Save the fabric or garment as it is seen, or in Compare the maps side by side, as a PNG file."));
     connect(screenshot_, &QAction::triggered, this, &MainWindow::saveScreenshot);
@@ -190,7 +190,7 @@ void MainWindow::showWaterColors()
     if (std::exchange(water_colors_, chosen) == chosen) { return; }
     const auto colors = static_cast<WaterColors>(chosen);
     viewport_->setWaterColors(colors);
-    simulate_->maps().setWaterColors(colors);
+    run_->sample().maps().setWaterColors(colors);
     compare_->view().setWaterColors(colors);
     design_->live().setWaterColors(colors);
 }
@@ -200,8 +200,10 @@ void MainWindow::addWorkspaces(QMenu* menu)
     workspaces_ = new QActionGroup(this);
     modes_ = new QActionGroup(this);
     modes_->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional); // Design has none
-    const auto add = [&](QActionGroup* group, const QString& text, const QKeySequence& keys, const QString& tip, const auto& which) {
+    const auto add = [&](QActionGroup* group, const QString& text, const QString& name, const QKeySequence& keys, const QString& tip,
+                         const auto& which) {
         QAction* action = addCommand(menu, {}, text, keys, tip);
+        action->setIconText(name); // on its button
         action->setCheckable(true);
         group->addAction(action);
         connect(action, &QAction::triggered, this, [this, which] {
@@ -209,28 +211,28 @@ void MainWindow::addWorkspaces(QMenu* menu)
             showModes(); // a click on what is shown lets nothing go
         });
     };
-    add(workspaces_, tr("&Design"), QKeySequence("Ctrl+1"), tr("Edit the fabric."), [] { return Workspace::design; });
-    add(workspaces_, tr("Run a Sample or a Garment"), QKeySequence("Ctrl+2"), tr("Run an experiment on a sample or a garment."),
-        [this] { return run_; });
-    workspaces_->actions().last()->setIconText(tr("Run"));
-    add(workspaces_, tr("Co&mpare"), QKeySequence("Ctrl+3"), tr("Compare runs of the same experiment, or study many points."),
+    add(workspaces_, tr("&Design"), tr("Design"), QKeySequence("Ctrl+1"), tr("Edit the fabric."), [] { return Workspace::design; });
+    add(workspaces_, tr("Run, as Last Shown"), tr("Run"), {}, tr("Run an experiment on a sample or a garment."),
+        [this] { return run_->subject() == Subject::garment ? Workspace::garment : Workspace::simulate; });
+    add(workspaces_, tr("Compare, as Last Shown"), tr("Compare"), {}, tr("Compare runs of the same experiment, or study many points."),
         [this] { return comparing_; });
     menu->addSeparator();
-    add(modes_, tr("Sample"), {}, tr("Run an experiment on a sample of the fabric."), [] { return Workspace::simulate; });
-    add(modes_, tr("&Garment"), QKeySequence("Ctrl+4"), tr("Cut a garment from fabrics, and wear it."), [] { return Workspace::garment; });
-    add(modes_, tr("Runs"), {}, tr("Compare runs of the same experiment side by side."), [] { return Workspace::compare; });
-    add(modes_, tr("S&tudy"), QKeySequence("Ctrl+5"), tr("Run many points, and see what matters."), [] { return Workspace::study; });
+    add(modes_, tr("Run: &Sample"), tr("Sample"), QKeySequence("Ctrl+2"), tr("Run an experiment on a sample of the fabric."),
+        [] { return Workspace::simulate; });
+    add(modes_, tr("Run: &Garment"), tr("Garment"), QKeySequence("Ctrl+4"), tr("Cut a garment from fabrics, and wear it."),
+        [] { return Workspace::garment; });
+    add(modes_, tr("Co&mpare: Runs"), tr("Runs"), QKeySequence("Ctrl+3"), tr("Compare runs of the same experiment side by side."),
+        [] { return Workspace::compare; });
+    add(modes_, tr("Compare: S&tudy"), tr("Study"), QKeySequence("Ctrl+5"), tr("Run many points, and see what matters."),
+        [] { return Workspace::study; });
     menu->addSeparator();
 }
 
 /// Which workspace is shown, and which of its two modes.
 void MainWindow::showModes()
 {
-    constexpr int design = 0, run = 1, compare = 2;
-    constexpr std::pair<int, int> places[] = {{design, -1}, {run, 0}, {compare, 2}, {run, 1}, {compare, 3}}; // workspace, mode
-    const auto [workspace, mode] = places[static_cast<std::size_t>(workspace_)];
-    if (workspace == run) { run_ = workspace_; }
-    if (workspace == compare) { comparing_ = workspace_; }
+    const auto [workspace, mode] = placeOf(workspace_);
+    if (workspace_ == Workspace::compare || workspace_ == Workspace::study) { comparing_ = workspace_; }
     workspaces_->actions().at(workspace)->setChecked(true);
     for (int i = 0; i < modes_->actions().size(); ++i) {
         modes_->actions().at(i)->setChecked(i == mode);
@@ -286,8 +288,8 @@ void MainWindow::buildToolBar()
     bar->addSeparator();
     bar->addActions({viewport_->bar().fitAction(), screenshot_});
     bar->addSeparator();
-    const auto& run = simulate_->actions();
-    bar->addActions({run.start, run.pause, run.stop, garment_->actions().start, garment_->actions().pause, garment_->actions().stop});
+    const auto& run = run_->actions();
+    bar->addActions({run.start, run.pause, run.stop});
     auto* gap = new QWidget;
     gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(gap);
@@ -347,7 +349,7 @@ QString MainWindow::guidePage() const
 {
     const QWidget* focus = QApplication::focusWidget() ? QApplication::focusWidget() : focusWidget();
     const Experiment* experiment = document_.experiment();
-    if (experiment && focus && simulate_->experiment().isAncestorOf(focus)) { return name_of(experiment->type); }
+    if (experiment && focus && run_->sample().experiment().isAncestorOf(focus)) { return name_of(experiment->type); }
     const char* pages[] = {"design", "simulate", "compare", "garment", "studies"};
     return pages[static_cast<int>(workspace_)];
 }

@@ -58,17 +58,12 @@ QString readablePath(const QMimeData* data)
 bool MainWindow::openFile(const QString& path)
 {
     if (isDraft(path)) { return importDraft(path); }
-    if (isRecording(path) && isGarmentRecording(path)) {
-        garment_->openRecording(path);
-        return true;
-    }
-    if (isRecording(path)) { return simulate_->openRecording(path); }
+    if (isRecording(path)) { return run_->openRecording(path); }
     const bool example = isInstalled(path);
     if (!mayLeave() || !(example ? document_.openExample(path) : document_.open(path))) {
         compare_->project().stay();
         return false;
     }
-    simulate_->clearResults();
     recent_->add(example ? QFileInfo(path).absoluteFilePath() : document_.path());
     return true;
 }
@@ -80,7 +75,7 @@ void MainWindow::openShippedExample()
 
 void MainWindow::openExample(const QString& path)
 {
-    if (mayLeave() && document_.openExample(path)) { simulate_->clearResults(); }
+    if (mayLeave()) { document_.openExample(path); }
 }
 
 bool MainWindow::offerLeftOver()
@@ -121,7 +116,6 @@ bool MainWindow::takeNewProject()
     design.experiments.push_back(freshExperiment(ExperimentType::droplet));
     design.experiments.front().name = tr("one drop").toStdString();
     document_.take(design, {});
-    simulate_->clearResults();
     return true;
 }
 
@@ -192,7 +186,7 @@ void MainWindow::saveScreenshot()
                studies = workspace_ == Workspace::study;
     const QImage picture = studies    ? study_->picture()
                            : compares ? compare_->view().picture()
-                           : worn     ? garment_->view().picture()
+                           : worn     ? run_->garment().view().picture()
                                       : viewport_->picture();
     if (picture.isNull()) {
         showProblem(worn       ? tr("There is no garment to save a picture of. Add one.")
@@ -260,7 +254,7 @@ void MainWindow::exportMesh()
 {
     commitTypedValue(*this);
     if (!export_) {
-        export_ = new ExportDialog(document_, simulate_->playback(), this);
+        export_ = new ExportDialog(document_, run_->sample().playback(), this);
         export_->setAttribute(Qt::WA_DeleteOnClose);
         connect(export_, &ExportDialog::written, this, [this](const QString& sentence) { showMessage(sentence); });
     }
@@ -272,8 +266,7 @@ void MainWindow::exportMesh()
 bool MainWindow::mayLeave()
 {
     if (!agreesToLeave()) { return false; }
-    simulate_->stopRun();
-    garment_->stopRun();
+    run_->stopRun();
     compare_->stopRuns();
     study_->stopRun();
     return copiesAreDone();
@@ -283,8 +276,8 @@ bool MainWindow::mayLeave()
 bool MainWindow::agreesToLeave()
 {
     compare_->project().stay();
-    return copiesAreDone() && simulate_->agreesToStopRun() && garment_->agreesToStopRun() && compare_->agreesToStopRuns(this) &&
-           study_->agreesToLeave() && mayDiscard() && mayDropRuns();
+    return copiesAreDone() && run_->agreesToStopRun() && compare_->agreesToStopRuns(this) && study_->agreesToLeave() && mayDiscard() &&
+           mayDropRuns();
 }
 
 /// Runs of a project that has a file stay with it.
@@ -404,8 +397,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     endFilms();
     stopExport();
-    simulate_->stopRun();
-    garment_->stopRun();
+    run_->stopRun();
     compare_->stopRuns();
     study_->stopRun();
     if (!copiesAreDone()) {
@@ -419,13 +411,9 @@ void MainWindow::closeEvent(QCloseEvent* event)
     }
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
-    states_[static_cast<int>(workspace_)] = saveState(layout_version);
-    settings.setValue("window/design", states_[0]);
-    settings.setValue("window/simulate", states_[1]);
-    settings.setValue("window/compare", states_[2]);
-    settings.setValue("window/garment", states_[3]);
-    settings.setValue("window/study", states_[4]);
-    garment_->view().saveSteps(settings);
+    states_[stateOf(workspace_)] = saveState(layout_version);
+    for (std::size_t i = 0; i < std::size(states_); ++i) { settings.setValue(stateName(i), states_[i]); }
+    run_->garment().view().saveSteps(settings);
     event->accept();
 }
 

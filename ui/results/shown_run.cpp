@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-#include "ui/results/shown_time.h"
+#include "ui/results/shown_run.h"
 
 #include <algorithm>
 
 namespace hygroloom {
 
-int ShownTime::frameAt(double time) const
+int ShownRun::frameAt(double time) const
 {
     int first = 0, last = frames(); // between them lies the first frame after the time
     while (first < last) {
@@ -19,7 +19,7 @@ int ShownTime::frameAt(double time) const
     return frames() == 0 ? -1 : std::max(0, first - 1);
 }
 
-void ShownTime::show(int index)
+void ShownRun::show(int index)
 {
     if (index < 0 || index >= frames()) { return; }
     follow_ = live() && index == frames() - 1;

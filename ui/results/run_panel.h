@@ -2,14 +2,9 @@
 // Fidelity, device, and the one big button; progress while it runs.
 #pragma once
 
-#include "ui/basics/newest_job.h"
-#include "ui/document/document.h"
-#include "ui/results/simulation_run.h"
+#include "ui/results/run_subject.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
-
-#include <array>
 
 class QButtonGroup;
 class QComboBox;
@@ -19,12 +14,13 @@ class QPushButton;
 
 namespace hygroloom {
 
-class SimulationPanel : public QWidget {
+class RunPanel : public QWidget {
     Q_OBJECT
 public:
-    SimulationPanel(Document& document, SimulationRun& run, QWidget* parent = nullptr);
+    RunPanel(QueuedRun& run, RunSubject& subject, QWidget* parent = nullptr);
 
-    Fidelity fidelity() const;
+    void setSubject(RunSubject& subject);
+    Fidelity fidelity() const { return all_fidelities[chosen()]; }
     void setFidelity(Fidelity fidelity);
     std::string backend() const;
     void setBackend(const std::string& name);
@@ -33,8 +29,8 @@ public:
 
 public Q_SLOTS:
     void showPlan();
-    /// What the run is expected to take, anew: runs of this machine correct it.
-    void refreshPlans();
+    /// What the runs are expected to take, anew: runs of this machine correct it.
+    void refreshForecasts();
 
 Q_SIGNALS:
     void runRequested();
@@ -44,21 +40,20 @@ Q_SIGNALS:
 private:
     void addFidelities();
     void addDevices();
-    void showExpectations();
+    void addButtons();
+    void addProgress();
+    std::size_t chosen() const;
+    void showForecasts();
     void showState();
     void showProgress(const RunProgress& progress);
-    void showEnd(SimulationRun::Outcome outcome, const QString& sentence);
+    void showEnd(QueuedRun::Outcome outcome, const QString& sentence);
 
-    struct Expectation {
-        std::optional<ModelPlan> plan;
-        QString problem;
-    };
-
-    Document& document_;
-    SimulationRun& run_;
+    RunSubject* subject_ = nullptr;
+    RunSubject* running_ = nullptr; ///< of the last run
+    QueuedRun& run_;
     QButtonGroup* fidelities_;
     std::array<QLabel*, all_fidelities.size()> expected_{};
-    std::array<Expectation, all_fidelities.size()> plans_;
+    RunForecasts forecasts_;
     QComboBox* device_;
     QPushButton* start_;
     QPushButton* pause_;
@@ -66,7 +61,9 @@ private:
     QPushButton* why_;
     QProgressBar* bar_;
     QLabel* state_;
-    NewestJob planner_;
+    bool idle_ = true; ///< the state tells of no run
+    int asked_ = 0;    ///< forecasts, so far
+    NewestJob forecaster_;
 };
 
 } // namespace hygroloom

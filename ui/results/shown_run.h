@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// The time of a run that is shown: one of its frames. Whatever the run is of, a timeline goes through it, and a chart draws its curves.
+// A run that is shown, live or from its recording, at the time of one of its frames. Whatever it is of, a timeline goes through it, and a
+// chart draws its curves.
 #pragma once
+
+#include "core/design/design.h"
 
 #include <QList>
 #include <QObject>
@@ -8,6 +11,7 @@
 #include <QString>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace hygroloom {
@@ -27,10 +31,10 @@ struct TimePlot {
     double low = 0, high = 1; ///< of an axis that does not, while there is no point
 };
 
-class ShownTime : public QObject {
+class ShownRun : public QObject {
     Q_OBJECT
 public:
-    explicit ShownTime(QObject* parent = nullptr) : QObject(parent) {}
+    explicit ShownRun(QObject* parent = nullptr) : QObject(parent) {}
 
     virtual int frames() const = 0;
     /// s. Precondition: there is such a frame.
@@ -41,6 +45,26 @@ public:
     virtual int expectedFrames() const = 0;
     /// Whether the run goes on.
     virtual bool live() const = 0;
+    /// Its recording; empty: there is none.
+    virtual QString path() const = 0;
+    /// The design that was run; nullptr: no run is shown.
+    virtual const Design* design() const = 0;
+    /// Its fabric or garment, and its experiment. Precondition: a run is shown.
+    virtual std::pair<std::string, std::string> names() const = 0;
+    /// "poplin, one drop"
+    QString title() const { return QString::fromStdString(names().first + ", " + names().second); }
+    /// Reads a recording in the background; opened() or failed() follows.
+    virtual void open(const QString& path) = 0;
+    /// Opens nothing that is still being read.
+    virtual void stopOpening() = 0;
+    /// A live run is over; its recording is complete, or cut short, and can be read.
+    virtual void end() = 0;
+    /// Lets go of the run.
+    virtual void discard() = 0;
+    /// The same, and of what is kept to compare it with.
+    virtual void clear() { discard(); }
+    /// The recording lies at another path from now on.
+    virtual void move(const QString& from, const QString& to) = 0;
     /// What had happened by the time shown, in words; none: nothing of its kind is told of such runs.
     virtual std::optional<QString> happened() const { return {}; }
     /// As many for each run.
@@ -62,6 +86,10 @@ Q_SIGNALS:
     /// What plots() gives.
     void metricsChanged();
     void frameShown();
+    void opened(const QString& path);
+    /// Its numbers are of all frames that there will be.
+    void measured();
+    void failed(const QString& sentence);
 
 protected:
     /// The current frame is to be shown; frameShown() follows.
