@@ -7274,10 +7274,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>%1 zeigen</translation>
     </message>
     <message>
-        <source>&amp;Queue of Runs</source>
-        <translation>&amp;Warteschlange der Läufe</translation>
-    </message>
-    <message>
         <source>Design</source>
         <translation>Entwerfen</translation>
     </message>
@@ -7292,10 +7288,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
-    </message>
-    <message>
-        <source>Run: &amp;Sample</source>
-        <translation>Rechnen: &amp;Probe</translation>
     </message>
     <message>
         <source>Run: &amp;Garment</source>
@@ -7316,6 +7308,14 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>Study</source>
         <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Queue of Runs</source>
+        <translation>Warteschlange der Läufe</translation>
+    </message>
+    <message>
+        <source>Run: Sample</source>
+        <translation>Rechnen: Probe</translation>
     </message>
 </context>
 <context>

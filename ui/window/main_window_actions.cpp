@@ -176,7 +176,7 @@ void MainWindow::buildViewMenu()
     showWaterColors();
     addAppearances(menu->addMenu(tr("&Appearance")));
     menu->addSeparator();
-    connect(addCommand(menu, {}, tr("&Queue of Runs"), QKeySequence("Ctrl+Shift+R"), tr("Show what runs, what waits and why.")),
+    connect(addCommand(menu, {}, tr("Queue of Runs"), QKeySequence("Ctrl+Shift+R"), tr("Show what runs, what waits and why.")),
             &QAction::triggered, queue_button_, &QueueButton::openList);
     QMenu* panels = menu->addMenu(tr("&Panels"));
     for (QDockWidget* dock : docks()) { panels->addAction(dock->toggleViewAction()); }
@@ -217,7 +217,7 @@ void MainWindow::addWorkspaces(QMenu* menu)
     add(workspaces_, tr("Compare, as Last Shown"), tr("Compare"), {}, tr("Compare runs of the same experiment, or study many points."),
         [this] { return comparing_; });
     menu->addSeparator();
-    add(modes_, tr("Run: &Sample"), tr("Sample"), QKeySequence("Ctrl+2"), tr("Run an experiment on a sample of the fabric."),
+    add(modes_, tr("Run: Sample"), tr("Sample"), QKeySequence("Ctrl+2"), tr("Run an experiment on a sample of the fabric."),
         [] { return Workspace::simulate; });
     add(modes_, tr("Run: &Garment"), tr("Garment"), QKeySequence("Ctrl+4"), tr("Cut a garment from fabrics, and wear it."),
         [] { return Workspace::garment; });
