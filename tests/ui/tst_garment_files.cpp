@@ -98,7 +98,10 @@ private Q_SLOTS:
         QTRY_VERIFY(run->isEnabled() && remove->isEnabled());
         QCOMPARE(remove->toolTip(), QString("Remove Garment"));
         QVERIFY(!run->statusTip().isEmpty() && !remove->statusTip().isEmpty());
+        window_->setWorkspace(Workspace::simulate); // its commands stay
         remove->trigger();
+        QVERIFY(waits(remove, "There is no garment to remove."));
+        window_->setWorkspace(Workspace::garment);
         QVERIFY(waits(run, "Add a garment.") && waits(remove, "There is no garment to remove."));
     }
 

@@ -130,7 +130,10 @@ void RunWorkspace::connectParts()
     connect(&runs_, &ProjectRuns::failed, this, &RunWorkspace::problemFound);
     connect(&runs_, &ProjectRuns::messageShown, this, &RunWorkspace::messageShown);
     connect(&document_, &Document::designChanged, this, &RunWorkspace::refreshChoice);
-    connect(&garment_.choice(), &GarmentChoice::changed, this, &RunWorkspace::refreshChoice);
+    connect(&garment_.choice(), &GarmentChoice::changed, this, [this] {
+        refreshChoice();
+        refreshActions();
+    });
     connect(&document_, &Document::replaced, this, &RunWorkspace::clearResults);
     connect(&garment_.playback(), &WearPlayback::framesChanged, this, &RunWorkspace::refreshActions);
     connect(&garment_, &GarmentSubject::saveOfAWanted, this, &RunWorkspace::askToSaveRecording);
