@@ -42,7 +42,58 @@ OverAir over_air(const Textile& textile, int per_pitch, double fibre_factor)
             1 / conductivity_through(repeat.layer, repeat.growth, 1, std::max(least, vapour))};
 }
 
+/// What of a touch is not known.
+struct Touch {
+    double seconds = touch_seconds;
+    double fibres = 0;       ///< m that stand between plate and yarns
+    double fibre_factor = 1; ///< of their conductivity
+};
+
+/// W s^1/2/(m2 K), of what lies uppermost: mean of both systems.
+double effusivity_of_yarns(const Textile& textile, double fibre_factor)
+{
+    double sum = 0;
+    for (const YarnKind kind : {YarnKind::warp, YarnKind::weft}) {
+        const YarnType& type = textile.system(kind).types[0];
+        const double conductivity =
+            conductivity_across_fibres(type.packing, fibre_factor * type.fibre.thermal_conductivity_w_mk, air_conductivity);
+        sum += 0.5 * std::sqrt(conductivity * type.packing * type.fibre.density_kg_m3 * type.fibre.specific_heat_j_kgk);
+    }
+    return sum;
+}
+
+double touch_heat(const Textile& textile, int per_pitch, const Touch& touch)
+{
+    const DrawnRepeat repeat = drawn_repeat(textile, per_pitch);
+    const DrawnLayer& layer = repeat.layer;
+    const double effusivity = effusivity_of_yarns(textile, touch.fibre_factor);
+    double sum = 0;
+    for (int y = 0; y < layer.grid.ny; ++y)
+        for (int x = 0; x < layer.grid.nx; ++x) {
+            int z = layer.last();
+            while (z >= layer.first() && layer.outside[layer.grid.at(x, y, z)] > repeat.growth) --z;
+            if (z < layer.first()) continue; // a hole
+            const double air = touch.fibres + (layer.last() - z + 0.5) * layer.dz;
+            sum += contact_heat(touch_kelvin, air_conductivity / air, effusivity, touch.seconds);
+        }
+    return sum / (static_cast<double>(layer.grid.nx) * layer.grid.ny);
+}
+
 } // namespace
+
+Estimate warm_cool_feeling(const Textile& textile, bool thickness_given)
+{
+    const FabricQuantities& q = textile.quantities;
+    const double stand = 0.5 * metre_from_mm(std::max(0.0, q.thickness_1kpa_mm - q.yarn_layer_thickness_mm)); // on one face
+    const double less = thickness_given ? 1 : 0.5, more = thickness_given ? 1 : 2;
+    const double fine = touch_heat(textile, voxels, {touch_seconds, stand});
+    const double coarse = touch_heat(textile, coarse_voxels, {touch_seconds, stand});
+    const auto over = [&](const Touch& touch) { return fine * touch_heat(textile, coarse_voxels, touch) / coarse; };
+    return estimate_of(fine, {{coarse, fine * fine / coarse},
+                              {over({0.5 * touch_seconds, stand}), over({2 * touch_seconds, stand})},
+                              {over({touch_seconds, less * stand}), over({touch_seconds, more * stand})},
+                              {over({touch_seconds, stand, 0.7}), over({touch_seconds, stand, 1.3})}});
+}
 
 Estimate PlateResistances::permeability_index() const
 {

@@ -31,6 +31,16 @@ HL_FN double conductivity_across_fibres(double share, double fibres, double betw
 /// How high fibres stand under a pressure (Pa) that are so high under another: p grows with the cube of how close they lie (van Wyk 1946).
 HL_FN double height_of_hairs(double height, double under, double pressure) { return height * std::cbrt(under / pressure); }
 
+/// Heat that a body so much warmer gives a half space, W/m2, a time (s) after they touched through a conductance (W/(m2 K)); effusivity of
+/// the half space, W s^1/2/(m2 K). Carslaw and Jaeger 1959, 2.7.
+HL_FN double contact_heat(double warmer, double conductance, double effusivity, double time)
+{
+    const double x = conductance * std::sqrt(time) / effusivity;
+    constexpr double far = 20, root_of_pi = 1.7724538509055160; // from there on its series is exact to 1e-5
+    const double share = x < far ? std::exp(x * x) * std::erfc(x) : (1.0 - 0.5 / (x * x)) / (root_of_pi * x);
+    return warmer * conductance * share;
+}
+
 /// Resistance of a layer to the heat that vapour carries, m2 Pa/W: still air as thick as said lets as much through. ISO 11092 at 35 C.
 HL_FN double evaporative_resistance(double air_thickness, double temperature)
 {

@@ -82,6 +82,14 @@ private Q_SLOTS:
         QVERIFY(near_to(evaporative_resistance(1e-3, 308.15), 2.17, 0.005));
         QVERIFY(near_to(height_of_hairs(2, 1000, 1), 20, 1e-12)); // pressed by a thousandth, ten times as high
     }
+    void aTouchGivesWhatCarslawAndJaegerSay()
+    {
+        QVERIFY(near_to(contact_heat(10, 500, 250, 0.25), 10 * 500 * 0.427584, 1e-5)); // e erfc(1), of tables
+        QVERIFY(near_to(contact_heat(10, 1, 1000, 0.01), 10 * 1, 1e-3));               // at first the conductance decides
+        for (const double conductance : {1e4, 1e6, 1e9})                               // without one 10 K x e over the root of pi t
+            QVERIFY(near_to(contact_heat(10, conductance, 100, 0.2), 10 * 100 / std::sqrt(pi * 0.2), 2e-3));
+        QVERIFY(near_to(contact_heat(10, 19.999, 1, 1), contact_heat(10, 20.001, 1, 1), 1e-3)); // where its series takes over
+    }
 };
 
 QTEST_APPLESS_MAIN(TestConduction)
