@@ -7,10 +7,10 @@
 #include "app/cli_wear.h"
 #include "app/cli_why.h"
 
+#include "core/analysis/card.h"
 #include "core/analysis/comparison_report.h"
 #include "core/analysis/map_picture.h"
 #include "core/design/unknowns.h"
-#include "core/laboratory/numbers.h"
 #include "core/project/atomic_file.h"
 #include "core/run/plan_run.h"
 #include "gpu/backends.h"
@@ -143,7 +143,7 @@ std::map<std::string, LaboratoryNumbers> cards_of(const Design& design, const Fi
     std::map<std::string, LaboratoryNumbers> cards;
     for (std::size_t i = 0; i < design.fabrics.size(); ++i)
         if (std::ranges::find(fabrics, design.fabrics[i].name) != fabrics.end())
-            cards[design.fabrics[i].name] = laboratory_numbers(design, design.fabrics[i], *fitted[i]);
+            cards[design.fabrics[i].name] = compared_numbers(design, design.fabrics[i], *fitted[i]);
     return cards;
 }
 

@@ -7,7 +7,7 @@
 #include "core/analysis/metrics_json.h"
 #include "core/analysis/outcomes.h"
 #include "core/base/units.h"
-#include "core/queue/run_job.h"
+#include "core/queue/card_runs.h"
 #include "core/run/recording.h"
 #include "core/verify/verify_json.h"
 #include "core/wear/wear_outcomes.h"
@@ -202,17 +202,33 @@ py::str verify(const std::string& name, const std::map<std::string, std::string>
     return text(watched(py::none(), run));
 }
 
-/// JSON, as the verb card prints it.
-py::str card(const Design& design, const std::string& fabric)
+/// JSON, as the verb card prints it. runs: tests, see card_test_keys().
+py::str card(const Design& design, const std::string& fabric, const std::vector<std::string>& runs, int replicates, const std::string& keep,
+             const py::dict& how, const py::object& progress)
 {
-    std::string json;
-    {
-        const Unlocked unlocked;
+    const RunArguments arguments = run_arguments(how);
+    const auto made = [=](Watch& watch) {
+        CardRuns what{card_test_keys(runs), run_options(arguments), replicates, keep};
         const auto fitted = require_valid(design);
         const Fabric& chosen = chosen_fabric(design, fabric);
-        json = dumped(card_json(card_of(design, chosen, *fitted[static_cast<std::size_t>(&chosen - design.fabrics.data())])));
-    }
-    return text(json);
+        Card card = card_of(design, chosen, *fitted[static_cast<std::size_t>(&chosen - design.fabrics.data())]);
+        if (what.tests.empty()) return dumped(card_json(card));
+        const CardJobs jobs = card_jobs(design, chosen, card.numbers, what);
+        const std::size_t count = jobs.jobs.size() * static_cast<std::size_t>(replicates);
+        ManyRuns all(watch, count);
+        ComparedWatch telling;
+        telling.begins = [&all](std::size_t i, RunJob& job) {
+            job.beside.progress = [&all, i](const RunProgress& done) { all.tell(i, share_of(done)); };
+        };
+        telling.ended = [&all](std::size_t i) { all.end(i); };
+        RunQueue queue;
+        std::shared_ptr<RunPlaces> places;
+        if (count > 0) places = open_places(arguments, 0, static_cast<int>(count), static_cast<std::size_t>(jobs.bytes));
+        card.numbers = run_card_jobs(jobs, replicates, queue, places, watch.control.cancel, telling);
+        if (watch.control.cancel) throw Cancelled();
+        return dumped(card_json(card));
+    };
+    return text(watched(progress, made));
 }
 
 py::str verify_list()

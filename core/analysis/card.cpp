@@ -24,12 +24,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char *cost_key = "cost_per_m", *cost_title = "Yarn cost of a metre";
+
 /// As reports name the program.
 std::string made_by() { return fmt::format("Hygroloom {} ({})", program_version(), program_commit()); }
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json yarn_json(const YarnUse& use)
+Json yarn_json(const YarnConsumption& use)
 {
     return {{"yarn", name_of(use)},
             {"share", use.share},
@@ -85,12 +87,13 @@ std::vector<ConstructionNumber> construction_numbers(const Card& card)
     return all;
 }
 
-PageBlocks consumption_table(const Card& card)
+PageBlocks consumption_table(const Card& card, const ReaderUnits& units)
 {
+    const ReaderUnit count = reader_unit(units, "tex");
     std::vector<PageRow> rows;
-    for (const YarnUse& use : card.technical.yarns) {
-        std::string remark =
-            fmt::format("{:.3g} % of the threads, {:.3g} tex, take-up {:.3g} %", 100 * use.share, use.tex, use.take_up_percent());
+    for (const YarnConsumption& use : card.technical.yarns) {
+        std::string remark = fmt::format("{:.3g} % of the threads, {:.3g} {}, take-up {:.3g} %", 100 * use.share, count.of(use.tex),
+                                         count.unit, use.take_up_percent());
         if (use.cost_per_metre) remark += fmt::format(", costs {:.4g} a metre", *use.cost_per_metre);
         if (card.length_m > 0) remark += fmt::format(", {:.4g} kg for {:g} m", 1e-3 * use.grams_per_metre * card.length_m, card.length_m);
         rows.push_back(row(name_of(use), rounded_text(use.grams_per_metre, 4), "g/m", remark));
@@ -100,17 +103,28 @@ PageBlocks consumption_table(const Card& card)
     return joined({table(rows), list(card.technical.notes)});
 }
 
-PageBlocks laboratory_table(const Card& card)
+PageBlocks laboratory_table(const Card& card, const ReaderUnits& units)
 {
     std::vector<PageRow> rows;
     for (const LaboratoryNumber& number : card.numbers.found) {
-        std::string remark = range_text(number.estimate);
+        const LaboratoryNumber seen = in_units(number, units);
+        std::string remark = range_text(seen.estimate);
         for (const std::string& more :
-             {number.standard, number.conditions, number.model.empty() ? std::string() : "Compared: " + number.model})
+             {grade_text(number), number.standard, number.conditions, number.run.empty() ? std::string() : "Run: " + number.run,
+              number.model.empty() ? std::string() : "Compared: " + number.model})
             if (!more.empty()) remark += (remark.empty() ? "" : "; ") + more;
-        rows.push_back(row(number.title, value_text(number.estimate), number.unit, remark));
+        rows.push_back(row(number.title, value_text(seen), seen.unit, remark));
     }
-    return joined({table(rows), list(card.numbers.missing)});
+    return joined({table(rows), list(card.numbers.missing), list(card.numbers.notes)});
+}
+
+/// Of the table, see card_csv().
+std::string line_of(const LaboratoryNumber& number)
+{
+    const Estimate& in = number.estimate;
+    const std::string values = number.text.empty() ? fmt::format("{},{},{}", in.value, in.low, in.high) : csv_field(number.text) + ",,";
+    return fmt::format("{},{},{},{},{},{},{}\n", number.key, csv_field(number.title), values, csv_field(number.unit),
+                       csv_field(number.standard), csv_field(number.conditions), csv_field(number.run));
 }
 
 /// The same cloth seen from behind: what lay on top lies below, and the first end is the last.
@@ -167,13 +181,31 @@ ReportPicture picture_of(const Fabric& fabric, const FittedFabric& fitted, doubl
 
 } // namespace
 
-std::string name_of(const YarnUse& use)
+std::string name_of(const YarnConsumption& use)
 {
     const std::string system = use.warp ? "warp" : "weft";
     return use.yarn == 0 ? system : fmt::format("{}, extra yarn {}", system, use.yarn);
 }
 
-std::string value_text(const Estimate& estimate) { return rounded_text(estimate.value, 3); }
+LaboratoryNumber in_units(LaboratoryNumber number, const ReaderUnits& units)
+{
+    const ReaderUnit unit = reader_unit(units, number.unit);
+    Estimate& of = number.estimate;
+    of = {unit.of(of.value), unit.of(of.low), unit.of(of.high)};
+    if (unit.inverse) std::swap(of.low, of.high);
+    number.unit = unit.unit;
+    return number;
+}
+
+std::string value_text(const LaboratoryNumber& number)
+{
+    return number.text.empty() ? rounded_text(number.estimate.value, 3) : number.text;
+}
+
+std::string grade_text(const LaboratoryNumber& number)
+{
+    return number.grade > 0 ? fmt::format("grade {} of 5", number.grade) : std::string();
+}
 
 std::string range_text(const Estimate& estimate)
 {
@@ -181,11 +213,13 @@ std::string range_text(const Estimate& estimate)
     return fmt::format("{} to {}", rounded_text(estimate.low, 3), rounded_text(estimate.high, 3));
 }
 
-std::vector<PageRow> construction_rows(const Card& card)
+std::vector<PageRow> construction_rows(const Card& card, const ReaderUnits& units)
 {
     std::vector<PageRow> rows;
-    for (const ConstructionNumber& number : construction_numbers(card))
-        rows.push_back(row(number.title, rounded_text(number.value, number.digits), number.unit, number.remark));
+    for (const ConstructionNumber& number : construction_numbers(card)) {
+        const ReaderUnit unit = reader_unit(units, number.unit);
+        rows.push_back(row(number.title, rounded_text(unit.of(number.value), number.digits), unit.unit, number.remark));
+    }
     return rows;
 }
 
@@ -206,6 +240,27 @@ Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fit
     card.numbers = laboratory_numbers(design, fabric, fitted);
     card.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return card;
+}
+
+const std::vector<OutcomeInfo>& card_metrics()
+{
+    static const std::vector<OutcomeInfo> infos = [] {
+        std::vector<OutcomeInfo> all;
+        for (const LaboratoryNumber& number : numbers_of_cards()) all.push_back({number.key, number.title, "", number.unit});
+        all.push_back({cost_key, cost_title, "", "", Better::less});
+        return all;
+    }();
+    return infos;
+}
+
+LaboratoryNumbers compared_numbers(const Design& design, const Fabric& fabric, const FittedFabric& fitted)
+{
+    LaboratoryNumbers numbers = laboratory_numbers(design, fabric, fitted);
+    const TechnicalCard card = technical_card(fabric, fitted);
+    if (const auto& cost = card.yarn_cost_per_metre)
+        numbers.found.push_back(
+            {cost_key, cost_title, "", "", fmt::format("{:.4g} cm wide, without waste", card.width_cm), {*cost, *cost, *cost}, ""});
+    return numbers;
 }
 
 std::vector<ReportPicture> card_pictures(const Design& design, const Fabric& fabric, const FittedFabric& fitted)
@@ -230,17 +285,26 @@ std::vector<ReportPicture> card_pictures(const Design& design, const Fabric& fab
 Json laboratory_json(const std::vector<LaboratoryNumber>& numbers)
 {
     Json json = Json::object();
-    for (const LaboratoryNumber& number : numbers)
-        json[number.key] = {
-            {"value", number.estimate.value}, {"low", number.estimate.low},      {"high", number.estimate.high}, {"unit", number.unit},
-            {"standard", number.standard},    {"conditions", number.conditions}, {"compared", number.model}};
+    for (const LaboratoryNumber& number : numbers) {
+        Json& own = json[number.key];
+        if (number.text.empty())
+            own = {{"value", number.estimate.value}, {"low", number.estimate.low}, {"high", number.estimate.high}};
+        else
+            own = {{"value", number.text}, {"low", nullptr}, {"high", nullptr}};
+        own.update({{"unit", number.unit},
+                    {"standard", number.standard},
+                    {"conditions", number.conditions},
+                    {"compared", number.model},
+                    {"run", number.run}});
+        if (number.grade > 0) own["grade"] = number.grade;
+    }
     return json;
 }
 
 Json card_json(const Card& card)
 {
     Json yarns = Json::array();
-    for (const YarnUse& use : card.technical.yarns) yarns.push_back(yarn_json(use));
+    for (const YarnConsumption& use : card.technical.yarns) yarns.push_back(yarn_json(use));
     const FabricQuantities& q = card.quantities;
     return {{"format", "hygroloom-card"},
             {"version", 1},
@@ -260,21 +324,22 @@ Json card_json(const Card& card)
               {"notes", card.technical.notes}}},
             {"laboratory", laboratory_json(card.numbers.found)},
             {"missing", card.numbers.missing},
+            {"notes", card.numbers.notes},
             {"seconds", card.seconds}};
 }
 
 std::string card_csv(const Card& card)
 {
-    std::string csv = "key,title,value,low,high,unit,standard,conditions\n";
+    std::string csv = "key,title,value,low,high,unit,standard,conditions,run\n";
     const auto line = [&](const std::string& key, const std::string& title, const Estimate& in, const std::string& unit,
                           const std::string& standard, const std::string& conditions) {
-        csv += fmt::format("{},{},{},{},{},{},{},{}\n", key, csv_field(title), in.value, in.low, in.high, csv_field(unit),
+        csv += fmt::format("{},{},{},{},{},{},{},{},\n", key, csv_field(title), in.value, in.low, in.high, csv_field(unit),
                            csv_field(standard), csv_field(conditions));
     };
     const auto exact = [](double value) { return Estimate{value, value, value}; };
     for (const ConstructionNumber& number : construction_numbers(card))
         line(number.key, number.title, exact(number.value), number.unit, "", number.remark);
-    for (const YarnUse& use : card.technical.yarns) {
+    for (const YarnConsumption& use : card.technical.yarns) {
         line("yarn_share_percent", name_of(use), exact(100 * use.share), "%", "", "of the system's threads");
         line("yarn_linear_density_tex", name_of(use), exact(use.tex), "tex", "", "");
         line("yarn_take_up_percent", name_of(use), exact(use.take_up_percent()), "%", "", "");
@@ -283,23 +348,24 @@ std::string card_csv(const Card& card)
     line("yarn_g_per_m", "together", exact(card.technical.grams_per_metre), "g/m", "", "");
     if (card.technical.yarn_cost_per_metre)
         line("yarn_cost_per_m", "Yarn cost", exact(*card.technical.yarn_cost_per_metre), "a metre", "", "");
-    for (const LaboratoryNumber& number : card.numbers.found)
-        line(number.key, number.title, number.estimate, number.unit, number.standard, number.conditions);
-    for (const std::string& sentence : card.numbers.missing) csv += fmt::format("missing,{},,,,,,\n", csv_field(sentence));
+    for (const LaboratoryNumber& number : card.numbers.found) csv += line_of(number);
+    for (const std::string& sentence : card.numbers.missing) csv += fmt::format("missing,{},,,,,,,\n", csv_field(sentence));
+    for (const std::string& sentence : card.numbers.notes) csv += fmt::format("note,{},,,,,,,\n", csv_field(sentence));
     return csv;
 }
 
-ReportPage card_page(const Card& card, const std::vector<ReportPicture>& pictures)
+ReportPage card_page(const Card& card, const std::vector<ReportPicture>& pictures, const ReaderUnits& units)
 {
     const char* about =
         "Computed from the drawn cloth, not measured. The range after a value holds what the description leaves open and the error of the "
-        "computation, not what the physics leaves out. Where a number was compared with measurements, it says so.";
-    return {card.fabric,
-            joined({sentence(fmt::format("Technical card. {}, {}", made_by(), card.made_at)),
-                    pictures.empty() ? sentence("No picture: a repeat is more than 10 cm wide or high.") : blocks_of(pictures),
-                    section("Construction", table(construction_rows(card))), section("Yarn for a metre", consumption_table(card)),
-                    section("Laboratory", joined({sentence(about), laboratory_table(card)})),
-                    table_of_inputs("The fabric as the project has it", Json::parse(card.description))})};
+        "computation, not what the physics leaves out; of a test that ran once, the error of the computation alone. Where a number was "
+        "compared with measurements, it says so.";
+    return {card.fabric, joined({sentence(fmt::format("Technical card. {}, {}", made_by(), card.made_at)),
+                                 pictures.empty() ? sentence("No picture: a repeat is more than 10 cm wide or high.") : blocks_of(pictures),
+                                 section("Construction", table(construction_rows(card, units))),
+                                 section("Yarn for a metre", consumption_table(card, units)),
+                                 section("Laboratory", joined({sentence(about), laboratory_table(card, units)})),
+                                 table_of_inputs("The fabric as the project has it", Json::parse(card.description))})};
 }
 
 } // namespace hygroloom

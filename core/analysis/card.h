@@ -2,7 +2,9 @@
 // The technical card of a fabric: construction, yarn consumption, cost and the laboratory's numbers, as JSON, table or page.
 #pragma once
 
+#include "core/analysis/outcomes.h"
 #include "core/analysis/page.h"
+#include "core/analysis/reader_units.h"
 #include "core/laboratory/numbers.h"
 #include "core/laboratory/technical.h"
 
@@ -25,22 +27,32 @@ struct Card {
 /// Precondition: validate() found no error.
 Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request = {});
 
+/// What stands beside the runs of a comparison: the laboratory's numbers that need no run, and what the yarn of a metre costs where all
+/// yarns have a price. Precondition as above. card_metrics(): all that it may find.
+LaboratoryNumbers compared_numbers(const Design& design, const Fabric& fabric, const FittedFabric& fitted);
+
+const std::vector<OutcomeInfo>& card_metrics();
+
 /// "warp", "weft, extra yarn 1".
-std::string name_of(const YarnUse& use);
+std::string name_of(const YarnConsumption& use);
 /// Setts, loom, width, counts and crimps, each a name, a number and its unit.
-std::vector<PageRow> construction_rows(const Card& card);
-/// A number of the laboratory, and its range "50 to 120", which is empty where the number is exact.
-std::string value_text(const Estimate& estimate);
+std::vector<PageRow> construction_rows(const Card& card, const ReaderUnits& units = {});
+/// In the reader's unit.
+LaboratoryNumber in_units(LaboratoryNumber number, const ReaderUnits& units);
+/// A number of the laboratory or its class, "grade 3 of 5" or nothing, and its range "50 to 120", which is empty where it is exact.
+std::string value_text(const LaboratoryNumber& number);
+std::string grade_text(const LaboratoryNumber& number);
 std::string range_text(const Estimate& estimate);
 /// {"fabric", "construction": {…}, "laboratory": {"air_permeability_mm_s": {"value", "low", "high", …}, …}, "missing": sentences}
 nlohmann::ordered_json card_json(const Card& card);
 /// {"air_permeability_mm_s": {"value", "low", "high", "unit", …}, …}
 nlohmann::ordered_json laboratory_json(const std::vector<LaboratoryNumber>& numbers);
-/// key, title, value, low, high, unit, standard, conditions. Of what could not be computed a row "missing" with a sentence as its title.
+/// key, title, value, low, high, unit, standard, conditions, run. Of what could not be computed a row "missing" with a sentence as its
+/// title, of what limits a number a row "note".
 std::string card_csv(const Card& card);
 /// Both faces at true scale, as many repeats as make them 20 mm wide and high at least; and the top face from near, unless a repeat is more
 /// than 12 mm. None where a repeat is more than 100 mm. Precondition: validate() found no error.
 std::vector<ReportPicture> card_pictures(const Design& design, const Fabric& fabric, const FittedFabric& fitted);
-ReportPage card_page(const Card& card, const std::vector<ReportPicture>& pictures);
+ReportPage card_page(const Card& card, const std::vector<ReportPicture>& pictures, const ReaderUnits& units = {});
 
 } // namespace hygroloom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/analysis/comparison.h"
 
+#include "core/analysis/card.h"
 #include "core/analysis/run_trace.h"
 #include "core/base/error.h"
 #include "core/base/words.h"
@@ -267,6 +268,25 @@ std::optional<LoneNumber> lone_number(const Candidate& candidate, const Candidat
                                     why.empty() ? why : " (" + why + ")");
     }
     return lone;
+}
+
+Comparison with_card_numbers(Comparison comparison)
+{
+    for (const LaboratoryNumber* number : card_numbers(comparison)) {
+        const auto info =
+            std::find_if(card_metrics().begin(), card_metrics().end(), [&](const auto& each) { return each.key == number->key; });
+        if (info == card_metrics().end()) continue;
+        comparison.criteria.push_back(*info);
+        for (Candidate& candidate : comparison.candidates) {
+            const LaboratoryNumber* own = card_number_of(comparison, candidate.fabric, number->key);
+            if (!own) continue;
+            Interval& interval = candidate.intervals[number->key];
+            interval.centre = own->estimate.value;
+            interval.low = own->estimate.low;
+            interval.high = own->estimate.high;
+        }
+    }
+    return comparison;
 }
 
 std::vector<std::string> all_notes(const Comparison& comparison, const Candidate& candidate)

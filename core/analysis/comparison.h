@@ -113,6 +113,10 @@ const LaboratoryNumber* card_number_of(const Comparison& comparison, const std::
 /// Each number that some technical card has, once, in the order of the cards.
 std::vector<const LaboratoryNumber*> card_numbers(const Comparison& comparison);
 
+/// The numbers of the cards as criteria behind the others, with their ranges as the candidates' intervals; they have no verdicts. For
+/// tables and charts: judge() takes them away again.
+Comparison with_card_numbers(Comparison comparison);
+
 /// What limits a candidate's numbers, in sentences: its notes, in how many replicates water reached the edge, what its card lacks.
 std::vector<std::string> all_notes(const Comparison& comparison, const Candidate& candidate);
 

@@ -95,7 +95,7 @@ std::string cards_table(const Comparison& comparison)
         for (const Candidate& c : comparison.candidates) {
             const LaboratoryNumber* own = card_number_of(comparison, c.fabric, number->key);
             const std::string range = own ? range_text(own->estimate) : std::string();
-            rows.back().push_back(!own ? "-" : value_text(own->estimate) + (range.empty() ? "" : " (" + range + ")"));
+            rows.back().push_back(!own ? "-" : value_text(*own) + (range.empty() ? "" : " (" + range + ")"));
         }
     }
     return "\n" + aligned_columns(rows);

@@ -259,15 +259,15 @@ PageBlocks cards(const Comparison& comparison, const ReaderUnits& units)
     std::vector<PageRow> rows{row_of_headings({""})};
     for (const Candidate& candidate : comparison.candidates) rows.front().push_back({candidate.fabric, Kind::heading});
     for (const LaboratoryNumber* number : card_numbers(comparison)) {
-        const ReaderUnit unit = reader_unit(units, number->unit);
-        rows.push_back(row_of_headings({number->title + (unit.unit.empty() ? "" : ", " + unit.unit)}));
+        const std::string unit = reader_unit(units, number->unit).unit;
+        rows.push_back(row_of_headings({number->title + (unit.empty() ? "" : ", " + unit)}));
         for (const Candidate& candidate : comparison.candidates) {
             const LaboratoryNumber* own = card_number_of(comparison, candidate.fabric, number->key);
             PageCell made{"–", Kind::number};
             if (own) {
-                const Estimate seen{unit.of(own->estimate.value), unit.of(own->estimate.low), unit.of(own->estimate.high)};
+                const LaboratoryNumber seen = in_units(*own, units);
                 made.text = value_text(seen);
-                made.below = range_text(seen);
+                made.below = range_text(seen.estimate);
             }
             rows.back().push_back(made);
         }

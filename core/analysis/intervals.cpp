@@ -81,10 +81,17 @@ double by_crossings(const RunRecord& run, const std::string& metric)
     return step_of(run, metric) > 0 || metric == "wick_height_mm" ? 0.5 * crossing_of(run) : 0;
 }
 
+/// The measured metric that a number is read from in the same way.
+std::string measured_like(const std::string& metric)
+{
+    if (metric.ends_with("_min_mm") || metric.ends_with("_min_mg_mm")) return "wick_rate_mm_s05"; // water follows the front
+    return metric == "drying_index_pct_min" ? "drying_rate_g_m2_h" : metric;
+}
+
 /// That of a stain's area, which no scene was measured for, is that of the ellipse of equal moments, of the axis that has more.
 std::optional<double> expected_error(const std::map<std::string, double>& errors, const std::string& metric)
 {
-    const auto found = errors.find(metric);
+    const auto found = errors.find(measured_like(metric));
     if (found != errors.end()) return found->second;
     const auto warp = errors.find("wetted_area_ellipse_warp_mm"), weft = errors.find("wetted_area_ellipse_weft_mm");
     if (!metric.starts_with("equal_area_radius") || warp == errors.end() || weft == errors.end()) return {};

@@ -37,6 +37,17 @@ std::optional<double> falls_to(const std::vector<double>& time, const std::vecto
     return std::nullopt;
 }
 
+/// Between two times that are known; none beyond the last.
+std::optional<double> value_at(const std::vector<double>& time, const std::vector<double>& curve, double at)
+{
+    constexpr double rounding = 1e-9; // of the time
+    const auto next = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), at * (1 - rounding)) - time.begin());
+    if (next == time.size()) return std::nullopt;
+    if (next == 0) return curve[0];
+    const double share = std::min(1.0, (at - time[next - 1]) / (time[next] - time[next - 1]));
+    return curve[next - 1] + share * (curve[next] - curve[next - 1]);
+}
+
 /// The last index up to which the rate stayed constant from a time (s) on: see steady_to. None while it is constant.
 std::optional<std::size_t> rate_holds_to(const std::vector<double>& time, const std::vector<double>& left, double from, double left_then)
 {
@@ -54,7 +65,7 @@ std::optional<std::size_t> rate_holds_to(const std::vector<double>& time, const 
 
 } // namespace
 
-WickingResult wicking_result(const std::vector<double>& time, const std::vector<double>& height)
+WickingResult wicking_result(const std::vector<double>& time, const std::vector<double>& height, const std::vector<double>& water)
 {
     WickingResult result;
     if (time.empty()) return result;
@@ -67,6 +78,10 @@ WickingResult wicking_result(const std::vector<double>& time, const std::vector<
             risen.push_back(height[i]);
         }
     result.rate = slope(root, risen);
+    for (std::size_t i = 0; i < rise_minutes.size(); ++i) {
+        const double at = 60.0 * rise_minutes[i];
+        if (const auto reached = value_at(time, height, at)) result.after[i] = Rise{*reached, *value_at(time, water, at)};
+    }
     return result;
 }
 
@@ -87,6 +102,7 @@ DryingResult drying_result(const std::vector<double>& time, const std::vector<do
     }
     if (!to) return result;
     result.rate = (steady_from * first - left_then) / (*to - *from) / area;
+    result.index = *result.rate * area / first;
     double sum = 0;
     int count = 0;
     for (std::size_t i = 0; i < time.size(); ++i)

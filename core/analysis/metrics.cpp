@@ -291,6 +291,7 @@ void MetricsCollector::add(const Frame& frame)
     s.radius_bottom.push_back(bottom);
     s.water_top.push_back(water_of_face(frame.water_top + absorbed_before_[0], frame));
     s.water_bottom.push_back(water_of_face(frame.water_bottom + absorbed_before_[1], frame));
+    s.delivered.push_back(frame.ledger.water_delivered);
     s.free_water.push_back(frame.ledger.water_free);
     s.yarn_water.push_back(frame.ledger.water_liquid);
     s.bound_water.push_back(frame.ledger.water_bound);

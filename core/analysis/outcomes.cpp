@@ -175,6 +175,19 @@ const MetricGroup& rise()
     return group;
 }
 
+/// After the i-th of rise_minutes.
+template <std::size_t i> const MetricGroup& rise_after()
+{
+    static const std::string minutes = std::to_string(rise_minutes[i]);
+    static const MetricGroup group{
+        [](M m) { return m.wicking && m.wicking->after[i]; },
+        {{{"wick_height_" + minutes + "_min_mm", "height after " + minutes + " min", "", "mm", more},
+          [](M m) -> Value { return mm_from_metre(m.wicking->after[i]->height); }},
+         {{"wick_water_" + minutes + "_min_mg_mm", "water drawn in after " + minutes + " min, per width", "", "mg/mm", more},
+          [](M m) -> Value { return 1e3 * m.wicking->after[i]->water; }}}};
+    return group;
+}
+
 const MetricGroup& drying()
 {
     constexpr const char* early = "less than 70 % of the water has dried";
@@ -183,6 +196,7 @@ const MetricGroup& drying()
         {{{"drying_rate_g_m2_h", "steady drying rate", "", "g/(m² h)", more},
           [](M m) { return scaled(m.drying->rate, g_m2_h_per_kg_m2_s); },
           early},
+         {{"drying_index_pct_min", "drying index", "", "%/min", more}, [](M m) { return scaled(m.drying->index, 100 * 60); }, early},
          {{"water_at_start_g_m2", "water at the start", "", "g/m²", neither},
           [](M m) { return scaled(m.water_at_start, 1e3); },
           "nothing is wet"},
@@ -223,7 +237,13 @@ void compute_management(Metrics& m, const Experiment& experiment, double)
     m.assumed = tester_assumptions(experiment.drop_ul, feed, interval);
 }
 
-void compute_wicking(Metrics& m, const Experiment&, double) { m.wicking = wicking_result(m.series.time, m.series.wick_height); }
+void compute_wicking(Metrics& m, const Experiment& experiment, double area)
+{
+    const double width = area / metre_from_mm(experiment.sample_mm[1]);
+    std::vector<double> water;
+    for (const double delivered : m.series.delivered) water.push_back(delivered / width);
+    m.wicking = wicking_result(m.series.time, m.series.wick_height, water);
+}
 
 /// Area of the stain's ellipse over the time in which its circle grew to 95 %.
 void compute_horizontal_rate(Metrics& m, const Experiment&, double)
@@ -262,7 +282,11 @@ const TypeMetrics& metrics_of(ExperimentType type)
           {"ommc", "one_way_transport_pct", "spreading_speed_bottom_mm_s", "absorption_rate_bottom_pct_s", "wetting_time_top_s"},
           PlotName::content,
           compute_management},
-         /* vertical_wicking */ {{&rise()}, {"wick_height_mm", "wick_rate_mm_s05"}, PlotName::height, compute_wicking},
+         /* vertical_wicking */
+         {{&rise(), &rise_after<0>(), &rise_after<1>(), &rise_after<2>()},
+          {"wick_height_mm", "wick_rate_mm_s05"},
+          PlotName::height,
+          compute_wicking},
          /* horizontal_wicking */
          {{&stain(), &absorbency(), &area_growth()},
           {"wick_rate_mm2_s", top, "absorbency_time_s", circle_top},

@@ -19,6 +19,7 @@ struct Series {
     std::vector<double> time, radius_top, radius_bottom, water_top, water_bottom, free_water, yarn_water, bound_water, evaporated, dripped,
         temperature_mean, temperature_min, temperature_max, regain_mean; ///< SI
     std::vector<double> air_temperature;                                 ///< K
+    std::vector<double> delivered;                                       ///< kg
     std::vector<double> wick_height;                                     ///< m, of vertical_wicking only
     std::vector<double> content_top, content_bottom; ///< % of the dry mass, of moisture_management only: see face_content()
     std::vector<TesterReading> tester;               ///< what they follow from

@@ -5,6 +5,7 @@ target_sources(hygroloom_core PRIVATE
   analysis/calibration_fit.cpp
   analysis/calibration_verdict.cpp
   analysis/card.cpp
+  analysis/card_tests.cpp
   analysis/cell_map.cpp
   analysis/comparison.cpp
   analysis/comparison_files.cpp

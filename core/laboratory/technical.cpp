@@ -19,7 +19,7 @@ void add_yarns(TechnicalCard& card, const Fabric& fabric, const FittedFabric& fi
 {
     const WovenYarns woven = woven_yarns(fabric, fitted.yarns);
     for (std::size_t type = 0; type < woven.types(warp).size(); ++type) {
-        YarnUse use;
+        YarnConsumption use;
         use.warp = warp;
         use.yarn = woven.order(warp).yarns[type];
         use.share = woven.order(warp).share[type];
@@ -35,11 +35,11 @@ void add_yarns(TechnicalCard& card, const Fabric& fabric, const FittedFabric& fi
 void note_take_up(TechnicalCard& card, const Fabric& fabric, const FittedFabric& fitted)
 {
     const WovenYarns woven = woven_yarns(fabric, fitted.yarns);
-    for (const YarnUse& use : card.yarns) {
+    for (const YarnConsumption& use : card.yarns) {
         const double crossed_per_inch = per_inch_from_per_cm(use.warp ? fabric.picks_per_cm : fabric.ends_per_cm);
         const double changes = woven.changes(use.warp) * crossed_per_inch;
         double crossed_tex = 0;
-        for (const YarnUse& other : card.yarns)
+        for (const YarnConsumption& other : card.yarns)
             if (other.warp != use.warp) crossed_tex += other.share * other.tex;
         const double rule = 4 * changes / ne_from_tex(crossed_tex);
         constexpr double most = 25; // where a rule of thumb ends
@@ -113,7 +113,7 @@ TechnicalCard technical_card(const Fabric& fabric, const FittedFabric& fitted, c
     add_yarns(card, fabric, fitted, false, cm_in_metre * fabric.picks_per_cm, of_weft, with_waste);
     double cost = 0;
     bool priced = true;
-    for (const YarnUse& use : card.yarns) {
+    for (const YarnConsumption& use : card.yarns) {
         card.grams_per_metre += use.grams_per_metre;
         cost += use.cost_per_metre.value_or(0);
         priced = priced && use.cost_per_metre;

@@ -14,7 +14,7 @@ struct CardRequest {
 };
 
 /// One yarn of the warp or of the weft.
-struct YarnUse {
+struct YarnConsumption {
     bool warp = true;
     int yarn = 0;     ///< as yarn_in() numbers it
     double share = 1; ///< of its system's threads
@@ -36,7 +36,7 @@ struct TechnicalCard {
     double width_cm = 0;
     double ends = 0; ///< of the whole width
     LoomState loom;
-    std::vector<YarnUse> yarns;
+    std::vector<YarnConsumption> yarns;
     double grams_per_metre = 0;
     std::optional<double> yarn_cost_per_metre; ///< where every yarn that is used has a price
     std::vector<std::string> notes;

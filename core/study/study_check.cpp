@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Whether a study and a project go together.
-#include "core/analysis/outcomes.h"
+#include "core/analysis/card.h"
 #include "core/base/error.h"
 #include "core/base/words.h"
 #include "core/design/issue_list.h"
@@ -81,10 +81,12 @@ private:
         std::vector<std::string> known;
         if (worn)
             for (const WearNumber& number : wear_numbers()) known.push_back(number.info.key);
-        else
+        else {
             for (const std::string& name : experiments_of(study_, design_))
                 for (const OutcomeInfo& info : reported_by(find_experiment(design_, name)->type))
                     if (std::find(known.begin(), known.end(), info.key) == known.end()) known.push_back(info.key);
+            for (const OutcomeInfo& info : card_metrics()) known.push_back(info.key);
+        }
         for (std::size_t i = 0; i < study_.metrics.size(); ++i) {
             const std::string& key = study_.metrics[i];
             if (worn ? is_number_of_garment(key) : std::find(known.begin(), known.end(), key) != known.end()) continue;

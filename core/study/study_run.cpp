@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/study/study_run.h"
 
+#include "core/analysis/card.h"
 #include "core/analysis/replicate_file.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -210,6 +211,7 @@ private:
         result.metrics.assign(frame_.metrics().size(), std::numeric_limits<double>::quiet_NaN());
         if (!failure.empty()) fail(result, failure);
         if (run.sample) take(outcomes_of(run.sample->run, run.sample->metrics), result);
+        if (run.sample) take_card(run.sample->run, result);
         if (run.garment) take(outcomes_of(*run.garment->metrics), result);
         journal_->add(result);
         if (run.ended() && !run.device_failure().empty() && callbacks_.note) {
@@ -220,11 +222,29 @@ private:
     }
     void take(const std::vector<Outcome>& outcomes, StudyRowResult& result) const
     {
-        for (const Outcome& outcome : outcomes) {
-            const auto found = std::find(frame_.metrics().begin(), frame_.metrics().end(), outcome.key);
-            if (found != frame_.metrics().end() && outcome.value)
-                result.metrics[static_cast<std::size_t>(found - frame_.metrics().begin())] = *outcome.value;
+        for (const Outcome& outcome : outcomes)
+            if (outcome.value) set(result, outcome.key, *outcome.value);
+    }
+    /// Numbers of the cloth's technical card, where the study lists some.
+    void take_card(const RunRecord& run, StudyRowResult& result) const
+    {
+        const auto is_of_card = [](const std::string& key) {
+            return std::any_of(card_metrics().begin(), card_metrics().end(), [&](const OutcomeInfo& info) { return info.key == key; });
+        };
+        if (std::none_of(frame_.metrics().begin(), frame_.metrics().end(), is_of_card)) return;
+        const Fabric* fabric = find_fabric(run.design, run.fabric);
+        const Validation fitted = validate_and_fit(run.design);
+        const auto& own = fitted.fabrics[static_cast<std::size_t>(fabric - run.design.fabrics.data())];
+        try {
+            for (const LaboratoryNumber& number : compared_numbers(run.design, *fabric, *own).found)
+                set(result, number.key, number.estimate.value);
+        } catch (const Error&) { // its card says why
         }
+    }
+    void set(StudyRowResult& result, const std::string& key, double value) const
+    {
+        const auto found = std::find(frame_.metrics().begin(), frame_.metrics().end(), key);
+        if (found != frame_.metrics().end()) result.metrics[static_cast<std::size_t>(found - frame_.metrics().begin())] = value;
     }
     void under_way(std::size_t row, const RunProgress& progress)
     {

@@ -37,7 +37,7 @@ FinishedRun full_run(ExperimentType type)
     m.absorbency_time = m.horizontal_rate = 1.0;
     m.management.emplace().top.wetting_time = 1.0;
     m.wicking = WickingResult{1.0, 1.0};
-    m.drying = DryingResult{1.0, 300.0, 1.0};
+    m.drying = DryingResult{1.0, 300.0, 1.0, 0.01};
     m.conditioning.emplace().half_time = 1.0;
     return finished;
 }
@@ -312,6 +312,26 @@ private Q_SLOTS:
             QJsonDocument::fromJson(QByteArray::fromStdString(comparison_json(c))).object()["candidates"].toArray();
         for (const auto& each : candidates)
             QCOMPARE(each.toObject()["laboratory_missing"].toArray().size(), each.toObject()["fabric"].toString() == "a" ? 1 : 0);
+    }
+    void cardsAreCriteriaWithoutVerdicts()
+    {
+        Comparison c = of_drops({{"a", 3.0}, {"b", 9.0}});
+        c.cards["a"].found = {{"ret_m2pa_w", "Ret", "m² Pa/W", "", "", {2, 1.5, 4}, ""}};
+        c.cards["b"].found = {{"cost_per_m", "Cost", "", "", "", {2.99, 2.99, 2.99}, ""}, {"no such", "", "", "", "", {1, 1, 1}, ""}};
+        judge(c);
+        const Comparison with = with_card_numbers(c);
+        QCOMPARE(with.criteria.size(), c.criteria.size() + 2); // what no card has is none
+        const auto named = [&](const char* name) {
+            return *std::find_if(with.candidates.begin(), with.candidates.end(),
+                                 [&](const Candidate& each) { return each.fabric == name; });
+        };
+        QCOMPARE(named("a").intervals.at("ret_m2pa_w").high, 4.0);
+        QCOMPARE(named("b").intervals.at("cost_per_m").low, 2.99); // exact
+        QVERIFY(!named("b").intervals.contains("ret_m2pa_w"));
+        QCOMPARE(with.verdicts.size(), c.verdicts.size());
+        const auto cost =
+            std::find_if(with.criteria.begin(), with.criteria.end(), [](const auto& each) { return each.key == "cost_per_m"; });
+        QCOMPARE(cost->better, Better::less);
     }
     void convertedInputsHaveFewDigits()
     {

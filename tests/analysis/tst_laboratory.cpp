@@ -37,13 +37,25 @@ private Q_SLOTS:
     void wickingByTheRootOfTimeHasItsRate()
     {
         const auto time = times(1, 600);
-        const WickingResult r = wicking_result(time, along(time, [](double t) { return 4e-3 * std::sqrt(t); }));
+        const auto rising = along(time, [](double t) { return 4e-3 * std::sqrt(t); });
+        const WickingResult r = wicking_result(time, rising, rising);
         QVERIFY(std::abs(r.height - 4e-3 * std::sqrt(600)) < 1e-12);
         QVERIFY(near(r.rate, 4e-3, 1e-9));
-        const WickingResult full = wicking_result(time, along(time, [](double t) { return std::min(8e-3, 4e-3 * std::sqrt(t)); }));
-        QVERIFY(std::abs(*full.rate - 4e-3) < 1e-9);                                  // the strip's end stops it
-        QVERIFY(!wicking_result(time, along(time, [](double) { return 0.0; })).rate); // nothing rose
-        QVERIFY(!wicking_result({}, {}).rate);
+        const WickingResult full = wicking_result(time, along(time, [](double t) { return std::min(8e-3, 4e-3 * std::sqrt(t)); }), rising);
+        QVERIFY(std::abs(*full.rate - 4e-3) < 1e-9);                                          // the strip's end stops it
+        QVERIFY(!wicking_result(time, along(time, [](double) { return 0.0; }), rising).rate); // nothing rose
+        QVERIFY(!wicking_result({}, {}, {}).rate);
+    }
+    void heightsAndWaterAreReadAfterTheMinutesOfTheStandard()
+    {
+        const auto time = times(7, 1000); // 300 s and 600 s lie between two of them
+        const auto height = along(time, [](double t) { return 2e-5 * t; }), water = along(time, [](double t) { return 3e-5 * t; });
+        const WickingResult r = wicking_result(time, height, water);
+        QVERIFY(r.after[0] && r.after[1] && !r.after[2]); // it ended before 30 min
+        QVERIFY(near(r.after[0]->height, 6e-3, 1e-12) && near(r.after[0]->water, 9e-3, 1e-12));
+        QVERIFY(near(r.after[1]->height, 12e-3, 1e-12) && near(r.after[1]->water, 18e-3, 1e-12));
+        const auto whole = times(10, 600); // ends with 10 min
+        QVERIFY(wicking_result(whole, whole, whole).after[1]);
     }
     void dryingHasItsRateAndItsEnd()
     {
@@ -53,6 +65,7 @@ private Q_SLOTS:
         const auto temperature = along(time, [](double t) { return t < 300 ? 294 : t < 2000 ? 289.5 : 294.0; });
         const DryingResult r = drying_result(time, left, temperature, 0.25);
         QVERIFY(near(r.rate, 8e-6, 1e-12));
+        QVERIFY(near(r.index, 2e-6 / 5e-3, 1e-9));
         QVERIFY(near(r.steady_temperature, 289.5, 1e-9));
         QVERIFY(near(r.time_to_dry, 2000 + 500 * std::log(5), 1));
     }

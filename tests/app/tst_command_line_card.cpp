@@ -65,7 +65,7 @@ private Q_SLOTS:
             QVERIFY2(page.contains(text), text);
         QCOMPARE(run_cli({"card", poplin(), "-o", file("card.csv"), "-q"}).code, 0);
         const QByteArray table = content(file("card.csv"));
-        QVERIFY(table.startsWith("key,title,value,low,high,unit,standard,conditions\n") && table.contains("\nret_m2pa_w,"));
+        QVERIFY(table.startsWith("key,title,value,low,high,unit,standard,conditions,run\n") && table.contains("\nret_m2pa_w,"));
         for (const char* key : {"ends_per_cm", "picks_per_cm", "width_cm", "warp_linear_density_tex", "weft_crimp_percent",
                                 "yarn_share_percent", "yarn_take_up_percent", "mass_g_m2", "thickness_mm"})
             QVERIFY2(table.contains(QByteArray("\n") + key + ','), key);
@@ -87,8 +87,27 @@ private Q_SLOTS:
         QVERIFY(air[0] > 0 && air[1] > 2 * air[0]);
         QVERIFY(content(file("compared/comparison.csv")).contains(",air_permeability_mm_s,air_permeability_mm_s_low,"));
     }
+    void numbersOfTestsAreRunAndKept()
+    {
+        const QStringList asked{"card", poplin(), "--runs", "drying,regain", "--backend", "cpu", "--json", "-q", "--keep", file("kept")};
+        const Answer first = run_cli(asked), second = run_cli(asked);
+        QVERIFY2(first.code == 0 && second.code == 0, first.err.constData());
+        const QJsonObject ran = first.json()["laboratory"].toObject(), kept = second.json()["laboratory"].toObject();
+        QVERIFY(!ran.contains("ommc")); // it was not asked for
+        for (const char* key : {"drying_time_min", "drying_index_pct_min", "regain_percent"}) {
+            const QJsonObject number = ran[key].toObject(), again = kept[key].toObject();
+            QCOMPARE(number["run"].toString(), "live, cpu");
+            QCOMPARE(again["run"].toString(), "live, cpu, kept run");
+            QVERIFY2(number["low"].toDouble() <= number["value"].toDouble() && number["value"].toDouble() > 0, key);
+            QCOMPARE(again["value"].toDouble(), number["value"].toDouble());
+        }
+        const QJsonObject other = run_cli(asked + QStringList{"--set", "fabrics[0].picks_per_cm=20"}).json()["laboratory"].toObject();
+        QCOMPARE(other["drying_time_min"].toObject()["run"].toString(), "live, cpu"); // of another cloth
+    }
     void wrongRequestsAreRefused()
     {
+        QCOMPARE(run_cli({"card", poplin(), "--runs", "no such"}).code, 2);
+        QCOMPARE(run_cli({"card", poplin(), "--fidelity", "no such"}).code, 2);
         QCOMPARE(run_cli({"card", poplin(), "-o", file("card.doc")}).code, 2);
         QCOMPARE(run_cli({"card", poplin(), "--fabric", "no such"}).code, 2);
         QCOMPARE(run_cli({"card", poplin(), "--set", "fabrics[0].loom.reed_width_cm=0"}).code, 3);

@@ -57,6 +57,18 @@ private Q_SLOTS:
         const double thermal = plate_resistances(textile_of("Poplin shirting"), false).thermal.value;
         QVERIFY2(thermal > 0.008 && thermal < 0.02, qPrintable(QString::number(thermal)));
     }
+    /// Instruments give 0.1 to 0.25 W/cm2 for smooth wovens of 10 K; what stands between makes cloth feel warmer.
+    void smoothClothFeelsCoolerThanRaisedCloth()
+    {
+        const Textile poplin = textile_of("Poplin shirting");
+        const Estimate touch = warm_cool_feeling(poplin, false);
+        QVERIFY2(touch.value > 0.05e4 && touch.value < 0.35e4, qPrintable(QString::number(touch.value)));
+        QVERIFY(touch.low < touch.value && touch.value < touch.high);
+        Textile raised = poplin;
+        raised.quantities.thickness_1kpa_mm += 0.5;
+        QVERIFY(warm_cool_feeling(raised, false).value < 0.5 * touch.value);
+        QVERIFY(touch.value < contact_heat(touch_kelvin, 1e9, 300, touch_seconds)); // cotton itself, with no air between
+    }
     /// Nothing but the cup's own air: 19 mm, and a laminar boundary layer.
     void anEmptyCupLosesWhatItsAirLetsThrough()
     {
@@ -76,16 +88,24 @@ private Q_SLOTS:
         const double heat = vapour_transmission(bare, 4) * heat_of_evaporation(kelvin_from_celsius(35));
         QVERIFY(near_to((bare.humid - bare.dry) * saturation_pressure(kelvin_from_celsius(35)) / heat, 4, 1e-9));
     }
-    void evenHolesBreakThroughAsTheirFormulaSays()
+    /// A meniscus that touches all four sides of a square hole at 180 degrees: Mayer and Stowe (1965) and Princen (1969) give its curvature
+    /// as 1 + root of (pi/4) over half the side, as in a square tube that it wets at 0. That in a slot is one over half its width.
+    void holesThatNothingWetsBreakThroughAsMayerAndStoweSay()
+    {
+        Textile textile = repellent();
+        for (YarnSystem* system : {&textile.warp, &textile.weft}) system->types[0].contact_angle = pi;
+        const double half_gap = 0.5 * (textile.warp.pitch - textile.warp.types[0].section.width),
+                     tension = water_surface_tension(room_temperature);
+        const double square = tension * (1 + std::sqrt(0.25 * pi)) / half_gap;
+        const double computed = hydrostatic_pressure(textile, *room_tables(textile, 14), 0, 0).value;
+        QVERIFY2(near_to(computed, square, 0.08), qPrintable(QString::number(computed / square)));
+        QVERIFY(near_to(breakthrough_pressure(tension, pi, 1e-4, 5e-5, 1e-4, 1e9), tension / 5e-5, 1e-4));
+    }
+    void evenHolesHoldMoreThanUnevenOnes()
     {
         const Textile textile = repellent();
-        const YarnType& yarn = textile.warp.types[0];
-        const double half_gap = 0.5 * (textile.warp.pitch - yarn.section.width);
-        const double expected = breakthrough_pressure(water_surface_tension(room_temperature), yarn.contact_angle,
-                                                      0.5 * yarn.section.height, half_gap, 0.5 * yarn.section.height, half_gap);
         const auto head = [](const Textile& of, double cv) { return hydrostatic_pressure(of, *room_tables(of, 14), cv, cv); };
         const double even = head(textile, 0).value, uneven = head(textile, 0.15).value;
-        QVERIFY2(near_to(even, expected, 0.05), qPrintable(QString::number(even / expected)));
         QVERIFY(uneven < even && uneven > 0);
         QVERIFY(head(textile, 0.15).high > uneven);
         QCOMPARE(head(textile_of("Poplin shirting"), 0.1).value, 0.0);

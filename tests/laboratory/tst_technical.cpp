@@ -47,7 +47,7 @@ private Q_SLOTS:
         const auto warp_grams = [&](double waste) {
             const TechnicalCard card = card_of_fabric(fabric, {100, waste});
             QVERIFY2(card.ends == 5400, qPrintable(QString::number(card.ends)));
-            const YarnUse& warp = card.yarns.front();
+            const YarnConsumption& warp = card.yarns.front();
             QVERIFY(near_to(warp.grams_per_metre / (1 + 0.01 * warp.crimp_percent), 60 * (1 + 0.01 * waste), 1e-4));
         };
         warp_grams(0);
@@ -65,8 +65,10 @@ private Q_SLOTS:
         fabric.picks_per_cm = fabric.ends_per_cm;
         fabric.loom.reed_width_cm = 38 * 2.54;
         const TechnicalCard card = card_of_fabric(fabric, {38 * 2.54});
-        const auto piece = [&](const YarnUse& use, double longer) { return use.grams_per_metre / longer * 38 * yard / pound * ounces; };
-        const YarnUse &warp = card.yarns[0], &weft = card.yarns[1];
+        const auto piece = [&](const YarnConsumption& use, double longer) {
+            return use.grams_per_metre / longer * 38 * yard / pound * ounces;
+        };
+        const YarnConsumption &warp = card.yarns[0], &weft = card.yarns[1];
         QVERIFY2(std::abs(piece(warp, 1 + 0.01 * warp.crimp_percent) - (3 * 16 + 7)) < 0.1, qPrintable(QString::number(piece(warp, 1))));
         QVERIFY2(std::abs(piece(weft, 1) - (2 * 16 + 13.75)) < 0.15, qPrintable(QString::number(piece(weft, 1))));
     }

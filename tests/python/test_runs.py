@@ -223,6 +223,13 @@ def test_a_card_is_the_command_lines(small, cli, tmp_path):
     assert 0 < air["low"] <= air["value"] <= air["high"]
     with pytest.raises(hygroloom.Error, match="no such"):
         hygroloom.card(small, "no such")
+    with pytest.raises(hygroloom.Error, match="no test"):
+        hygroloom.card(small, fabric, runs="no such")
+    shares = []
+    ran = hygroloom.card(small, fabric, runs="regain", backend="cpu", progress=lambda share, _: shares.append(share))["laboratory"]
+    ran_by_cli = cli("card", project, "--fabric", fabric, "--runs", "regain", "--backend", "cpu")["laboratory"]
+    assert ran["regain_percent"] == ran_by_cli["regain_percent"] and ran["regain_percent"]["run"] == "live, cpu"
+    assert "drying_time_min" not in ran and ran["air_permeability_mm_s"] == air
 
 
 def test_fabrics_are_compared(small, cli, tmp_path):

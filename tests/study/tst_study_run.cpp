@@ -95,6 +95,32 @@ private Q_SLOTS:
         QCOMPARE(parse_results(std::string(std::istreambuf_iterator<char>(csv), {}), "results.csv").rows(), std::size_t{12});
     }
 
+    void numbersOfTheCardAreMetrics()
+    {
+        const QTemporaryDir place;
+        const std::filesystem::path folder = place.filePath("out").toStdString();
+        Study study = study_of(2);
+        study.factors.resize(1);
+        study.factors[0].path = "fabrics[0].warp.price";
+        study.factors[0].distribution.low = 5;
+        study.factors[0].distribution.high = 8;
+        study.metrics = {"absorbency_time_s", "cost_per_m", "mass_g_m2"};
+        Design design = quick_design(0.01);
+        design.fabrics[0].warp.price = design.fabrics[0].weft.price = 6;
+        RunQueue queue;
+        run_study(design, study, folder, {}, queue, cpu_places(), false, {});
+        const StudyTable table = collect_rows(read_study_folder(folder), folder);
+        const StudyColumn &mass = *table.find("mass_g_m2"), &cost = *table.find("cost_per_m");
+        QCOMPARE(mass.numbers.size(), std::size_t{2});
+        QCOMPARE(mass.numbers[0], mass.numbers[1]);
+        // Of 1.5 m width, at prices of 5 to 8 for the warp and 6 for the weft.
+        for (const double each : cost.numbers)
+            QVERIFY2(each > 1.5e-3 * mass.numbers[0] * 5 * 0.99 && each < 1.5e-3 * mass.numbers[0] * 8 * 1.01,
+                     qPrintable(QString::number(each)));
+        QVERIFY(cost.numbers[0] != cost.numbers[1]);
+        study.metrics = {"no_such_number"};
+        QVERIFY(!validate(study, design).empty());
+    }
     void replicatesShareTheirRandomNumbersBetweenPoints()
     {
         const QTemporaryDir place;

@@ -241,21 +241,46 @@ def measure(recording: Union[str, os.PathLike], *, progress: Progress = None) ->
     return Run(_hygroloom.measure(path, _checks.call(progress)), pathlib.Path(os.fsdecode(path)))
 
 
-def card(project: Union[Project, str, os.PathLike, Mapping[str, Any]], fabric: Optional[str] = None) -> dict[str, Any]:
+def card(
+    project: Union[Project, str, os.PathLike, Mapping[str, Any]],
+    fabric: Optional[str] = None,
+    *,
+    runs: Union[str, Iterable[str]] = (),
+    replicates: int = 1,
+    keep: Union[str, os.PathLike, None] = None,
+    fidelity: str = "live",
+    backend: str = "auto",
+    seed: int = 1,
+    threads: int = 0,
+    physics: Union[str, Mapping[str, bool], None] = None,
+    force: bool = False,
+    progress: Progress = None,
+) -> dict[str, Any]:
     """The technical card of a fabric, as ``hygroloom-cli card --json`` prints it: construction, yarn for a metre, laboratory.
 
     Args:
         project: a :class:`Project`, its file or its JSON.
         fabric: its name; the only one may be left out.
+        runs: tests to run for their numbers: "absorbency", "wicking_warp", "wicking_weft", "management", "drying", "regain"; or "all".
+        replicates: runs of each test, 1 to 1000. More than one draw what is not known of the cloth.
+        keep: a folder for the tests' recordings; one of the same cloth there stands for a run, at the fidelity or a finer one.
+        fidelity, backend, seed, threads, physics, force, progress: of the runs, as in :func:`simulate`.
 
     Returns:
-        A dictionary: fabric, construction, and laboratory: by key a dictionary with value, low, high, unit, standard, conditions, compared.
+        A dictionary: fabric, construction, missing, notes, and laboratory: by key a dictionary with value, low, high, unit, standard,
+        conditions, compared, run.
 
-    Raises InvalidProject, and Error where the fabric is not there.
+    Raises InvalidProject, and Error where the fabric or a test is not there.
 
     >>> card("cloth.hygro", "Denim")["laboratory"]["air_permeability_mm_s"]["value"]
+    >>> card("cloth.hygro", "Denim", runs="drying")["laboratory"]["drying_time_min"]["value"]
     """
-    return json.loads(_hygroloom.card(project_of(project)._design, _checks.optional_text(fabric, "fabric")))
+    how = {**_checks.how(fidelity, backend, seed, threads, physics, None), "force": bool(force)}
+    kept = b"" if keep is None else _checks.path_bytes(keep, "keep")
+    return json.loads(_hygroloom.card(
+        project_of(project)._design, _checks.optional_text(fabric, "fabric"), _checks.texts(runs, "runs"),
+        _checks.whole(replicates, "replicates", 1, 1000), kept, how, _checks.call(progress),
+    ))
 
 
 def verify(case: str, /, *, backend: str = "auto", threads: int = 0, **parameters: Any) -> dict[str, Any]:
