@@ -5,6 +5,7 @@
 #include "core/project/project_file.h"
 #include "core/run/runner.h"
 #include "gpu/backends.h"
+#include "ui/compare/card_columns.h"
 #include "ui/compare/compare_maps.h"
 #include "ui/document/run_folder.h"
 
@@ -22,7 +23,6 @@ using namespace hygroloom;
 
 class TestCompareView : public QObject {
     Q_OBJECT
-
 private Q_SLOTS:
     void initTestCase()
     {
@@ -103,6 +103,38 @@ private Q_SLOTS:
         QVERIFY(states().contains(GridCell::State::missing) && !states().contains(GridCell::State::reading));
         QCOMPARE(view.bar()->fidelity(), Fidelity::standard);
         QVERIFY(!fidelity->currentText().isEmpty());
+    }
+
+    void cardsAreColumnsLikeAnyOther()
+    {
+        Workplace place;
+        auto& [document, recovery, history, project, queue, runs, view] = place;
+        Design priced = three_;
+        for (Fabric& fabric : priced.fabrics) {
+            for (Yarn* yarn : yarns_of(fabric)) { yarn->price = 6; }
+        }
+        document.take(priced, "three");
+        view.resize(900, 600);
+        view.show();
+        view.showExperiment(three_.experiments[0].name);
+        const std::size_t before = view.table()->grid().columns.size();
+        view.cards().choose("ret_m2pa_w", true);
+        view.cards().choose("cost_per_m", true);
+        const auto known = [&] {
+            const std::vector<GridRow>& rows = view.table()->grid().rows;
+            return std::all_of(rows.begin(), rows.end(), [&](const GridRow& row) {
+                return row.cells.size() == before + 2 && row.cells[before].state == GridCell::State::number;
+            });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(known(), 60000); // without any run
+        for (const GridRow& row : view.table()->grid().rows) {
+            const GridCell &ret = row.cells[before], &cost = row.cells.back();
+            QVERIFY(ret.low < ret.value && ret.value < ret.high && ret.number.contains("m² Pa/W"));
+            QVERIFY(cost.value > 0 && cost.low == cost.high);
+        }
+        view.cards().choose("ret_m2pa_w", false);
+        view.cards().choose("cost_per_m", false);
+        QCOMPARE(view.table()->grid().columns.size(), before);
     }
 
     void twoFabricsStandSideBySideInOneRange()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/compare/candidate_grid.h"
 
+#include "core/analysis/card.h"
 #include "core/analysis/comparative.h"
 #include "core/base/text.h"
 #include "ui/basics/core_words.h"
@@ -98,8 +99,27 @@ QString measuredText(const Comparison& comparison, const std::string& fabric, co
     return value.unit.empty() ? text : text + QChar(0x00a0) + QString::fromStdString(value.unit);
 }
 
+/// A number of the technical card, which needs no run.
+GridCell cardCell(const LaboratoryNumber& number)
+{
+    const LaboratoryNumber seen = in_units(number, unitsOfReader());
+    GridCell cell;
+    cell.state = GridCell::State::number;
+    cell.value = seen.estimate.value;
+    cell.low = seen.estimate.low;
+    cell.high = seen.estimate.high;
+    cell.number = significant(cell.value);
+    if (cell.low < cell.high) { cell.number = tr("%1 (%2 to %3)").arg(cell.number, significant(cell.low), significant(cell.high)); }
+    if (!seen.unit.empty()) { cell.number += QChar(0x00a0) + QString::fromStdString(seen.unit); }
+    for (const std::string& text : {seen.standard, seen.conditions}) {
+        if (!text.empty()) { cell.tip += (cell.tip.isEmpty() ? QString() : QStringLiteral("; ")) + QString::fromStdString(text); }
+    }
+    return cell;
+}
+
 GridCell cellOf(const Comparison& comparison, const GridEntry& entry, const OutcomeInfo& info)
 {
+    if (const LaboratoryNumber* own = card_number_of(comparison, entry.name, info.key)) { return cardCell(*own); }
     GridCell cell;
     cell.measured = measuredText(comparison, entry.name, info);
     cell.path = entry.path;

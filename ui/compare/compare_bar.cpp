@@ -53,8 +53,9 @@ void addField(QHBoxLayout* row, const QString& name, QWidget* field)
 CompareBar::CompareBar(const StudyRuns& runs, QWidget* parent)
     : QWidget(parent), experiment_(new QComboBox), fidelity_(new QComboBox), part_(new QComboBox), replicates_(new QComboBox),
       run_(new QPushButton(themedIcon("run"), tr("&Run All Missing"))), state_(new QLabel), progress_(new QProgressBar),
-      cancel_(new QPushButton(themedIcon("stop"), tr("&Cancel"))), filter_(new QLineEdit), measured_(new QPushButton(tr("&Measured…"))),
-      save_(new QPushButton(tr("Save &Table…"))), report_(new QPushButton(tr("Save Re&port…"))), runs_(runs)
+      cancel_(new QPushButton(themedIcon("stop"), tr("&Cancel"))), filter_(new QLineEdit), card_(new QPushButton(tr("Card &Numbers"))),
+      measured_(new QPushButton(tr("&Measured…"))), save_(new QPushButton(tr("Save &Table…"))),
+      report_(new QPushButton(tr("Save Re&port…"))), runs_(runs)
 {
     experiment_->setMinimumContentsLength(16);
     experiment_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -117,7 +118,9 @@ QHBoxLayout* CompareBar::toolRow()
     tools->addWidget(filter_, 1);
     tools->addWidget(part_);
     tools->addStretch(1);
-    for (QPushButton* button : {measured_, save_, report_}) { tools->addWidget(button); }
+    card_->setToolTip("<p>" + tr("Numbers of the technical card as columns: air, heat and vapour, water held, cost. They need no run.") +
+                      "</p>");
+    for (QPushButton* button : {card_, measured_, save_, report_}) { tools->addWidget(button); }
     return tools;
 }
 

@@ -49,6 +49,7 @@ public:
     QPushButton* save() { return save_; }
     QPushButton* report() { return report_; }
     QPushButton* measured() { return measured_; }
+    QPushButton* card() { return card_; }
     QPushButton* runAll() { return run_; }
 
 Q_SIGNALS:
@@ -80,6 +81,7 @@ private:
     QProgressBar* progress_;
     QPushButton* cancel_;
     QLineEdit* filter_;
+    QPushButton* card_;
     QPushButton* measured_;
     QPushButton* save_;
     QPushButton* report_;

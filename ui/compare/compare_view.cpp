@@ -5,6 +5,7 @@
 #include "ui/basics/core_words.h"
 #include "ui/basics/preferences.h"
 #include "ui/compare/candidate_table.h"
+#include "ui/compare/card_columns.h"
 #include "ui/compare/cloths_view.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_maps.h"
@@ -27,10 +28,11 @@
 namespace hygroloom {
 
 CompareView::CompareView(Document& document, RunHistory& history, StudyRuns& runs, QWidget* parent)
-    : QWidget(parent), document_(document), history_(history), runs_(runs), bar_(new CompareBar(runs)), upper_(new QTabWidget),
-      table_(new CandidateTable), list_(new RunList(history, [this](const KeptRun& run) { return whyNot(run); })), lower_(new QTabWidget),
-      maps_(new CompareMaps), garment_maps_(new GarmentMaps), curves_(new CurvesView), fingerprint_(new FingerprintView),
-      scatter_(new ScatterView), why_(new WhyView(runs)), cloths_(new ClothsView), note_(new QLabel)
+    : QWidget(parent), document_(document), history_(history), runs_(runs), bar_(new CompareBar(runs)),
+      cards_(new CardColumns(document, bar_->card(), this)), upper_(new QTabWidget), table_(new CandidateTable),
+      list_(new RunList(history, [this](const KeptRun& run) { return whyNot(run); })), lower_(new QTabWidget), maps_(new CompareMaps),
+      garment_maps_(new GarmentMaps), curves_(new CurvesView), fingerprint_(new FingerprintView), scatter_(new ScatterView),
+      why_(new WhyView(runs)), cloths_(new ClothsView), note_(new QLabel)
 {
     note_->setWordWrap(true);
     note_->setTextFormat(Qt::PlainText);
@@ -86,6 +88,10 @@ void CompareView::connectParts()
         refreshLower();
     });
     connectBar();
+    connect(cards_, &CardColumns::changed, this, [this] {
+        refreshTable();
+        refreshLower();
+    });
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &CompareView::refresh);
     connect(&runs_, &StudyRuns::changed, this, [this] {

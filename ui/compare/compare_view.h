@@ -21,6 +21,7 @@ class QTabWidget;
 namespace hygroloom {
 
 class CandidateTable;
+class CardColumns;
 class ClothsView;
 class CompareBar;
 class ColorRanges;
@@ -51,6 +52,7 @@ public:
     GarmentMaps& garmentMaps() { return *garment_maps_; }
     CurvesView& curves() { return *curves_; }
     CandidateTable* table() { return table_; }
+    CardColumns& cards() { return *cards_; }
     CompareBar* bar() { return bar_; }
     /// The maps or the chart as it is seen; null while nothing is compared.
     QImage picture() const;
@@ -151,6 +153,7 @@ private:
     std::map<KindOfJob, double> expected_; ///< s, of a run of planned_
     std::shared_ptr<const Design> planned_;
     CompareBar* bar_;
+    CardColumns* cards_;
     QTabWidget* upper_;
     CandidateTable* table_;
     RunList* list_;

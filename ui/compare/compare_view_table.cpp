@@ -5,6 +5,7 @@
 #include "ui/basics/issue_text.h"
 #include "ui/basics/quantity.h"
 #include "ui/compare/candidate_table.h"
+#include "ui/compare/card_columns.h"
 #include "ui/compare/cloths_view.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_maps.h"
@@ -50,7 +51,8 @@ void CompareView::refreshTable()
         judge(numbers_);
         if (!measured_.contains(numbers_.experiment)) { recallMeasured(); }
         numbers_.measured = measured_[numbers_.experiment];
-        grid = gridOf(numbers_, gridEntries(rows_));
+        if (!shown->worn()) { cards_->addTo(numbers_); }
+        grid = gridOf(with_card_numbers(numbers_), gridEntries(rows_));
         const std::size_t own = shown->own ? document_.design()->fabrics.size() : 0;
         for (std::size_t i = 0; i < grid.rows.size(); ++i) {
             grid.rows[i].candidate = i < own;
@@ -62,6 +64,7 @@ void CompareView::refreshTable()
     markMissing(grid);
     table_->setGrid(grid, QSet<QString>(chosen_.begin(), chosen_.end()), !entry());
     bar_->offerFiles(numbers_.candidates.size());
+    bar_->card()->setEnabled(entry() && !entry()->worn());
     refreshHint();
 }
 
@@ -164,7 +167,7 @@ void CompareView::refreshLower()
     std::vector<std::string> names;
     for (const QString& title : titles) { names.push_back(title.toStdString()); }
     fingerprint_->setCandidates(numbers_, names);
-    scatter_->setComparison(numbers_);
+    scatter_->setComparison(with_card_numbers(numbers_));
     const Entry* shown = entry();
     why_->setStudy({numbers_, document_.design(), shown ? choiceOf(*shown) : StudyChoice(), shown && shown->own, whyNoRun()});
 }

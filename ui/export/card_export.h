@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
-// File, Technical Card: the chosen fabric's card as PDF or web page, computed in the background.
+// The card of the chosen fabric as PDF or web page; its pictures are drawn in the background.
 #pragma once
 
+#include "core/analysis/card.h"
 #include "ui/basics/newest_job.h"
 #include "ui/document/document.h"
 
@@ -15,9 +16,9 @@ class CardExport : public QObject {
 public:
     /// The document must outlive it.
     CardExport(Document& document, QWidget* window);
-    /// Asks where; nothing where the fabric has an error, or another card is being written.
-    void save();
-    void write(const QString& file);
+    /// Asks where; nothing where another card is being written. The card is of the chosen fabric, which has no error.
+    void save(const std::shared_ptr<const Card>& card);
+    void write(const QString& file, const std::shared_ptr<const Card>& card);
     bool busy() const { return job_.busy(); }
 
 Q_SIGNALS:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/panels/fabric_panel.h"
 
+#include "core/laboratory/technical.h"
 #include "core/project/library.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/number_label.h"
@@ -33,6 +34,7 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent) : QScrollArea(pare
     }
     addFlyaway();
     addMeasured();
+    addLoom();
     form_->fill(this);
     connect(&PreferenceNews::instance(), &PreferenceNews::changed, form_, &DesignForm::refresh);
     form_->refresh();
@@ -237,6 +239,35 @@ void FabricPanel::addMeasured()
         porosity->setDerived(q ? std::optional(q->porosity) : std::nullopt);
         areal->setDerived(q ? std::optional(q->areal_density_g_m2) : std::nullopt);
         measuredCrimp->setDerived(q ? std::optional(q->warp.crimp_percent) : std::nullopt);
+    });
+}
+
+/// What the loom makes; what is not given follows, as the card says it.
+void FabricPanel::addLoom()
+{
+    form_->addFoldable(tr("On the loom"), false);
+    const FormOwner<Loom> loom = part<Loom>("loom.", [](auto& fabric) { return &fabric.loom; });
+    QuantityEdit* reed = form_->addNumber(loom, "reed_width_cm");
+    QuantityEdit* ends = form_->addNumber(loom, "ends_per_cm");
+    form_->addNumber(loom, "ends_per_dent");
+    form_->addNumber(loom, "picks_per_cm");
+    QLabel* dents = form_->addDerived(tr("Reed"), tr("Dents in 10 cm, from ends in the reed and ends a dent."));
+    QLabel* width = form_->addDerived(tr("Shrinks in width"), tr("From the reed to the finished cloth, of its width."));
+    QLabel* length = form_->addDerived(tr("Shrinks in length"), tr("From the loom to the finished cloth, of its length."));
+    form_->onRefresh([=, this] {
+        const Fabric* fabric = document_.fabric();
+        const LoomState state = fabric && document_.fitted() ? technical_card(*fabric, *document_.fitted()).loom : LoomState();
+        reed->setDerived(state.reed_width_cm);
+        ends->setDerived(state.ends_per_cm);
+        const auto show = [](QLabel* label, const std::optional<double>& value, const char* unit) {
+            if (value)
+                showNumbers(*label, {*value}, unit);
+            else
+                label->setText(QStringLiteral("–"));
+        };
+        show(dents, state.dents_per_10_cm, "/10 cm");
+        show(width, state.width_shrinks_percent, "%");
+        show(length, state.length_shrinks_percent, "%");
     });
 }
 

@@ -44,6 +44,7 @@ private:
     void addCrimps();
     void addFlyaway();
     void addMeasured();
+    void addLoom();
     void addDerived();
 
     Document& document_;

@@ -59,10 +59,11 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
     QuantityEdit* filaments = form.addNumber(row_, "filament_count");
     QuantityEdit* fibres = form.addNumber(row_, "fibres_per_yarn");
     QuantityEdit* evenness = form.addNumber(row_, "irregularity_cv");
+    QuantityEdit* price = form.addNumber(row_, "price");
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
     fields_ = {fibre_,           blend_, share_,     core_,          core_share_, diameter_, count_, packing_, twist_,
-               twist_direction_, plies_, ply_twist_, ply_direction_, color_,      filaments, fibres, evenness};
+               twist_direction_, plies_, ply_twist_, ply_direction_, color_,      filaments, fibres, evenness, price};
     form.onRefresh([this] { refresh(); });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/study/study_fields.h"
 
-#include "core/analysis/outcomes.h"
+#include "core/analysis/card.h"
 #include "core/base/error.h"
 #include "core/base/trade_units.h"
 #include "core/design/field_labels.h"
@@ -219,6 +219,9 @@ MetricName metricName(const std::string& key)
             if (info.key != key) { continue; }
             return {coreTitle(info.title, info.part), QString::fromStdString(info.unit)};
         }
+    }
+    for (const OutcomeInfo& info : card_metrics()) {
+        if (info.key == key) { return {coreWord(info.title), QString::fromStdString(info.unit)}; }
     }
     const std::size_t at = key.rfind('/') + 1; // behind its part, "panels/front/water_g"
     for (const WearNumber& number : wear_numbers()) {

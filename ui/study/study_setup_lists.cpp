@@ -2,7 +2,7 @@
 // What the form of a study shows of the project, and what it makes of the fields.
 #include "ui/study/study_setup.h"
 
-#include "core/analysis/outcomes.h"
+#include "core/analysis/card.h"
 #include "core/base/error.h"
 #include "core/garment/pattern.h"
 #include "core/wear/wear_outcomes.h"
@@ -134,6 +134,7 @@ void StudySetup::addMetricsOf(const std::string& experiment, std::vector<std::st
     if (const Experiment* sample = find_experiment(design, experiment)) {
         add(compared_by(sample->type), compared);
         add(reported_by(sample->type), known);
+        add(card_metrics(), known);
     }
     const WearExperiment* wear = find_wear(design, experiment);
     if (!wear) { return; }

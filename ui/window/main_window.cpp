@@ -7,6 +7,7 @@
 #include "ui/basics/wheel_guard.h"
 #include "ui/compare/compare_view.h"
 #include "ui/compare/study_runs.h"
+#include "ui/export/card_dialog.h"
 #include "ui/garment/garment_view.h"
 #include "ui/panels/experiment_panel.h"
 #include "ui/panels/issues_panel.h"
@@ -60,7 +61,9 @@ MainWindow::~MainWindow()
     // The parts report their end, when this window is half gone.
     run_->disconnect(this);
     study_->disconnect(this);
-    delete study_; // its runs end before the queue does
+    card_->disconnect(this);
+    delete study_; // their runs end before the queue does
+    delete card_;
     document_.disconnect(this);
 }
 

@@ -19,6 +19,7 @@ class QToolButton;
 namespace hygroloom {
 
 enum class Reply;
+class CardDialog;
 class DesignWorkspace;
 class ExportDialog;
 class HelpWindow;
@@ -168,6 +169,7 @@ private:
     Viewport* viewport_ = nullptr;
     QStackedWidget* middle_ = nullptr; ///< the fabric with its maps, runs side by side, a garment, or a study
     StudyPage* study_ = nullptr;
+    CardDialog* card_ = nullptr;
     IssuesPanel* issues_ = nullptr;
     QDockWidget* issues_dock_ = nullptr;
     QToolButton* issue_count_ = nullptr;

@@ -3,7 +3,7 @@
 #include "ui/basics/preferred_menu.h"
 #include "ui/basics/typed_value.h"
 #include "ui/compare/compare_view.h"
-#include "ui/export/card_export.h"
+#include "ui/export/card_dialog.h"
 #include "ui/lesson/lesson_window.h"
 #include "ui/panels/candidates_panel.h"
 #include "ui/panels/experiment_panel.h"
@@ -96,16 +96,17 @@ void MainWindow::buildFileMenu()
     connect(addCommand(menu, {}, tr("Export &Mesh…"), QKeySequence("Ctrl+E"),
                        tr("Write yarns or fibres for modelling and rendering programs.")),
             &QAction::triggered, this, &MainWindow::exportMesh);
-    auto* card = new CardExport(document_, this);
-    connect(card, &CardExport::making, this, [this](const QString& sentence) { showMessage(sentence); });
-    connect(card, &CardExport::written, this, [this](const QString& sentence) { showMessage(sentence); });
-    connect(card, &CardExport::failed, this, &MainWindow::showProblem);
-    connect(addCommand(menu, {}, tr("Technical Car&d…"), {},
-                       tr("Save construction, yarn for a metre and the laboratory's numbers of the selected fabric.")),
-            &QAction::triggered, this, [this, card] {
-                commitTypedValue(*this);
-                card->save();
-            });
+    card_ = new CardDialog(document_, queue_, this);
+    connect(&card_->file(), &CardExport::making, this, [this](const QString& sentence) { showMessage(sentence); });
+    connect(&card_->file(), &CardExport::written, this, [this](const QString& sentence) { showMessage(sentence); });
+    connect(&card_->file(), &CardExport::failed, this, &MainWindow::showProblem);
+    connect(
+        addCommand(menu, {}, tr("Technical Car&d…"), {}, tr("The laboratory's numbers of the selected fabric, and its card as a page.")),
+        &QAction::triggered, this, [this] {
+            commitTypedValue(*this);
+            card_->show();
+            card_->raise();
+        });
     menu->addSeparator();
     run_->fillFileMenu(menu);
     screenshot_ = addCommand(menu, "camera", tr("Save &Picture…"), QKeySequence("Ctrl+Shift+P"),

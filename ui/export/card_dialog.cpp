@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/export/card_dialog.h"
+
+#include "ui/basics/core_words.h"
+#include "ui/basics/preferences.h"
+#include "ui/basics/quantity.h"
+#include "ui/results/report_file.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace hygroloom {
+namespace {
+
+enum Column { title_column, value_column, range_column, unit_column, standard_column, run_column, columns };
+
+QString words(const std::string& text) { return QString::fromStdString(text); }
+
+} // namespace
+
+CardDialog::CardDialog(Document& document, WindowQueue& queue, QWidget* parent)
+    : QDialog(parent), document_(document), numbers_(document, queue), file_(document, this), fabric_(new QLabel),
+      table_(new QTableWidget(0, columns)), message_(new QLabel), progress_(new QProgressBar), start_(new QPushButton),
+      save_(new QPushButton(tr("&Save Card…")))
+{
+    setWindowTitle(tr("Technical Card"));
+    arrange();
+    connect(&numbers_, &CardNumbers::changed, this, &CardDialog::refresh);
+    connect(&numbers_, &CardNumbers::progressed, this, [this](double share) { progress_->setValue(static_cast<int>(1000 * share)); });
+    connect(&numbers_, &CardNumbers::failed, &file_, &CardExport::failed);
+    connect(&PreferenceNews::instance(), &PreferenceNews::changed, this, &CardDialog::refresh);
+    connect(start_, &QPushButton::clicked, this, &CardDialog::startOrCancel);
+    connect(save_, &QPushButton::clicked, this, [this] { file_.save(numbers_.card()); });
+    refresh();
+    resize(900, 640);
+}
+
+void CardDialog::arrange()
+{
+    fabric_->setTextFormat(Qt::PlainText);
+    table_->setHorizontalHeaderLabels({tr("number"), tr("value"), tr("range"), tr("unit"), tr("standard"), tr("run")});
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->verticalHeader()->hide();
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->setAccessibleName(tr("Numbers of the card"));
+    message_->setTextFormat(Qt::PlainText);
+    message_->setWordWrap(true);
+    progress_->setRange(0, 1000);
+    progress_->setAccessibleName(tr("Progress of the runs"));
+    QSizePolicy stays = progress_->sizePolicy();
+    stays.setRetainSizeWhenHidden(true);
+    progress_->setSizePolicy(stays);
+    auto* close = new QPushButton(tr("Close"));
+    connect(close, &QPushButton::clicked, this, &QDialog::close);
+    start_->setToolTip("<p>" +
+                       tr("Runs absorbency, wicking, moisture management, drying and regain at the fidelity live, in the background. Takes "
+                          "a minute or two.") +
+                       "</p>");
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(start_);
+    buttons->addWidget(progress_, 1);
+    buttons->addWidget(save_);
+    buttons->addWidget(close);
+    auto* all = new QVBoxLayout(this);
+    all->addWidget(fabric_);
+    all->addWidget(table_, 1);
+    all->addWidget(message_);
+    all->addLayout(buttons);
+}
+
+void CardDialog::showEvent(QShowEvent* event)
+{
+    QDialog::showEvent(event);
+    numbers_.follow(true);
+}
+
+void CardDialog::hideEvent(QHideEvent* event)
+{
+    QDialog::hideEvent(event);
+    if (!event->spontaneous()) { numbers_.follow(false); }
+}
+
+QString CardDialog::message() const { return message_->text(); }
+
+void CardDialog::startOrCancel()
+{
+    if (numbers_.running()) {
+        numbers_.cancel();
+    } else if (numbers_.canRun()) {
+        progress_->setValue(0);
+        numbers_.run();
+    }
+}
+
+QString CardDialog::state() const
+{
+    if (!document_.fabric()) { return tr("The project has no fabric."); }
+    if (!document_.fitted()) { return tr("The fabric has errors; see Issues. Mend them first."); }
+    if (!numbers_.card()) { return tr("The numbers are being computed."); }
+    const auto missing = static_cast<int>(numbers_.card()->numbers.missing.size());
+    if (missing > 0) { return tr("%n numbers could not be found; the saved card says why.", nullptr, missing); }
+    return numbers_.canRun() ? tr("Numbers in grey need runs.") : QString();
+}
+
+void CardDialog::refresh()
+{
+    fabric_->setText(document_.fabric() ? words(document_.fabric()->name) : QString());
+    const std::vector<CardNumbers::Row> rows = numbers_.rows();
+    table_->setRowCount(static_cast<int>(rows.size()));
+    for (std::size_t i = 0; i < rows.size(); ++i) { fillRow(static_cast<int>(i), rows[i]); }
+    message_->setText(state());
+    progress_->setVisible(numbers_.running());
+    start_->setText(numbers_.running() ? tr("&Cancel") : tr("&Run the Tests"));
+    start_->setEnabled(numbers_.running() || numbers_.canRun());
+    save_->setEnabled(numbers_.card() != nullptr);
+}
+
+void CardDialog::fillRow(int row, const CardNumbers::Row& of)
+{
+    const LaboratoryNumber seen = in_units(of.number, unitsOfReader());
+    const QLocale locale;
+    const auto shown = [&locale](const std::string& text) { return words(text).replace('.', locale.decimalPoint()); };
+    const QString grade = seen.grade > 0 ? " " + tr("(grade %1)").arg(seen.grade) : QString();
+    const QString value = !of.known ? QStringLiteral("…") : seen.text.empty() ? shown(value_text(seen)) + grade : coreWord(seen.text);
+    QString range;
+    if (of.known && seen.estimate.low < seen.estimate.high) {
+        range = tr("%1 to %2").arg(significant(seen.estimate.low), significant(seen.estimate.high));
+    }
+    const QStringList texts{coreWord(seen.title), value, range, words(seen.unit), words(seen.standard), words(seen.run)};
+    for (int column = 0; column < columns; ++column) {
+        auto* item = new QTableWidgetItem(texts[column]);
+        item->setToolTip(words(seen.conditions));
+        if (!of.known) { item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text)); }
+        if (column == value_column || column == range_column) { item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter); }
+        table_->setItem(row, column, item);
+    }
+}
+
+} // namespace hygroloom

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+#include "ui/export/card_numbers.h"
+
+#include "core/base/error.h"
+#include "core/queue/card_runs.h"
+#include "gpu/backends.h"
+#include "ui/results/device_choice.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace hygroloom {
+namespace {
+
+/// Whether a card of both is the same.
+bool sameCloth(const Design& a, int fabric_a, const Design& b, int fabric_b)
+{
+    return a.materials == b.materials && a.liquids == b.liquids &&
+           a.fabrics[static_cast<std::size_t>(fabric_a)] == b.fabrics[static_cast<std::size_t>(fabric_b)];
+}
+
+std::vector<CardNumbers::Row> known(const std::vector<LaboratoryNumber>& numbers)
+{
+    std::vector<CardNumbers::Row> rows;
+    for (const LaboratoryNumber& number : numbers) { rows.push_back({number, true}); }
+    return rows;
+}
+
+} // namespace
+
+CardNumbers::CardNumbers(Document& document, WindowQueue& queue, QObject* parent) : QObject(parent), document_(document), queue_(queue)
+{
+    connect(&document_, &Document::designChanged, this, &CardNumbers::take);
+}
+
+CardNumbers::~CardNumbers() { cancel(); }
+
+void CardNumbers::post(std::function<void()> work) { QMetaObject::invokeMethod(this, std::move(work), Qt::QueuedConnection); }
+
+void CardNumbers::follow(bool on)
+{
+    follows_ = on;
+    if (on) {
+        take();
+    } else {
+        cancel();
+    }
+}
+
+void CardNumbers::take()
+{
+    if (!follows_) { return; }
+    const auto design = document_.design();
+    const int fabric = document_.fabric() ? document_.fabricIndex() : -1;
+    if (design_ && fabric >= 0 && fabric_ >= 0 && sameCloth(*design_, fabric_, *design, fabric) && (card_ || computing())) { return; }
+    cancel();
+    job_.drop();
+    if (card_) { before_ = rows(); }
+    card_.reset();
+    tested_.clear();
+    design_ = design;
+    fabric_ = fabric;
+    if (const auto fitted = document_.fitted(); fabric >= 0 && fitted) {
+        job_.run([this, design, fabric = *document_.fabric(), fitted](const NewestJob::Turn& turn) {
+            auto card = std::make_shared<const Card>(card_of(*design, fabric, *fitted));
+            turn.deliver([this, card] {
+                card_ = card;
+                Q_EMIT changed();
+            });
+        });
+    }
+    Q_EMIT changed();
+}
+
+std::vector<CardNumbers::Row> CardNumbers::rows() const
+{
+    if (!card_) {
+        std::vector<Row> rows;
+        if (document_.fitted()) { rows = known(quick_numbers(*document_.fitted())); }
+        for (const Row& old : before_) {
+            const auto same = [&old](const Row& row) { return row.number.key == old.number.key; };
+            if (std::none_of(rows.begin(), rows.end(), same)) { rows.push_back({old.number, false}); }
+        }
+        return rows;
+    }
+    std::vector<Row> rows = known(card_->numbers.found);
+    for (const std::string& key : card_test_keys()) {
+        if (tested_.contains(key)) { continue; }
+        try {
+            const Fabric& fabric = design_->fabrics[static_cast<std::size_t>(fabric_)];
+            for (const LaboratoryNumber& number : unknown_numbers(card_test(key, fabric, card_->numbers.found))) {
+                rows.push_back({number, false});
+            }
+        } catch (const Error&) { // a run will say why not
+        }
+    }
+    return rows;
+}
+
+bool CardNumbers::canRun() const { return card_ && !running_ && tested_.size() < card_test_keys().size(); }
+
+void CardNumbers::run()
+{
+    if (thread_.joinable()) { thread_.join(); }
+    Task tests{design_, fabric_, card_, {}};
+    for (const std::string& key : card_test_keys()) {
+        if (!tested_.contains(key)) { tests.tests.push_back(key); }
+    }
+    cancel_ = false;
+    running_ = true;
+    thread_ = std::jthread([this, tests] {
+        QString sentence;
+        try {
+            runTests(tests);
+        } catch (const Cancelled&) {
+            // nothing to say
+        } catch (const std::bad_alloc&) {
+            sentence = tr("Not enough memory for the tests of the card.");
+        } catch (const std::exception& error) {
+            sentence = QString::fromStdString(error.what());
+        }
+        post([this, sentence] {
+            running_ = false;
+            if (!sentence.isEmpty()) { Q_EMIT failed(sentence); }
+            Q_EMIT changed();
+        });
+    });
+    Q_EMIT changed();
+}
+
+void CardNumbers::runTests(const Task& task)
+{
+    const Fabric& fabric = task.design->fabrics[static_cast<std::size_t>(task.fabric)];
+    CardRuns what{task.tests, {}};
+    what.how.fidelity = Fidelity::live;
+    what.how.may_go_on_on_cpu = true;
+    const CardJobs jobs = card_jobs(*task.design, fabric, task.card->numbers, what);
+    const auto count = std::max(1, static_cast<int>(jobs.jobs.size()));
+    const auto places = std::make_shared<RunPlaces>(make_backends(backendOfMany(), 0, count, static_cast<std::size_t>(jobs.bytes)));
+    std::mutex mutex; // several run side by side
+    std::vector<double> shares(jobs.jobs.size());
+    std::set<std::string> tested(task.tests.begin(), task.tests.end()); // those that cannot be done, and those that came to an end
+    for (const NamedJob& job : jobs.jobs) { tested.erase(job.name); }
+    ComparedWatch watch;
+    watch.begins = [&](std::size_t i, RunJob& job) {
+        job.beside.progress = [&, i](const RunProgress& now) {
+            const std::lock_guard lock(mutex);
+            shares[i] = now.duration > 0 ? now.simulated / now.duration : 0;
+            const double all = std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
+            post([this, all] { Q_EMIT progressed(all); });
+        };
+    };
+    watch.came = [&](std::size_t i, const RunResult&) { tested.insert(jobs.jobs[i].name); };
+    const LaboratoryNumbers last = run_card_jobs(jobs, 1, queue_.runs(), places, cancel_, watch,
+                                                 [&](const LaboratoryNumbers& numbers) { give(task, numbers, tested); });
+    if (!cancel_) { give(task, last, {task.tests.begin(), task.tests.end()}); } // those that failed are done, too
+}
+
+void CardNumbers::give(const Task& task, const LaboratoryNumbers& numbers, const std::set<std::string>& tested)
+{
+    Card more = *task.card;
+    more.numbers = numbers;
+    post([this, design = task.design, tested, more = std::make_shared<const Card>(std::move(more))] {
+        if (design != design_ || !card_) { return; } // another cloth by now
+        card_ = more;
+        tested_.insert(tested.begin(), tested.end());
+        Q_EMIT changed();
+    });
+}
+
+} // namespace hygroloom
