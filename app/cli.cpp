@@ -268,6 +268,7 @@ int run(int count, char** values)
     add_import(app, verb);
     add_garment(app, verb);
     add_presets(app, verb);
+    add_yarns(app, verb);
     add_devices(app, verb);
     add_compare(app, verb);
     add_card(app, verb);

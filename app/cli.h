@@ -91,6 +91,7 @@ void add_export(CLI::App& app, Verb& chosen);
 void add_import(CLI::App& app, Verb& chosen);
 void add_garment(CLI::App& app, Verb& chosen);
 void add_presets(CLI::App& app, Verb& chosen);
+void add_yarns(CLI::App& app, Verb& chosen);
 void add_devices(CLI::App& app, Verb& chosen);
 void add_calibrate(CLI::App& app, Verb& chosen);
 void add_compare(CLI::App& app, Verb& chosen);

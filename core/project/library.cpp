@@ -3,7 +3,9 @@
 #include "core/project/library.h"
 #include "core/base/words.h"
 
+#include "core/design/pattern_words.h"
 #include "core/project/atomic_file.h"
+#include "core/project/color_text.h"
 #include "core/project/json_reader.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"
@@ -21,13 +23,42 @@ namespace {
 
 constexpr int library_version = 1;
 
-std::vector<Preset> presets_from(std::string_view text, const std::string& name)
+/// A library's file, of which each half is read and written without the other.
+struct LibraryJson {
+    ProjectJson presets = ProjectJson::array(), yarns = ProjectJson::array();
+};
+
+LibraryJson library_from(std::string_view text, const std::string& name)
 {
     const ProjectJson json = parse_json(text, name);
     ObjectReader file(json, name, {});
     require_format(file, "hygroloom-library", library_version, "libraries");
-    const ProjectJson& list = array_in(file.require("presets"), name, "presets");
+    LibraryJson library{array_in(file.require("presets"), name, "presets")};
+    if (const ProjectJson* yarns = file.find("yarns")) library.yarns = array_in(*yarns, name, "yarns");
     file.finish();
+    return library;
+}
+
+LibraryJson library_at(const std::filesystem::path& path)
+{
+    return std::filesystem::exists(path) ? library_from(read_file(path, largest_project_bytes), path.string()) : LibraryJson();
+}
+
+void write_json(const LibraryJson& library, const std::filesystem::path& path)
+{
+    ProjectJson json{{"format", "hygroloom-library"}, {"version", library_version}, {"presets", library.presets}};
+    if (!library.yarns.empty()) json["yarns"] = library.yarns;
+    std::string text;
+    try {
+        text = text_from_json(json);
+    } catch (const Error& error) {
+        throw FileError(path.string() + ": " + error.what());
+    }
+    write_file(path, text, Previous::keep_as_backup);
+}
+
+std::vector<Preset> presets_from(const ProjectJson& list, const std::string& name)
+{
     std::vector<Preset> presets;
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string at = fmt::format("presets[{}]", i);
@@ -58,33 +89,148 @@ template <typename Change> void each_yarn(Fabric& fabric, const Change& change)
     for (Yarn& yarn : fabric.extra_yarns) change(yarn);
 }
 
+/// A preset's fabric for a design, which gets its materials unless it has the same; names that are taken get a number.
+Fabric fabric_for(Design& design, const Preset& preset)
+{
+    Fabric fabric = preset.fabric();
+    for (const Material& material : preset.design.materials) {
+        const auto same = std::find_if(design.materials.begin(), design.materials.end(), [&](Material own) {
+            own.name = material.name;
+            return own == material;
+        });
+        Material added = material;
+        added.name = same != design.materials.end() ? same->name : name_beside(design.materials, material.name);
+        if (same == design.materials.end()) design.materials.push_back(added);
+        each_yarn(fabric, [&](Yarn& yarn) {
+            for (MaterialShare& part : yarn.material)
+                if (part.name == material.name) part.name = added.name;
+            if (yarn.core && yarn.core->material == material.name) yarn.core->material = added.name;
+        });
+    }
+    return fabric;
+}
+
+ProjectJson json_of(const LibraryYarn& yarn)
+{
+    ProjectJson json{{"name", yarn.name}};
+    if (!yarn.supplier.empty()) json["supplier"] = yarn.supplier;
+    if (!yarn.currency.empty()) json["currency"] = yarn.currency;
+    if (!yarn.colours.empty()) json["colours"] = ProjectJson::array();
+    for (const YarnColour& colour : yarn.colours) json["colours"].push_back({{"name", colour.name}, {"color", text_of(colour.color)}});
+    json["project"] = json_from_design(yarn.design);
+    return json;
+}
+
+LibraryYarn yarn_from(const ProjectJson& json, const std::string& name, const std::string& at)
+{
+    ObjectReader entry(json, name, at);
+    LibraryYarn yarn;
+    entry.read("name", yarn.name);
+    entry.read("supplier", yarn.supplier);
+    entry.read("currency", yarn.currency);
+    if (const ProjectJson* colours = entry.find("colours"))
+        for (const ProjectJson& each : array_in(*colours, name, at + ".colours")) {
+            ObjectReader colour(each, name, at + ".colours");
+            std::string called, text;
+            colour.read("name", called);
+            colour.read("color", text);
+            colour.finish({"name", "color"});
+            const auto color = color_of(text);
+            if (!color) colour.refuse("color", fmt::format("This must be a colour as \"#rrggbb\"; given is \"{}\".", text));
+            yarn.colours.push_back({called, *color});
+        }
+    yarn.design = design_from_json(entry.require("project"), name + ": " + at + ".project");
+    entry.finish({"name"});
+    if (yarn.design.fabrics.size() != 1) entry.refuse("project", "A yarn of the library has one fabric, whose warp it is.");
+    return yarn;
+}
+
 } // namespace
 
 const std::vector<Preset>& shipped_presets()
 {
-    static const std::vector<Preset> presets = presets_from(library_fabrics_json, "the library");
+    static const std::vector<Preset> presets = presets_from(library_from(library_fabrics_json, "the library").presets, "the library");
     return presets;
 }
 
-std::vector<Preset> read_library(const std::filesystem::path& path)
-{
-    if (!std::filesystem::exists(path)) return {};
-    return presets_from(read_file(path, largest_project_bytes), path.string());
-}
+std::vector<Preset> read_library(const std::filesystem::path& path) { return presets_from(library_at(path).presets, path.string()); }
 
 void write_library(const std::vector<Preset>& presets, const std::filesystem::path& path)
 {
-    ProjectJson json{{"format", "hygroloom-library"}, {"version", library_version}};
-    json["presets"] = ProjectJson::array();
+    LibraryJson library = library_at(path);
+    library.presets = ProjectJson::array();
     for (const Preset& preset : presets)
-        json["presets"].push_back({{"group", preset.group}, {"note", preset.note}, {"project", json_from_design(preset.design)}});
-    std::string text;
-    try {
-        text = text_from_json(json);
-    } catch (const Error& error) {
-        throw FileError(path.string() + ": " + error.what());
+        library.presets.push_back({{"group", preset.group}, {"note", preset.note}, {"project", json_from_design(preset.design)}});
+    write_json(library, path);
+}
+
+std::vector<LibraryYarn> read_yarns(const std::filesystem::path& path)
+{
+    const ProjectJson list = library_at(path).yarns;
+    std::vector<LibraryYarn> yarns;
+    for (std::size_t i = 0; i < list.size(); ++i) yarns.push_back(yarn_from(list[i], path.string(), fmt::format("yarns[{}]", i)));
+    return yarns;
+}
+
+void write_yarns(const std::vector<LibraryYarn>& yarns, const std::filesystem::path& path)
+{
+    LibraryJson library = library_at(path);
+    library.yarns = ProjectJson::array();
+    for (const LibraryYarn& yarn : yarns) library.yarns.push_back(json_of(yarn));
+    write_json(library, path);
+}
+
+LibraryYarn library_yarn(const Design& design, const Yarn& yarn, const std::string& name)
+{
+    Fabric fabric;
+    fabric.name = name;
+    fabric.warp = fabric.weft = yarn;
+    fabric.weave = weave_from_pattern("plain");
+    return {name, {}, {}, {}, preset_of(design, fabric, {}, {}).design};
+}
+
+void keep_yarn(std::vector<LibraryYarn>& yarns, LibraryYarn yarn)
+{
+    const auto same = std::find_if(yarns.begin(), yarns.end(), [&](const LibraryYarn& each) { return each.name == yarn.name; });
+    if (same == yarns.end())
+        yarns.push_back(std::move(yarn));
+    else
+        *same = std::move(yarn);
+}
+
+Yarn take_yarn(Design& design, const LibraryYarn& from) { return fabric_for(design, {{}, {}, from.design}).warp; }
+
+bool same_yarn(Yarn a, Yarn b)
+{
+    a.color = b.color;
+    a.price = b.price;
+    a.fibres_per_yarn = b.fibres_per_yarn;
+    return a == b;
+}
+
+std::vector<std::string> fabrics_with(const Design& design, const Yarn& yarn)
+{
+    std::vector<std::string> names;
+    for (Fabric fabric : design.fabrics) {
+        const std::vector<Yarn*> own = yarns_of(fabric);
+        if (std::any_of(own.begin(), own.end(), [&](const Yarn* each) { return same_yarn(*each, yarn); })) names.push_back(fabric.name);
     }
-    write_file(path, text, Previous::keep_as_backup);
+    return names;
+}
+
+int replace_yarn(Design& design, const Yarn& old, const LibraryYarn& by)
+{
+    const std::vector<std::string> fabrics = fabrics_with(design, old);
+    if (fabrics.empty()) return 0;
+    const Yarn taken = take_yarn(design, by);
+    for (Fabric& fabric : design.fabrics)
+        for (Yarn* yarn : yarns_of(fabric)) {
+            if (!same_yarn(*yarn, old)) continue;
+            const std::optional<Color> color = yarn->color;
+            *yarn = taken;
+            yarn->color = color;
+        }
+    return static_cast<int>(fabrics.size());
 }
 
 Preset preset_of(const Design& design, const Fabric& fabric, const std::string& group, const std::string& note)
@@ -103,21 +249,7 @@ Preset preset_of(const Design& design, const Fabric& fabric, const std::string& 
 
 std::size_t add_preset(Design& design, const Preset& preset)
 {
-    Fabric fabric = preset.fabric();
-    for (const Material& material : preset.design.materials) {
-        const auto same = std::find_if(design.materials.begin(), design.materials.end(), [&](Material own) {
-            own.name = material.name;
-            return own == material;
-        });
-        Material added = material;
-        added.name = same != design.materials.end() ? same->name : name_beside(design.materials, material.name);
-        if (same == design.materials.end()) design.materials.push_back(added);
-        each_yarn(fabric, [&](Yarn& yarn) {
-            for (MaterialShare& part : yarn.material)
-                if (part.name == material.name) part.name = added.name;
-            if (yarn.core && yarn.core->material == material.name) yarn.core->material = added.name;
-        });
-    }
+    Fabric fabric = fabric_for(design, preset);
     fabric.name = name_beside(design.fabrics, fabric.name);
     design.fabrics.push_back(fabric);
     return design.fabrics.size() - 1;

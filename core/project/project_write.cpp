@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // A design as the project's JSON, and that as text.
 #include "core/base/error.h"
+#include "core/project/color_text.h"
 #include "core/project/field_json.h"
 #include "core/project/project_file.h"
 #include "core/project/project_json.h"
@@ -57,7 +58,7 @@ ProjectJson write_yarn(const Yarn& yarn)
         write_fields(json["core"], *yarn.core);
     }
     write_fields(json, yarn);
-    if (yarn.color) json["color"] = fmt::format("#{:02x}{:02x}{:02x}", yarn.color->red, yarn.color->green, yarn.color->blue);
+    if (yarn.color) json["color"] = text_of(*yarn.color);
     return json;
 }
 

@@ -36,4 +36,5 @@ target_sources(hygroloom_core PRIVATE
   project/wif_import.cpp
   project/wif_write.cpp
   project/yarn_json.cpp
+  project/yarn_table.cpp
 )

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // Reads a yarn: its fibres, its core, its size or count, its twist.
 #include "core/design/yarn_count.h"
+#include "core/project/color_text.h"
 #include "core/project/field_json.h"
 #include "core/project/project_json.h"
 
@@ -32,10 +33,9 @@ std::optional<Color> read_color(ObjectReader& object)
     std::string text;
     if (!object.find("color")) return {};
     object.read("color", text);
-    if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
-        object.refuse("color", fmt::format("This must be a colour as \"#rrggbb\"; given is {}.", in_words(text)));
-    const auto part = [&](std::size_t at) { return static_cast<std::uint8_t>(std::stoi(text.substr(at, 2), nullptr, 16)); };
-    return Color{part(1), part(3), part(5)};
+    const std::optional<Color> color = color_of(text);
+    if (!color) object.refuse("color", fmt::format("This must be a colour as \"#rrggbb\"; given is {}.", in_words(text)));
+    return color;
 }
 
 /// A count as the trade writes it stands for the linear density, the plies and, where it names them, the filaments.

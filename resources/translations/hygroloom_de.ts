@@ -11210,6 +11210,46 @@ Stattdessen auf der CPU rechnen?</translation>
         <source>from the count</source>
         <translation>aus der Feinheit</translation>
     </message>
+    <message>
+        <source>Yarns…</source>
+        <translation>Garne…</translation>
+    </message>
+    <message>
+        <source>Takes the yarn from your library, keeps it there, or replaces it in all fabrics of the project.</source>
+        <translation>Nimmt das Garn aus Ihrer Bibliothek, legt es dort ab oder ersetzt es in allen Geweben des Projekts.</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>&amp;Take from Library</source>
+        <translation>Aus der Bibliothek &amp;nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep in Library…</source>
+        <translation>In der Bibliothek &amp;ablegen…</translation>
+    </message>
+    <message>
+        <source>&amp;Replace in All Fabrics</source>
+        <translation>In allen Geweben &amp;ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 from the library</source>
+        <translation>%1 aus der Bibliothek</translation>
+    </message>
+    <message>
+        <source>Keep in Library</source>
+        <translation>In der Bibliothek ablegen</translation>
+    </message>
+    <message>
+        <source>Name of the yarn; one of the same name is replaced:</source>
+        <translation>Name des Garns; eines mit demselben Namen wird ersetzt:</translation>
+    </message>
+    <message>
+        <source>yarn in all fabrics</source>
+        <translation>Garn in allen Geweben</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::ZonesForm</name>

@@ -16,6 +16,7 @@ SKIPPED = 77
 STUDY = """{"format": "hygroloom-study", "version": 1, "fabrics": ["Cotton plain"], "experiments": ["one drop"], "fidelity": "live",
   "factors": [{"path": "fabrics[0].contact_angle_deg", "values": [30, 50]}], "design": {"type": "grid"}}"""
 STRIP = "time_s,wick_height_mm,spread\n0.5,7.8,0.1\n1,11,0.1\n1.5,13.5,0.1\n"
+YARNS = "name,material,count\nfine,cotton 60 + polyester 40,Ne 40\n"
 MESH = "tests/data/garments/sheet.dae"
 PANEL = "v 0 0 0\nv 0.1 0 0\nv 0.1 0.2 0\nv 0 0.2 0\nvt 0 0\nvt 0.5 0\nvt 0.5 1\nvt 0 1\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"
 NETWORK_LIBRARY = re.compile(r"curl|ssl|crypto|Qt\d?(Network|WebSockets|WebEngine|HttpServer)|nghttp|ldap|libssh|resolv|libzmq|libuv|gnutls")
@@ -62,6 +63,7 @@ def verbs(root):
         (["export", *one, "-o", "cloth.wif", "--quiet"], ["cloth.wif"]),
         (["import", "cloth.wif", "-o", "imported.hygro"], ["imported.hygro"]),
         (["presets", "Denim", "-o", "imported.hygro"], ["imported.hygro~"]),  # the version before
+        (["yarns", "own.hygrolib", "--read", "../yarns.csv", "--write", "again.csv", "--quiet"], ["own.hygrolib", "again.csv"]),
         (["devices"], []),
         (["help", "simulate"], []),
         (["compare", project, "--fabrics", "Cotton plain,Cotton twill", *drop, *short, "-o", "compared"], ["compared"]),
@@ -115,7 +117,7 @@ def inside(root, cli, window, folder):
     home.mkdir()
     here.mkdir()
     environment = surroundings(home)
-    for name, text in (("study.json", STUDY), ("strip.csv", STRIP), ("panel.obj", PANEL)):
+    for name, text in (("study.json", STUDY), ("strip.csv", STRIP), ("yarns.csv", YARNS), ("panel.obj", PANEL)):
         (folder / name).write_text(text)
     named_verbs = {str(arguments[0]) for arguments, _ in verbs(root)}
     shown = subprocess.run([cli, "--help"], env=environment, capture_output=True, text=True, check=True).stdout

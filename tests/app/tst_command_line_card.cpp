@@ -104,6 +104,20 @@ private Q_SLOTS:
         const QJsonObject other = run_cli(asked + QStringList{"--set", "fabrics[0].picks_per_cm=20"}).json()["laboratory"].toObject();
         QCOMPARE(other["drying_time_min"].toObject()["run"].toString(), "live, cpu"); // of another cloth
     }
+    void yarnsOfALibraryGoThroughTablesAndProjects()
+    {
+        QFile table(file("yarns.csv"));
+        QVERIFY(table.open(QIODevice::WriteOnly) && table.write("name,count,material,supplier\nnew,Ne 36,cotton,Mill\n") > 0);
+        table.close();
+        QCOMPARE(run_cli({"yarns", file("own.hygrolib")}).code, 3); // it is not there yet
+        QCOMPARE(run_cli({"yarns", file("own.hygrolib"), "--read", file("yarns.csv"), "-q", "--write", file("all.csv")}).code, 0);
+        QVERIFY(content(file("all.csv")).contains("\nnew,Mill,cotton,"));
+        const QJsonObject listed = run_cli({"yarns", file("own.hygrolib"), "--json"}).json();
+        QCOMPARE(listed["yarns"].toArray()[0].toObject()["supplier"].toString(), "Mill");
+        const QStringList use{"yarns", file("own.hygrolib"), "--project", poplin(), "--json", "--where-used"};
+        QVERIFY(run_cli(use + QStringList{"new"}).json()["fabrics"].toArray().isEmpty()); // the poplin has another
+        QCOMPARE(run_cli(use + QStringList{"no such"}).code, 2);
+    }
     void wrongRequestsAreRefused()
     {
         QCOMPARE(run_cli({"card", poplin(), "--runs", "no such"}).code, 2);

@@ -23,6 +23,82 @@ private Q_SLOTS:
             for (const Issue& issue : validate(preset.design))
                 QVERIFY2(issue.severity != Severity::error, (preset.fabric().name + ": " + issue.text()).c_str());
     }
+    void yarnsStandBesidePresetsInOneFile()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("own.hygrolib").toStdString();
+        QVERIFY(read_yarns(path).empty()); // no file yet
+        Design design;
+        design.materials = {*find_library_material("cotton")};
+        design.materials[0].name = "our cotton";
+        design.materials[0].based_on = "cotton";
+        design.materials[0].standard_regain = 0.09;
+        Yarn yarn;
+        yarn.material = {{"our cotton"}};
+        yarn.linear_density_tex = 14.8;
+        yarn.price = 6.5;
+        std::vector<LibraryYarn> yarns{library_yarn(design, yarn, "fine")};
+        yarns[0].supplier = "Mill \"A\", north";
+        yarns[0].currency = "EUR";
+        yarns[0].colours = {{"navy blue", {16, 26, 64}}};
+        write_yarns(yarns, path);
+        write_library({shipped_presets()[0]}, path);          // leaves them
+        keep_yarn(yarns, library_yarn(design, yarn, "fine")); // in place of the first
+        QCOMPARE(yarns.size(), std::size_t{1});
+        const LibraryYarn read = read_yarns(path).at(0);
+        QCOMPARE(read_library(path).size(), std::size_t{1});
+        QCOMPARE(read.yarn(), yarn);
+        QCOMPARE(read.supplier, std::string("Mill \"A\", north"));
+        QVERIFY(read.colours.at(0).name == "navy blue" && read.colours[0].color == (Color{16, 26, 64}));
+        Design other;
+        other.materials = {*find_library_material("flax")};
+        other.materials[0].name = "our cotton"; // another fibre of that name
+        QCOMPARE(take_yarn(other, read).material[0].name, std::string("our cotton 2"));
+        QCOMPARE(other.materials.size(), std::size_t{2});
+    }
+    void aYarnIsReplacedInAllFabrics()
+    {
+        Design design;
+        for (const char* name : {"a", "b", "c", "d"}) {
+            design.fabrics.emplace_back();
+            design.fabrics.back().name = name;
+        }
+        const Yarn old = design.fabrics[0].warp;
+        design.fabrics[0].warp.color = Color{1, 2, 3}; // dyed and priced, it is the same yarn
+        design.fabrics[0].warp.price = 5;
+        design.fabrics[1].warp.twist_per_m = 1; // another one
+        for (Fabric* each : {&design.fabrics[3]}) each->warp.plies = each->weft.plies = 2;
+        Yarn finer = old;
+        finer.linear_density_tex = 10;
+        QCOMPARE(fabrics_with(design, old), (std::vector<std::string>{"a", "b", "c"}));
+        QCOMPARE(replace_yarn(design, old, library_yarn({}, finer, "finer")), 3);
+        QCOMPARE(design.fabrics[0].warp.linear_density_tex, finer.linear_density_tex);
+        QVERIFY(design.fabrics[0].warp.color == (Color{1, 2, 3}));
+        QCOMPARE(design.fabrics[1].warp.twist_per_m, 1.0);
+        QCOMPARE(design.fabrics[1].weft, finer);
+        QCOMPARE(design.fabrics[3].warp.plies, 2);
+        QVERIFY(fabrics_with(design, old).empty());
+    }
+    void yarnsGoThroughATable()
+    {
+        const std::string table = "name;supplier;count;material;core;colours;price\n"
+                                  "fine;\"Mill; A\";Ne 60/2;cotton 60 + polyester 40;elastane 5;navy blue #101a40 + white #ffffff;6.5\n"
+                                  "plain;;;wool;;;\n";
+        const std::vector<LibraryYarn> yarns = yarns_of_csv(table, "yarns.csv");
+        QCOMPARE(yarns.size(), std::size_t{2});
+        const Yarn& fine = yarns[0].yarn();
+        QCOMPARE(fine.plies, 2);
+        QVERIFY(std::abs(*fine.linear_density_tex - 2 * 590.5 / 60) < 0.01);
+        QCOMPARE(fine.material, (std::vector<MaterialShare>{{"cotton", 0.6}, {"polyester", 0.4}}));
+        QVERIFY(fine.core->material == "elastane" && std::abs(fine.core->share - 0.05) < 1e-12);
+        QCOMPARE(yarns[0].colours.size(), std::size_t{2});
+        QCOMPARE(yarns[0].colours[0].name, std::string("navy blue"));
+        const std::vector<LibraryYarn> again = yarns_of_csv(csv_of_yarns(yarns), "again.csv");
+        for (std::size_t i = 0; i < yarns.size(); ++i) QCOMPARE(again[i].yarn(), yarns[i].yarn());
+        for (const char* wrong : {"name,count\na,Ne x\n", "name,core\na,elastane\n", "name,colours\na,navy\n", "name\n\"\"\n",
+                                  "name,twist_direction\na,up\n", "supplier\nb\n"})
+            QVERIFY_EXCEPTION_THROWN(yarns_of_csv(wrong, "w.csv"), Error);
+    }
     void presetsWeighWhatTheirConstructionsDo()
     {
         // g/m2 by hand: (ends/cm x tex x (1 + crimp) + picks/cm x tex x (1 + crimp)) / 10, rounded; crimp as calculated, or as typed.

@@ -232,6 +232,17 @@ def test_a_card_is_the_command_lines(small, cli, tmp_path):
     assert "drying_time_min" not in ran and ran["air_permeability_mm_s"] == air
 
 
+def test_yarns_of_a_library_are_a_table(cli, tmp_path):
+    (tmp_path / "yarns.csv").write_text("name,count,material,price\nfine,Ne 60/2,cotton 60 + polyester 40,6.5\n")
+    library = tmp_path / "own.hygrolib"
+    assert hygroloom.read_yarns(library).empty
+    cli("yarns", library, "--read", tmp_path / "yarns.csv")
+    table = hygroloom.read_yarns(library)
+    assert list(table.name) == ["fine"] and table.price[0] == 6.5 and table.plies[0] == 2 and table.material[0] == "cotton 60 + polyester 40"
+    with pytest.raises(hygroloom.FileError):
+        hygroloom.read_yarns(tmp_path / "yarns.csv")
+
+
 def test_fabrics_are_compared(small, cli, tmp_path):
     second = {**small.get("fabrics[0]"), "name": "repellent", "contact_angle_deg": 100.0}
     small.set("fabrics", small.get("fabrics") + [second])

@@ -50,6 +50,7 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
     } else if (use == YarnUse::stripes) {
         addChoice();
     }
+    addLibrary();
     addMaterials();
     addCore();
     addSizes();

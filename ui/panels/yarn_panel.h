@@ -3,9 +3,11 @@
 #pragma once
 
 #include "core/design/yarn_sections.h"
+#include "core/project/library.h"
 #include "ui/panels/design_form.h"
 
 class QCheckBox;
+class QMenu;
 class QToolButton;
 
 namespace hygroloom {
@@ -23,6 +25,13 @@ public:
     /// Opens the section, that of the stripes at this extra yarn, from 1.
     void choose(int yarn);
 
+    /// The yarn as the library has it, dyed so where it comes in colours; without one it keeps its colour.
+    void take(const LibraryYarn& from, const std::optional<Color>& color = {});
+    /// Into the library at path; a yarn of that name is replaced. Throws FileError.
+    void keep(const QString& name, const QString& path) const;
+    /// All yarns of the project that are the same as this one become the library's, in one step of the history. How many fabrics changed.
+    int replaceEverywhere(const LibraryYarn& by);
+
 Q_SIGNALS:
     /// The values of this one of the project's own fibres are to be edited.
     void fibreRequested(int fibre);
@@ -39,6 +48,9 @@ private:
     std::function<void(Design&, std::optional<double>)> writing(Write change);
     void editYarn(const QString& undo, const std::string& field, const std::function<void(Yarn&)>& change);
     std::string path(const char* field) const;
+    void addLibrary();
+    void fillLibrary(QMenu& menu);
+    void askToKeep();
     void addMaterials();
     using PartName = std::string* (*)(Yarn&); ///< the name of a fibre in a yarn; nullptr: it has none there
     /// Beside a choice of a fibre: a button for makeOwn().

@@ -2,13 +2,17 @@
 """Projects: read, change, check, save."""
 from __future__ import annotations
 
+import io
 import json
 import os
 import pathlib
-from typing import Any, Mapping, Optional, Union
+from typing import TYPE_CHECKING, Any, Mapping, Optional, Union
 
 from . import _checks, _hygroloom
 from .errors import Error, Issue
+
+if TYPE_CHECKING:
+    import pandas
 
 _nothing = object()
 
@@ -147,3 +151,13 @@ def project_of(project: Any) -> Project:
 def folder_of(project: Project) -> bytes:
     """That the files of its garments are relative to."""
     return os.fsencode(project.path.parent if project.path else ".") or b"."
+
+
+def read_yarns(library: Union[str, os.PathLike]) -> "pandas.DataFrame":
+    """The yarns of a library (.hygrolib) of one's own, a row each, as ``hygroloom-cli yarns --write`` has them. One that is not there is empty.
+
+    Raises FileError when the file is no library.
+    """
+    import pandas
+
+    return pandas.read_csv(io.StringIO(_hygroloom.yarn_table(_checks.path_bytes(library, "library"))))

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
+// The user's yarns in the window: kept, taken, and replaced in all fabrics in one step.
+#include "ui/panels/fabric_panel.h"
+#include "ui/panels/yarn_panel.h"
+#include "ui/window/examples.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace hygroloom;
+
+class TestYarnLibrary : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aYarnIsKeptTakenAndReplacedEverywhere()
+    {
+        Document document;
+        QVERIFY(document.openExample(QDir(examplesFolder()).filePath("three-candidates.hygro")));
+        Yarn common = document.design()->fabrics[0].warp;
+        common.color = Color{9, 9, 9};
+        document.edit("the same yarn everywhere", {}, [&](Design& design) {
+            for (Fabric& fabric : design.fabrics) { fabric.warp = common; }
+            design.fabrics[1].warp.color.reset();
+        });
+        const Design before = *document.design();
+        DesignForm form(document);
+        form.addSection("Fabric");
+        YarnPanel warp(form, YarnUse::warp, nullptr);
+        form.refresh();
+
+        const QTemporaryDir folder;
+        const QString library = folder.filePath("own.hygrolib");
+        warp.keep("as it was", library);
+        LibraryYarn finer = read_yarns(library.toStdString()).at(0);
+        QCOMPARE(finer.yarn(), before.fabrics[0].warp);
+        finer.design.fabrics[0].warp.twist_per_m += 100;
+        finer.design.fabrics[0].warp.color.reset();
+        const int steps = document.history()->count();
+        const int all = static_cast<int>(before.fabrics.size());
+        QCOMPARE(warp.replaceEverywhere(finer), all);
+        QCOMPARE(document.history()->count(), steps + 1);
+        for (const Fabric& fabric : document.design()->fabrics) { QCOMPARE(fabric.warp.twist_per_m, common.twist_per_m + 100); }
+        QVERIFY(document.design()->fabrics[0].warp.color == (Color{9, 9, 9}) && !document.design()->fabrics[1].warp.color);
+        document.history()->undo();
+        QCOMPARE(*document.design(), before);
+
+        warp.take(finer, Color{1, 2, 3}); // this fabric's alone
+        QCOMPARE(document.design()->fabrics[0].warp.twist_per_m, common.twist_per_m + 100);
+        QVERIFY(document.design()->fabrics[0].warp.color == (Color{1, 2, 3}));
+        QCOMPARE(document.design()->fabrics[1], before.fabrics[1]);
+    }
+};
+
+QTEST_MAIN(TestYarnLibrary)
+#include "tst_yarn_library.moc"
