@@ -5,6 +5,7 @@
 #include "ui/window/examples.h"
 
 #include <QDir>
+#include <QLabel>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -49,6 +50,29 @@ private Q_SLOTS:
         QCOMPARE(document.design()->fabrics[0].warp.twist_per_m, common.twist_per_m + 100);
         QVERIFY(document.design()->fabrics[0].warp.color == (Color{1, 2, 3}));
         QCOMPARE(document.design()->fabrics[1], before.fabrics[1]);
+    }
+    void loomAndPriceHaveFields()
+    {
+        Document document;
+        QVERIFY(document.openExample(QDir(examplesFolder()).filePath("three-candidates.hygro")));
+        FabricPanel panel(document);
+        panel.resize(330, 700);
+        panel.show();
+        const Place fabric = Place("fabrics") / static_cast<std::size_t>(document.fabricIndex());
+        for (const Place& where : {fabric / "loom" / "reed_width_cm", fabric / "loom" / "ends_per_cm", fabric / "loom" / "ends_per_dent",
+                                   fabric / "loom" / "picks_per_cm", fabric / "warp" / "price"}) {
+            QVERIFY2(panel.showField(where), where.text().c_str());
+        }
+        const auto says = [&panel](const QString& text) {
+            const auto labels = panel.findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) { return label->text().startsWith(text); });
+        };
+        QVERIFY(!says("6 %") && !says(QString("6") + QChar(0x00a0) + "%"));
+        document.edit("reed", {}, [&](Design& design) {
+            design.fabrics[static_cast<std::size_t>(document.fabricIndex())].loom.reed_width_cm =
+                159; // of 150 cm, when nothing else is said
+        });
+        QVERIFY(says("6 %") || says(QString("6") + QChar(0x00a0) + "%"));
     }
 };
 
