@@ -76,6 +76,7 @@ def lay_out(folder, source, build):
     for path in [*(folder / "resources/examples").rglob("*.hygro"), *(folder / "resources/examples").rglob("*.study.json")]:
         shorten(path)
     shutil.copy(source / "tests/data/garments/tee.json", folder)
+    (folder / "yarns.csv").write_text("name,count,material\nNe 40,Ne 40,cotton\nNe 36,Ne 36,cotton\n")
     programs = folder / "build/release/bin"
     programs.mkdir(parents=True)
     (programs / "hygroloom-cli").write_text(f"#!/bin/sh\nexec {sys.executable} {pathlib.Path(__file__).resolve()} --as-cli \"$@\"\n")
