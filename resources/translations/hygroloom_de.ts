@@ -2188,6 +2188,246 @@
         <source>Reed width</source>
         <translation>Blattbreite</translation>
     </message>
+    <message>
+        <source>Absorbency time</source>
+        <translation>Aufnahmezeit</translation>
+    </message>
+    <message>
+        <source>Absorption capacity, drained</source>
+        <translation>Aufnahmevermögen, abgetropft</translation>
+    </message>
+    <message>
+        <source>Absorption capacity, full</source>
+        <translation>Aufnahmevermögen, voll</translation>
+    </message>
+    <message>
+        <source>Absorption rate, bottom</source>
+        <translation>Aufnahmerate, unten</translation>
+    </message>
+    <message>
+        <source>Absorption rate, top</source>
+        <translation>Aufnahmerate, oben</translation>
+    </message>
+    <message>
+        <source>Air permeability at 100 Pa</source>
+        <translation>Luftdurchlässigkeit bei 100 Pa</translation>
+    </message>
+    <message>
+        <source>Air permeability at 125 Pa</source>
+        <translation>Luftdurchlässigkeit bei 125 Pa</translation>
+    </message>
+    <message>
+        <source>Air permeability at 200 Pa</source>
+        <translation>Luftdurchlässigkeit bei 200 Pa</translation>
+    </message>
+    <message>
+        <source>Area of the stain after 1 min</source>
+        <translation>Fläche des Flecks nach 1 min</translation>
+    </message>
+    <message>
+        <source>Cover</source>
+        <translation>Deckung</translation>
+    </message>
+    <message>
+        <source>Drying index</source>
+        <translation>Trocknungsindex</translation>
+    </message>
+    <message>
+        <source>Drying rate</source>
+        <translation>Trocknungsrate</translation>
+    </message>
+    <message>
+        <source>Drying time</source>
+        <translation>Trocknungszeit</translation>
+    </message>
+    <message>
+        <source>Half-change time of the regain</source>
+        <translation>Halbwertszeit der Feuchteaufnahme</translation>
+    </message>
+    <message>
+        <source>Hydrostatic head</source>
+        <translation>Wassersäule</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Flächenmasse</translation>
+    </message>
+    <message>
+        <source>One-way transport</source>
+        <translation>Einwegtransport</translation>
+    </message>
+    <message>
+        <source>Open area</source>
+        <translation>Offene Fläche</translation>
+    </message>
+    <message>
+        <source>Overall capability (OMMC)</source>
+        <translation>Feuchtemanagement gesamt (OMMC)</translation>
+    </message>
+    <message>
+        <source>Permeability index</source>
+        <translation>Durchlässigkeitsindex</translation>
+    </message>
+    <message>
+        <source>Porosity, as drawn</source>
+        <translation>Porosität, wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Regain at 65 % humidity</source>
+        <translation>Feuchteaufnahme bei 65 % Feuchte</translation>
+    </message>
+    <message>
+        <source>Retention after spinning</source>
+        <translation>Restfeuchte nach dem Schleudern</translation>
+    </message>
+    <message>
+        <source>Speed of wicking along the warp</source>
+        <translation>Sauggeschwindigkeit in Kettrichtung</translation>
+    </message>
+    <message>
+        <source>Speed of wicking along the weft</source>
+        <translation>Sauggeschwindigkeit in Schussrichtung</translation>
+    </message>
+    <message>
+        <source>Spreading speed, bottom</source>
+        <translation>Ausbreitungsgeschwindigkeit, unten</translation>
+    </message>
+    <message>
+        <source>Spreading speed, top</source>
+        <translation>Ausbreitungsgeschwindigkeit, oben</translation>
+    </message>
+    <message>
+        <source>Thermal resistance Rct</source>
+        <translation>Wärmedurchgangswiderstand Rct</translation>
+    </message>
+    <message>
+        <source>Thickness at 1 kPa</source>
+        <translation>Dicke bei 1 kPa</translation>
+    </message>
+    <message>
+        <source>Thickness, as drawn</source>
+        <translation>Dicke, wie gezeichnet</translation>
+    </message>
+    <message>
+        <source>Vapour permeability</source>
+        <translation>Dampfdurchlässigkeit</translation>
+    </message>
+    <message>
+        <source>Vapour transmission, cup with calcium chloride</source>
+        <translation>Dampfdurchgang, Becher mit Calciumchlorid</translation>
+    </message>
+    <message>
+        <source>Vapour transmission, inverted cup with water</source>
+        <translation>Dampfdurchgang, umgedrehter Becher mit Wasser</translation>
+    </message>
+    <message>
+        <source>Vapour transmission, upright cup with water</source>
+        <translation>Dampfdurchgang, stehender Becher mit Wasser</translation>
+    </message>
+    <message>
+        <source>Warm-cool feeling q-max</source>
+        <translation>Warm-kühl-Empfinden q-max</translation>
+    </message>
+    <message>
+        <source>Water drawn in along the warp, 10 min</source>
+        <translation>Aufgesaugtes Wasser in Kettrichtung, 10 min</translation>
+    </message>
+    <message>
+        <source>Water drawn in along the warp, 30 min</source>
+        <translation>Aufgesaugtes Wasser in Kettrichtung, 30 min</translation>
+    </message>
+    <message>
+        <source>Water drawn in along the warp, 5 min</source>
+        <translation>Aufgesaugtes Wasser in Kettrichtung, 5 min</translation>
+    </message>
+    <message>
+        <source>Water drawn in along the weft, 10 min</source>
+        <translation>Aufgesaugtes Wasser in Schussrichtung, 10 min</translation>
+    </message>
+    <message>
+        <source>Water drawn in along the weft, 30 min</source>
+        <translation>Aufgesaugtes Wasser in Schussrichtung, 30 min</translation>
+    </message>
+    <message>
+        <source>Water drawn in along the weft, 5 min</source>
+        <translation>Aufgesaugtes Wasser in Schussrichtung, 5 min</translation>
+    </message>
+    <message>
+        <source>Water-vapour resistance Ret</source>
+        <translation>Wasserdampfdurchgangswiderstand Ret</translation>
+    </message>
+    <message>
+        <source>Wetted radius, bottom</source>
+        <translation>Benetzungsradius, unten</translation>
+    </message>
+    <message>
+        <source>Wetted radius, top</source>
+        <translation>Benetzungsradius, oben</translation>
+    </message>
+    <message>
+        <source>Wetting time, bottom</source>
+        <translation>Benetzungszeit, unten</translation>
+    </message>
+    <message>
+        <source>Wetting time, top</source>
+        <translation>Benetzungszeit, oben</translation>
+    </message>
+    <message>
+        <source>Wicking height along the warp, 10 min</source>
+        <translation>Steighöhe in Kettrichtung, 10 min</translation>
+    </message>
+    <message>
+        <source>Wicking height along the warp, 30 min</source>
+        <translation>Steighöhe in Kettrichtung, 30 min</translation>
+    </message>
+    <message>
+        <source>Wicking height along the warp, 5 min</source>
+        <translation>Steighöhe in Kettrichtung, 5 min</translation>
+    </message>
+    <message>
+        <source>Wicking height along the weft, 10 min</source>
+        <translation>Steighöhe in Schussrichtung, 10 min</translation>
+    </message>
+    <message>
+        <source>Wicking height along the weft, 30 min</source>
+        <translation>Steighöhe in Schussrichtung, 30 min</translation>
+    </message>
+    <message>
+        <source>Wicking height along the weft, 5 min</source>
+        <translation>Steighöhe in Schussrichtung, 5 min</translation>
+    </message>
+    <message>
+        <source>Yarn cost of a metre</source>
+        <translation>Garnkosten eines Meters</translation>
+    </message>
+    <message>
+        <source>drying index</source>
+        <translation>Trocknungsindex</translation>
+    </message>
+    <message>
+        <source>height after 10 min</source>
+        <translation>Steighöhe nach 10 min</translation>
+    </message>
+    <message>
+        <source>height after 30 min</source>
+        <translation>Steighöhe nach 30 min</translation>
+    </message>
+    <message>
+        <source>height after 5 min</source>
+        <translation>Steighöhe nach 5 min</translation>
+    </message>
+    <message>
+        <source>water drawn in after 10 min, per width</source>
+        <translation>aufgesaugtes Wasser nach 10 min, je Breite</translation>
+    </message>
+    <message>
+        <source>water drawn in after 30 min, per width</source>
+        <translation>aufgesaugtes Wasser nach 30 min, je Breite</translation>
+    </message>
+    <message>
+        <source>water drawn in after 5 min, per width</source>
+        <translation>aufgesaugtes Wasser nach 5 min, je Breite</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom</name>
@@ -2970,14 +3210,100 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     </message>
 </context>
 <context>
-    <name>hygroloom::CardExport</name>
+    <name>hygroloom::CardDialog</name>
     <message>
-        <source>Another card is still being written. Save this one when that is done.</source>
-        <translation>Eine andere Karte wird noch geschrieben. Speichern Sie diese, wenn jene fertig ist.</translation>
+        <source>&amp;Save Card…</source>
+        <translation>Karte &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>Technical Card</source>
+        <translation>Technische Karte</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <translation>Norm</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Numbers of the card</source>
+        <translation>Zahlen der Karte</translation>
+    </message>
+    <message>
+        <source>Progress of the runs</source>
+        <translation>Fortschritt der Läufe</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Runs absorbency, wicking, moisture management, drying and regain at the fidelity live, in the background. Takes a minute or two.</source>
+        <translation>Führt Aufnahme, Saugen, Feuchtemanagement, Trocknen und Feuchteaufnahme mit der Genauigkeit „live“ im Hintergrund aus. Das dauert ein bis zwei Minuten.</translation>
+    </message>
+    <message>
+        <source>The project has no fabric.</source>
+        <translation>Das Projekt hat kein Gewebe.</translation>
     </message>
     <message>
         <source>The fabric has errors; see Issues. Mend them first.</source>
         <translation>Das Gewebe hat Fehler; siehe Meldungen. Beheben Sie diese zuerst.</translation>
+    </message>
+    <message>
+        <source>The numbers are being computed.</source>
+        <translation>Die Zahlen werden berechnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n numbers could not be found; the saved card says why.</source>
+        <translation>
+            <numerusform>%n Zahl war nicht zu finden; die gespeicherte Karte sagt, warum.</numerusform>
+            <numerusform>%n Zahlen waren nicht zu finden; die gespeicherte Karte sagt, warum.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Numbers in grey need runs.</source>
+        <translation>Graue Zahlen brauchen Läufe.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Run the Tests</source>
+        <translation>Prüfungen aus&amp;führen</translation>
+    </message>
+    <message>
+        <source>(grade %1)</source>
+        <translation>(Note %1)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::CardExport</name>
+    <message>
+        <source>Another card is still being written. Save this one when that is done.</source>
+        <translation>Eine andere Karte wird noch geschrieben. Speichern Sie diese, wenn jene fertig ist.</translation>
     </message>
     <message>
         <source>%1, card</source>
@@ -2990,6 +3316,13 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>Saved %1.</source>
         <translation>%1 ist gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>hygroloom::CardNumbers</name>
+    <message>
+        <source>Not enough memory for the tests of the card.</source>
+        <translation>Für die Prüfungen der Karte reicht der Speicher nicht.</translation>
     </message>
 </context>
 <context>
@@ -3319,6 +3652,14 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <source>Part of the garment</source>
         <translation>Teil des Kleidungsstücks</translation>
     </message>
+    <message>
+        <source>Card &amp;Numbers</source>
+        <translation>Karten&amp;zahlen</translation>
+    </message>
+    <message>
+        <source>Numbers of the technical card as columns: air, heat and vapour, water held, cost. They need no run.</source>
+        <translation>Zahlen der technischen Karte als Spalten: Luft, Wärme und Dampf, gehaltenes Wasser, Kosten. Sie brauchen keinen Lauf.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::CompareMaps</name>
@@ -3570,10 +3911,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>%1 Wiederholungen dieser Läufe sind da. Wählen Sie unter Wiederholungen mehr als eine, um nach ihnen zu urteilen.</translation>
     </message>
     <message>
-        <source>Outdated, as the design has changed since they were run: %1. “Run All Missing” runs them again. The older runs stand under All Runs.</source>
-        <translation>Überholt, weil der Entwurf nach dem Lauf geändert wurde: %1. „Alle fehlenden rechnen“ rechnet sie neu. Die älteren Läufe stehen unter Alle Läufe.</translation>
-    </message>
-    <message>
         <source>The runs of this project are being read.</source>
         <translation>Die Läufe dieses Projekts werden gelesen.</translation>
     </message>
@@ -3612,6 +3949,10 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>One run of each garment shows no scatter, so there is no verdict: choose 4 replicates or more to judge by them.</source>
         <translation>Ein Lauf je Kleidungsstück zeigt keine Streuung, deshalb gibt es kein Urteil: Wählen Sie 4 oder mehr Wiederholungen, um nach ihnen zu urteilen.</translation>
+    </message>
+    <message>
+        <source>Outdated, as the design or the program has changed since they were run: %1. “Run All Missing” runs them again. The older runs stand under All Runs.</source>
+        <translation>Überholt, weil der Entwurf oder das Programm nach dem Lauf geändert wurde: %1. „Alle fehlenden rechnen“ rechnet sie neu. Die älteren Läufe stehen unter Alle Läufe.</translation>
     </message>
 </context>
 <context>
@@ -4554,6 +4895,34 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>measured</source>
         <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>On the loom</source>
+        <translation>Auf dem Webstuhl</translation>
+    </message>
+    <message>
+        <source>Reed</source>
+        <translation>Webblatt</translation>
+    </message>
+    <message>
+        <source>Dents in 10 cm, from ends in the reed and ends a dent.</source>
+        <translation>Rohre auf 10 cm, aus der Kettdichte im Blatt und den Fäden je Rohr.</translation>
+    </message>
+    <message>
+        <source>Shrinks in width</source>
+        <translation>Springt in der Breite ein</translation>
+    </message>
+    <message>
+        <source>From the reed to the finished cloth, of its width.</source>
+        <translation>Vom Blatt bis zum fertigen Stoff, bezogen auf dessen Breite.</translation>
+    </message>
+    <message>
+        <source>Shrinks in length</source>
+        <translation>Springt in der Länge ein</translation>
+    </message>
+    <message>
+        <source>From the loom to the finished cloth, of its length.</source>
+        <translation>Vom Webstuhl bis zum fertigen Stoff, bezogen auf dessen Länge.</translation>
     </message>
 </context>
 <context>
@@ -7234,10 +7603,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>Tec&amp;hnische Karte…</translation>
     </message>
     <message>
-        <source>Save construction, yarn for a metre and the laboratory&apos;s numbers of the selected fabric.</source>
-        <translation>Bindung, Garn je Meter und die Zahlen des Labors für das ausgewählte Gewebe speichern.</translation>
-    </message>
-    <message>
         <source>Show what runs, what waits and why.</source>
         <translation>Zeigen, was läuft, was wartet und warum.</translation>
     </message>
@@ -7316,6 +7681,10 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>Run: Sample</source>
         <translation>Rechnen: Probe</translation>
+    </message>
+    <message>
+        <source>The laboratory&apos;s numbers of the selected fabric, and its card as a page.</source>
+        <translation>Die Laborzahlen des ausgewählten Gewebes und seine Karte als Seite.</translation>
     </message>
 </context>
 <context>
@@ -8718,6 +9087,10 @@ Klicken zeigt diese Zeit.</translation>
         <source>garment</source>
         <translation>Kleidungsstück</translation>
     </message>
+    <message>
+        <source>program</source>
+        <translation>Programm</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::RunList</name>
@@ -8792,6 +9165,10 @@ Klicken zeigt diese Zeit.</translation>
     <message>
         <source>Fabric or garment</source>
         <translation>Gewebe oder Kleidung</translation>
+    </message>
+    <message>
+        <source>older program</source>
+        <translation>älteres Programm</translation>
     </message>
 </context>
 <context>

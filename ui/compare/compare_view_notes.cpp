@@ -23,10 +23,11 @@ QString CompareView::outdatedText() const
             fabrics << QString::fromStdString(row.fabric);
         }
     }
-    return fabrics.isEmpty() ? QString()
-                             : tr("Outdated, as the design or the program has changed since they were run: %1. “Run All Missing” runs them again. The "
-                                  "older runs stand under All Runs.")
-                                   .arg(fabrics.join(", "));
+    return fabrics.isEmpty()
+               ? QString()
+               : tr("Outdated, as the design or the program has changed since they were run: %1. “Run All Missing” runs them again. The "
+                    "older runs stand under All Runs.")
+                     .arg(fabrics.join(", "));
 }
 
 namespace {

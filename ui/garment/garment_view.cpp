@@ -250,10 +250,12 @@ QString GarmentView::whyStale() const
     const Design &now = *choice_.document().design(), &then = playback_.run()->record->design;
     const WearLayout& layout = playback_.run()->layout();
     if (isForeign()) { return tr(". Not an experiment of this project."); }
-    if (garmentHoldsFor(then, layout.garment, layout.experiment, now)) { return {}; }
-    return holdsFor(*runOfGarment(*playback_.run()->record, 0), now)
-               ? tr(". Cut from another fabric than the project's garment, as Compare does.")
-               : tr(". Out of date: the design has changed. Run again.");
+    if (!holdsFor(*runOfGarment(*playback_.run()->record, 0), now)) {
+        return tr(". Out of date: the design or the program has changed. Run again.");
+    }
+    return garmentHoldsFor(then, layout.garment, layout.experiment, now)
+               ? QString()
+               : tr(". Cut from another fabric than the project's garment, as Compare does.");
 }
 
 void GarmentView::refreshRun()

@@ -60,7 +60,7 @@ QString folderOfSources(const Design& recorded, const QString& recording)
 /// Whether it is of the design as it is now, its garment cut alike.
 bool isAsDesigned(const KeptRun& kept, const Design& design)
 {
-    return garmentHoldsFor(kept.run->design, kept.run->fabric, kept.run->experiment, design);
+    return kept.current && garmentHoldsFor(kept.run->design, kept.run->fabric, kept.run->experiment, design);
 }
 
 } // namespace

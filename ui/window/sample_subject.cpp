@@ -249,7 +249,7 @@ QString SampleSubject::whyStale() const
     const auto& run = playback_.run();
     if (keptOfChosen()) {
         const bool chosen = document_.fabric()->name == run->fabric && document_.experiment()->name == run->experiment;
-        return chosen ? tr("Out of date: the design has changed since this run. Results has a link to a run of it.")
+        return chosen ? tr("Out of date: the design or the program has changed since this run. Results has a link to a run of it.")
                       : tr("These results are for “%1, %2”. Results has a link to the run of what is selected.")
                             .arg(QString::fromStdString(run->fabric), QString::fromStdString(run->experiment));
     }
@@ -259,7 +259,7 @@ QString SampleSubject::whyStale() const
     if (!document_.experiment() || document_.experiment()->name != run->experiment) {
         return tr("These results are for “%1”. Run the selected experiment.").arg(QString::fromStdString(run->experiment));
     }
-    return tr("Out of date: the design has changed since this run. Run again.");
+    return tr("Out of date: the design or the program has changed since this run. Run again.");
 }
 
 /// Chooses the fabric and the experiment of the run on screen.
