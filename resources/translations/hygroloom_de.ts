@@ -5885,10 +5885,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>. Kein Versuch dieses Projekts.</translation>
     </message>
     <message>
-        <source>. Out of date: the design has changed. Run again.</source>
-        <translation>. Veraltet: Der Entwurf hat sich geändert. Rechnen Sie neu.</translation>
-    </message>
-    <message>
         <source>Difference B − A</source>
         <translation>Differenz B − A</translation>
     </message>
@@ -6039,6 +6035,10 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>. Cut from another fabric than the project&apos;s garment, as Compare does.</source>
         <translation>. Aus einem anderen Gewebe geschnitten als das Kleidungsstück des Projekts, wie im Vergleich.</translation>
+    </message>
+    <message>
+        <source>. Out of date: the design or the program has changed. Run again.</source>
+        <translation>. Veraltet: Der Entwurf oder das Programm hat sich geändert. Rechnen Sie neu.</translation>
     </message>
 </context>
 <context>
@@ -9548,10 +9548,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Fil&amp;m speichern (MP4): ffmpeg ist nicht installiert</translation>
     </message>
     <message>
-        <source>Out of date: the design has changed since this run. Results has a link to a run of it.</source>
-        <translation>Veraltet: der Entwurf hat sich seit diesem Lauf geändert. Unter Ergebnisse steht ein Link zu einem passenden Lauf.</translation>
-    </message>
-    <message>
         <source>These results are for “%1, %2”. Results has a link to the run of what is selected.</source>
         <translation>Diese Ergebnisse gehören zu „%1, %2“. Unter Ergebnisse steht ein Link zum Lauf des Gewählten.</translation>
     </message>
@@ -9562,10 +9558,6 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>These results are for “%1”. Run the selected experiment.</source>
         <translation>Diese Ergebnisse gehören zu „%1“. Rechnen Sie den gewählten Versuch.</translation>
-    </message>
-    <message>
-        <source>Out of date: the design has changed since this run. Run again.</source>
-        <translation>Veraltet: Der Entwurf hat sich seit diesem Lauf geändert. Rechnen Sie neu.</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -9626,6 +9618,14 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>about 4 min, 38 MB, error ≈ 14 %</source>
         <translation>etwa 4 min, 38 MB, Fehler ≈ 14 %</translation>
+    </message>
+    <message>
+        <source>Out of date: the design or the program has changed since this run. Results has a link to a run of it.</source>
+        <translation>Veraltet: Der Entwurf oder das Programm hat sich seit diesem Lauf geändert. Unter Ergebnisse steht ein Link zu einem passenden Lauf.</translation>
+    </message>
+    <message>
+        <source>Out of date: the design or the program has changed since this run. Run again.</source>
+        <translation>Veraltet: Der Entwurf oder das Programm hat sich seit diesem Lauf geändert. Rechnen Sie neu.</translation>
     </message>
 </context>
 <context>
