@@ -264,7 +264,8 @@ private Q_SLOTS:
         const auto labels = view.findChildren<QLabel*>();
         const QString names = QString::fromStdString(three_.fabrics[0].name + ", " + three_.fabrics[1].name);
         QVERIFY(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-            return label->isVisible() && label->text().contains("Outdated, as the design or the program has changed since they were run: " + names + ".");
+            return label->isVisible() &&
+                   label->text().contains("Outdated, as the design or the program has changed since they were run: " + names + ".");
         }));
         place.document.edit("another name", {}, [](Design& design) { design.experiments[0].name = "renamed"; });
         QCOMPARE(view.bar()->experiment(), 1);
