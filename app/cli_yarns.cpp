@@ -73,7 +73,7 @@ int yarns(const YarnOptions& options)
     try {
         known = read_yarns(options.library);
         if (!options.read.empty()) {
-            for (LibraryYarn& yarn : yarns_of_csv(read_file(options.read, std::size_t{16} << 20U), options.read))
+            for (LibraryYarn& yarn : yarns_of_csv(read_file(options.read, std::size_t{16} << 20U), options.read, known))
                 keep_yarn(known, std::move(yarn));
             write_yarns(known, options.library);
         }

@@ -30,7 +30,8 @@ inline std::string quoted_csv_field(const std::string& text)
 /// The same, in quotes only where it needs them.
 inline std::string csv_field(const std::string& text)
 {
-    return text.find_first_of(",;\"\n\r") == std::string::npos ? text : quoted_csv_field(text);
+    const bool is_comment = text.starts_with('#');
+    return !is_comment && text.find_first_of(",;\"\n\r") == std::string::npos ? text : quoted_csv_field(text);
 }
 
 /// Characters of UTF-8: one of several bytes counts once.

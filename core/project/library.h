@@ -54,11 +54,13 @@ std::vector<std::string> fabrics_with(const Design& design, const Yarn& yarn);
 int replace_yarn(Design& design, const Yarn& old, const LibraryYarn& by);
 
 /// A row a yarn, UTF-8. Columns: name, supplier, material ("cotton 60 + polyester 40", in percent), core ("elastane 5"), those of a yarn's
-/// numbers in the project file, colours ("navy #101a40 + white #ffffff"), currency. Names of materials alone stand in it.
+/// numbers in the project file, colours ("navy #101a40 + white #ffffff"), currency. Of materials the names stand in it, of its own colour
+/// nothing.
 std::string csv_of_yarns(const std::vector<LibraryYarn>& yarns);
-/// Reads the same; all columns but the name may be left out, and a column count ("Ne 60/2") may stand for linear density, plies and
-/// filaments. Throws Error naming file, line and field.
-std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string& file);
+/// Reads the same; a column count ("Ne 60/2") may stand for linear density, plies and filaments, and columns may be left out that a valid
+/// yarn does without. A yarn of a known one's name keeps its colour and materials. Throws Error naming file, line and field, also where a
+/// column is unknown, a name stands twice or the yarn is not valid.
+std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string& file, const std::vector<LibraryYarn>& known = {});
 
 /// A fabric of a design as a preset, with those of the design's materials that its yarns name.
 Preset preset_of(const Design& design, const Fabric& fabric, const std::string& group, const std::string& note);

@@ -3,12 +3,16 @@
 #include "core/base/csv_table.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/base/words.h"
+#include "core/design/validate.h"
 #include "core/project/color_text.h"
 #include "core/project/field_json.h"
 #include "core/project/library.h"
 #include "core/project/project_json.h"
 
 #include <charconv>
+#include <cmath>
+#include <map>
 
 namespace hygroloom {
 namespace {
@@ -45,20 +49,24 @@ std::pair<std::string, std::string> last_word_apart(const std::string& text)
     return blank == std::string::npos ? std::pair(text, std::string()) : std::pair(trimmed(text.substr(0, blank)), text.substr(blank + 1));
 }
 
-std::optional<double> number_of(const std::string& text)
+/// A comma is a decimal one where fields stand between semicolons.
+std::optional<double> number_of(std::string text, bool by_semicolons)
 {
+    const std::size_t comma = text.find(',');
+    if (by_semicolons && comma != std::string::npos && text.find('.') == std::string::npos) text[comma] = '.';
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+    return error == std::errc() && end == text.data() + text.size() && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// "cotton 60 + polyester 40"
-ProjectJson material_json(const std::string& text)
+/// "cotton 60 + polyester 40"; a name alone is all of the yarn, also where it ends with a number, as "nylon 6.6".
+ProjectJson material_json(const std::string& text, bool by_semicolons)
 {
     ProjectJson shares = ProjectJson::array();
     for (const std::string& part : parts_of(text)) {
         const auto [name, percent] = last_word_apart(part);
-        if (const auto share = number_of(percent))
+        const auto share = find_library_material(part) ? std::nullopt : number_of(percent, by_semicolons);
+        if (share)
             shares.push_back({{"name", name}, {"share", *share / 100}});
         else
             shares.push_back({{"name", part}, {"share", 1.0}});
@@ -70,7 +78,7 @@ std::string material_text(const Yarn& yarn)
 {
     std::string text;
     for (const MaterialShare& part : yarn.material)
-        text += (text.empty() ? "" : " + ") + (yarn.material.size() == 1 ? part.name : fmt::format("{} {:g}", part.name, 100 * part.share));
+        text += (text.empty() ? "" : " + ") + fmt::format("{} {:g}", part.name, 100 * part.share);
     return text;
 }
 
@@ -82,11 +90,13 @@ std::string colours_text(const LibraryYarn& yarn)
 }
 
 /// A field of the table as the project file has it: a number or a word.
-ProjectJson value_json(const std::string& text)
+ProjectJson value_json(const std::string& text, bool by_semicolons)
 {
-    const auto number = number_of(text);
+    constexpr double most_whole = 1e9;
+    const auto number = number_of(text, by_semicolons);
     if (!number) return text;
-    return *number == static_cast<int>(*number) ? ProjectJson(static_cast<int>(*number)) : ProjectJson(*number);
+    const bool is_whole = std::abs(*number) <= most_whole && *number == std::floor(*number);
+    return is_whole ? ProjectJson(static_cast<int>(*number)) : ProjectJson(*number);
 }
 
 const std::vector<std::string>& columns()
@@ -97,6 +107,26 @@ const std::vector<std::string>& columns()
         return names;
     }();
     return all;
+}
+
+/// Throws Error where one is unknown.
+void require_columns(const std::string& text, const std::string& file)
+{
+    for (const std::string& given : csv_header(text, file))
+        if (given != "name" && std::find(columns().begin(), columns().end(), given) == columns().end())
+            throw Error(fmt::format("{}: A table of yarns has no column \"{}\"{} It has name, {}.", file, cut_text(given, 40),
+                                    did_you_mean(given, columns()), listed(columns())));
+}
+
+/// Throws Error with what is wrong with the yarn itself.
+void require_valid(const LibraryYarn& yarn, const std::string& where)
+{
+    const Place own = Place("fabrics") / std::size_t{0} / "warp";
+    for (const Issue& issue : validate(yarn.design)) {
+        if (issue.severity != Severity::error || !issue.where.is_in(own)) continue;
+        const std::string field = issue.where == own ? std::string() : issue.where.text().substr(own.text().size() + 1) + ": ";
+        throw Error(fmt::format("{}: {}{}", where, field, issue.text()));
+    }
 }
 
 } // namespace
@@ -121,10 +151,13 @@ std::string csv_of_yarns(const std::vector<LibraryYarn>& yarns)
     return csv;
 }
 
-std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string& file)
+std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string& file, const std::vector<LibraryYarn>& known)
 {
+    require_columns(text, file);
     const CsvTable table = read_csv(text, file, {"name"}, columns());
+    const bool by_semicolons = table.by_semicolons;
     std::vector<LibraryYarn> yarns;
+    std::map<std::string, std::size_t> lines; // of each name
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const std::string at = fmt::format("line {}", table.lines[i]);
         const auto refuse = [&](const std::string& sentence) { throw Error(fmt::format("{}: {}: {}", file, at, sentence)); };
@@ -133,18 +166,23 @@ std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string
             return trimmed(table.rows[i][static_cast<std::size_t>(column) + 1]);
         };
         if (table.rows[i][0].empty()) refuse("The yarn has no name.");
+        const auto [first, is_new] = lines.emplace(table.rows[i][0], table.lines[i]);
+        if (!is_new) refuse(fmt::format("The yarn \"{}\" stands in line {} already.", cut_text(first->first, 40), first->second));
+        const auto before = std::find_if(known.begin(), known.end(), [&](const auto& yarn) { return yarn.name == table.rows[i][0]; });
         ProjectJson json = ProjectJson::object();
-        if (const std::string material = field("material"); !material.empty()) json["material"] = material_json(material);
+        if (const std::string material = field("material"); !material.empty()) json["material"] = material_json(material, by_semicolons);
         if (const std::string core = field("core"); !core.empty()) {
             const auto [name, percent] = last_word_apart(core);
-            const auto share = number_of(percent);
+            const auto share = number_of(percent, by_semicolons);
             if (!share) refuse(fmt::format("core: This must be a fibre and its percent, such as \"elastane 5\"; given is \"{}\".", core));
             json["core"] = {{"material", name}, {"share", *share / 100}};
         }
         if (const std::string count = field("count"); !count.empty()) json["count"] = count;
         for (const std::string& key : number_keys())
-            if (const std::string value = field(key); !value.empty()) json[key] = value_json(value);
-        LibraryYarn yarn = library_yarn({}, yarn_from_json(json, file, at), table.rows[i][0]);
+            if (const std::string value = field(key); !value.empty()) json[key] = value_json(value, by_semicolons);
+        Yarn read = yarn_from_json(json, file, at);
+        if (before != known.end()) read.color = before->yarn().color;
+        LibraryYarn yarn = library_yarn(before == known.end() ? Design() : before->design, read, table.rows[i][0]);
         yarn.supplier = field("supplier");
         yarn.currency = field("currency");
         for (const std::string& part : parts_of(field("colours"))) {
@@ -153,7 +191,8 @@ std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string
             if (!color) refuse(fmt::format("colours: This must be a name and \"#rrggbb\"; given is \"{}\".", part));
             yarn.colours.push_back({name, *color});
         }
-        keep_yarn(yarns, std::move(yarn));
+        require_valid(yarn, fmt::format("{}: {}", file, at));
+        yarns.push_back(std::move(yarn));
     }
     return yarns;
 }

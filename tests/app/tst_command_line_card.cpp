@@ -111,7 +111,7 @@ private Q_SLOTS:
         table.close();
         QCOMPARE(run_cli({"yarns", file("own.hygrolib")}).code, 3); // it is not there yet
         QCOMPARE(run_cli({"yarns", file("own.hygrolib"), "--read", file("yarns.csv"), "-q", "--write", file("all.csv")}).code, 0);
-        QVERIFY(content(file("all.csv")).contains("\nnew,Mill,cotton,"));
+        QVERIFY(content(file("all.csv")).contains("\nnew,Mill,cotton 100,"));
         const QJsonObject listed = run_cli({"yarns", file("own.hygrolib"), "--json"}).json();
         QCOMPARE(listed["yarns"].toArray()[0].toObject()["supplier"].toString(), "Mill");
         const QStringList use{"yarns", file("own.hygrolib"), "--project", poplin(), "--json", "--where-used"};

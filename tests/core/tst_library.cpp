@@ -83,7 +83,7 @@ private Q_SLOTS:
     {
         const std::string table = "name;supplier;count;material;core;colours;price\n"
                                   "fine;\"Mill; A\";Ne 60/2;cotton 60 + polyester 40;elastane 5;navy blue #101a40 + white #ffffff;6.5\n"
-                                  "plain;;;wool;;;\n";
+                                  "plain;;20 tex;wool;;;6,5\n";
         const std::vector<LibraryYarn> yarns = yarns_of_csv(table, "yarns.csv");
         QCOMPARE(yarns.size(), std::size_t{2});
         const Yarn& fine = yarns[0].yarn();
@@ -95,6 +95,20 @@ private Q_SLOTS:
         QCOMPARE(yarns[0].colours[0].name, std::string("navy blue"));
         const std::vector<LibraryYarn> again = yarns_of_csv(csv_of_yarns(yarns), "again.csv");
         for (std::size_t i = 0; i < yarns.size(); ++i) QCOMPARE(again[i].yarn(), yarns[i].yarn());
+        for (const Material& fibre : material_library()) {
+            const std::vector<LibraryYarn> of_it =
+                yarns_of_csv("name,material,linear_density_tex\n\"#1\"," + fibre.name + ",20\n", "fibres.csv");
+            QCOMPARE(of_it[0].yarn().material, (std::vector<MaterialShare>{{fibre.name, 1.0}}));
+            QCOMPARE(yarns_of_csv(csv_of_yarns(of_it), "again.csv")[0].yarn(), of_it[0].yarn());
+        }
+        QCOMPARE(
+            yarns_of_csv("name;material;linear_density_tex\na;cotton 62,5 + polyester 37,5;29,5\n", "c.csv")[0].yarn().material[0].share,
+            0.625);
+        for (const char* wrong :
+             {"name,material,tex\na,cotton,20\n", "name,material,linear_density_tex\na,cotton,20\na,cotton,21\n",
+              "name,material,linear_density_tex\na,cotton,-5\n", "name,material,linear_density_tex\na,cotton,nan\n",
+              "name,material,linear_density_tex\na,unobtainium,20\n", "name,material,linear_density_tex\na,cotton 50 + polyester 20,20\n"})
+            QVERIFY_EXCEPTION_THROWN(yarns_of_csv(wrong, "w.csv"), Error);
         for (const char* wrong : {"name,count\na,Ne x\n", "name,core\na,elastane\n", "name,colours\na,navy\n", "name\n\"\"\n",
                                   "name,twist_direction\na,up\n", "supplier\nb\n"})
             QVERIFY_EXCEPTION_THROWN(yarns_of_csv(wrong, "w.csv"), Error);
