@@ -126,21 +126,22 @@ std::shared_ptr<RunQueue::Batch> RunQueue::find(int id) const
     return found == batches_.end() ? nullptr : *found;
 }
 
-/// Whether one more run of the batch may compute.
-bool RunQueue::has_room(const Batch& batch) const
+/// Whether one more run of the batch may compute: a new one, or one on hold, which has its memory and so does not wait for those that wait
+/// for memory.
+bool RunQueue::has_room(const Batch& batch, bool is_new) const
 {
     constexpr double all = 1 + 1e-9;
     if (batch.what.watched) return true;
     double taken = batch.what.places->share();
     for (const auto& other : batches_)
-        if (other->what.places->machine() == batch.what.places->machine()) taken += other->taken();
+        if (other->what.places->machine() == batch.what.places->machine()) taken += other->taken(is_new);
     return taken <= all;
 }
 
 void RunQueue::let_go_on(Batch& batch) const
 {
     for (Run& run : batch.on)
-        if (run.control.pause && has_room(batch)) run.control.pause = false;
+        if (run.control.pause && has_room(batch, false)) run.control.pause = false;
 }
 
 /// The one whose next run may begin. On the way runs that were on hold go on in their turn.
@@ -152,8 +153,8 @@ std::shared_ptr<RunQueue::Batch> RunQueue::next_batch()
         if (closing_ || batch->paused || (full.contains(places.machine()) && !batch->what.watched)) continue;
         let_go_on(*batch);
         const bool held = batch->held() > 0;
-        if (!held && batch->has_next() && places.has_free() && has_room(*batch)) return batch;
-        if (!batch->what.watched && (held || batch->has_next())) full.insert(places.machine());
+        if (!held && batch->has_next() && places.has_free() && has_room(*batch, true)) return batch;
+        if (!batch->what.watched && (held || batch->has_next()) && !batch->waits_for_memory()) full.insert(places.machine());
     }
     return nullptr;
 }
@@ -244,7 +245,10 @@ double RunQueue::wait_for_room(Batch& batch, Run& run, double bytes)
     Lock lock(mutex_);
     const auto fits = [&] { return inside_ == 0 || taken_ + bytes <= all_; };
     run.waits_for_memory = !fits();
-    if (run.waits_for_memory) say_changed();
+    if (run.waits_for_memory) {
+        call_workers(); // runs on hold may go on now
+        say_changed();
+    }
     room_.wait(lock, [&] { return fits() || run.control.cancel; });
     run.waits_for_memory = false;
     if (run.control.cancel) throw Cancelled();
@@ -293,8 +297,17 @@ std::size_t RunQueue::Batch::held() const
     return static_cast<std::size_t>(std::count_if(on.begin(), on.end(), [](const Run& run) { return run.control.pause.load(); }));
 }
 
-/// Of its machine. A run that waits for memory has its share already.
-double RunQueue::Batch::taken() const { return what.places->share() * static_cast<double>(on.size() - held()); }
+bool RunQueue::Batch::waits_for_memory() const
+{
+    return std::any_of(on.begin(), on.end(), [](const Run& run) { return run.waits_for_memory; });
+}
+
+/// Of its machine; with or without that of runs that wait for memory.
+double RunQueue::Batch::taken(bool with_waiting) const
+{
+    const auto counts = [&](const Run& run) { return !run.control.pause && (with_waiting || !run.waits_for_memory); };
+    return what.places->share() * static_cast<double>(std::count_if(on.begin(), on.end(), counts));
+}
 
 void RunQueue::Batch::stop()
 {

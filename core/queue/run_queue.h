@@ -92,13 +92,14 @@ private:
         bool has_next() const { return !cancelled && !(stops && *stops) && next < what.count; }
         bool is_over() const { return on.empty() && !has_next(); }
         std::size_t held() const;
-        double taken() const;
+        double taken(bool with_waiting) const;
+        bool waits_for_memory() const;
     };
     using Lock = std::unique_lock<std::mutex>;
 
     std::shared_ptr<Batch> enqueue(RunBatch batch, const std::atomic<bool>* stops);
     std::shared_ptr<Batch> find(int id) const;
-    bool has_room(const Batch& batch) const;
+    bool has_room(const Batch& batch, bool is_new) const;
     void let_go_on(Batch& batch) const;
     std::shared_ptr<Batch> next_batch();
     void work();

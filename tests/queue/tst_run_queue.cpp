@@ -195,6 +195,30 @@ private Q_SLOTS:
         queue.cancel(third);
         for (const int id : {first, third}) queue.wait(id);
     }
+    /// The second has the machine and waits for memory that the first has, which waits for the machine.
+    void whatHasItsMemoryGoesOnBesideWhatWaitsForIt()
+    {
+        RunQueue queue;
+        const double all = 1.5 * bytes_of(slow_job());
+        const auto batch = [all] {
+            RunBatch one = of_drops(1, cpu_places(), true);
+            one.room = [all] { return all; };
+            return one;
+        };
+        const int first = queue.add(batch());
+        QTRY_VERIFY(state_of(queue, first).share > 0);
+        queue.set_paused(first, true);
+        const int second = queue.add(batch());
+        QTRY_COMPARE(state_of(queue, second).waits_for, WaitsFor::memory);
+        queue.set_paused(first, false);
+        QTRY_COMPARE(state_of(queue, first).running, std::size_t(1));
+        QCOMPARE(state_of(queue, second).running, std::size_t(0));
+        queue.cancel(first);
+        queue.wait(first);
+        QTRY_COMPARE(state_of(queue, second).running, std::size_t(1));
+        queue.cancel(second);
+        queue.wait(second);
+    }
     void noRunGoesBesideOneThatTakesAllOfItsMachine()
     {
         RunQueue queue;
