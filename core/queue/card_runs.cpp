@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace hygroloom {
 namespace {
 
@@ -28,11 +30,18 @@ void require_no_error(const Design& design)
         if (issue.severity == Severity::error) throw Error(issue.text());
 }
 
-std::optional<Candidate> kept_run(const std::filesystem::path& file, const Design& design, Fidelity least)
+/// Whether a run has nothing but the fidelity's own plan.
+bool is_plain(const RunRecord& run)
 {
-    if (!std::filesystem::exists(file)) return {};
+    return std::none_of(run.plan.parts.begin(), run.plan.parts.end(), [](const PlannedPart& part) { return part.forced; });
+}
+
+std::optional<Candidate> kept_in(const std::filesystem::path& file, const Design& design, const RunOptions& how)
+{
     Recording recording(file);
-    if (!recording.finished() || recording.run().plan.fidelity < least || recording.run().design != design) return {};
+    const RunRecord& run = recording.run();
+    if (!recording.finished() || run.plan.fidelity < how.fidelity || run.design != design) return {};
+    if (run.answers != answers_code || run.seed != how.seed || !is_plain(run)) return {};
     MetricsCollector collector;
     collector.start(recording.run());
     recording.read_frames([&](const Frame& frame) {
@@ -41,6 +50,28 @@ std::optional<Candidate> kept_run(const std::filesystem::path& file, const Desig
     });
     if (!recording.problems().empty()) return {};
     return candidate_of(std::make_shared<const RunRecord>(recording.run()), std::make_shared<const Metrics>(collector.metrics()));
+}
+
+/// A test's recordings in a folder, by number: "drying.hygrorec", "drying-2.hygrorec".
+std::filesystem::path recording_of(const std::filesystem::path& folder, const std::string& test, int number)
+{
+    return folder / (number == 1 ? test + ".hygrorec" : fmt::format("{}-{}.hygrorec", test, number));
+}
+
+/// The first that stands for a run; else the path that is still free. What cannot be read is left as it is.
+std::pair<std::optional<Candidate>, std::filesystem::path> look_for_kept(const CardRuns& what, const std::string& test,
+                                                                         const Design& design)
+{
+    const bool may_stand = what.replicates == 1 && what.how.forced.empty() && what.how.knobs.empty();
+    for (int number = 1;; ++number) {
+        const std::filesystem::path file = recording_of(what.kept, test, number);
+        if (!std::filesystem::exists(file)) return {std::nullopt, file};
+        if (!may_stand) continue;
+        try {
+            if (auto kept = kept_in(file, design, what.how)) return {std::move(kept), file};
+        } catch (const Error&) { // of another program, or spoilt
+        }
+    }
 }
 
 std::string run_text(const Candidate& candidate, int replicates, bool kept)
@@ -74,6 +105,7 @@ CardJobs card_jobs(const Design& design, const Fabric& fabric, const LaboratoryN
 {
     CardJobs all;
     all.numbers = known;
+    if (!what.kept.empty()) std::filesystem::create_directories(what.kept);
     for (const std::string& key : what.tests) {
         try {
             CardTest test = card_test(key, fabric, known.found);
@@ -81,8 +113,9 @@ CardJobs card_jobs(const Design& design, const Fabric& fabric, const LaboratoryN
             require_no_error(*alone);
             NamedJob job{key, {alone, key, fabric.name, {}, what.how}};
             if (!what.kept.empty()) {
-                job.job.how.recording = what.kept / (key + ".hygrorec");
-                if (auto kept = what.replicates == 1 ? kept_run(job.job.how.recording, *alone, what.how.fidelity) : std::nullopt) {
+                auto [kept, file] = look_for_kept(what, key, *alone);
+                job.job.how.recording = file;
+                if (kept) {
                     kept->fabric = key;
                     all.kept.push_back(std::move(*kept));
                 }

@@ -12,7 +12,7 @@ struct CardRuns {
     std::vector<std::string> tests; ///< of card_test_keys()
     RunOptions how;                 ///< without textile and recording
     int replicates = 1;
-    std::filesystem::path kept{}; ///< folder of their recordings, by the test's key; empty: none are kept
+    std::filesystem::path kept{}; ///< folder of their recordings, by the test's key; empty: none are kept. None is replaced
 };
 
 /// Tests of a fabric that are ready to run.
@@ -25,7 +25,8 @@ struct CardJobs {
 };
 
 /// known: the card's numbers so far. A recording of the same test of the same cloth stands for its run where it is whole, its fidelity is
-/// the same or a finer one, and one run is asked for. Precondition: validate() found no error in the fabric.
+/// the same or a finer one, its seed the same, this program's numbers are the same, no part was forced, and one run is asked for.
+/// Precondition: validate() found no error in the fabric.
 CardJobs card_jobs(const Design& design, const Fabric& fabric, const LaboratoryNumbers& known, const CardRuns& what);
 
 /// Runs them; numbers: told after each, what is known by then. The watch's callbacks are called as run_comparison() says. Returns the last.

@@ -129,6 +129,14 @@ private Q_SLOTS:
         Design other = cloth.design;
         other.fabrics.front().ends_per_cm *= 0.9;
         QCOMPARE(card_jobs(other, other.fabrics.front(), cloth.known, what).jobs.size(), std::size_t{1});
+        CardRuns seeded = what, forced = what;
+        seeded.how.seed = 7;
+        forced.how.forced["heat"] = false;
+        for (const CardRuns& otherwise : {seeded, forced}) {
+            const CardJobs jobs = card_jobs(cloth.design, cloth.fabric(), cloth.known, otherwise);
+            QCOMPARE(jobs.jobs.size(), std::size_t{1});
+            QCOMPARE(jobs.jobs.front().job.how.recording, what.kept / "regain-2.hygrorec"); // none is replaced
+        }
     }
     void whatWasStoppedIsMissing()
     {
