@@ -78,7 +78,7 @@ double crossing_of(const RunRecord& run)
 /// but a front waits and leaps, so that heights of like strips scatter by 0.3 crossings (standard deviation).
 double by_crossings(const RunRecord& run, const std::string& metric)
 {
-    return step_of(run, metric) > 0 || metric == "wick_height_mm" ? 0.5 * crossing_of(run) : 0;
+    return step_of(run, metric) > 0 || metric.starts_with("wick_height_") ? 0.5 * crossing_of(run) : 0;
 }
 
 /// The measured metric that a number is read from in the same way.

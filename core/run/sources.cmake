@@ -26,15 +26,13 @@ target_sources(hygroloom_core PRIVATE
 
 # What the numbers of runs follow from: a kept run holds for this code.
 set(answers_files ${CMAKE_SOURCE_DIR}/resources/materials/*)
-foreach(room physics design geometry room plan scene solver solver/steps run wear analysis)
-  foreach(kind h cpp)
-    set(name *)
-    if(room STREQUAL "analysis") # the rest of it are words and pictures
-      set(name metrics*)
-    endif()
-    list(APPEND answers_files ${CMAKE_CURRENT_SOURCE_DIR}/${room}/${name}.${kind})
-  endforeach()
+foreach(room physics design garment geometry room plan scene solver solver/steps run wear)
+  list(APPEND answers_files ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*.h ${CMAKE_CURRENT_SOURCE_DIR}/${room}/*.cpp)
 endforeach()
+foreach(name enclosing_circle laboratory management metrics moisture_tester outcomes stain_shape) # the rest of it are words and pictures
+  list(APPEND answers_files ${CMAKE_CURRENT_SOURCE_DIR}/analysis/${name}*.h ${CMAKE_CURRENT_SOURCE_DIR}/analysis/${name}*.cpp)
+endforeach()
+list(APPEND answers_files ${CMAKE_CURRENT_SOURCE_DIR}/base/random.h ${CMAKE_SOURCE_DIR}/gpu/*.cu ${CMAKE_SOURCE_DIR}/gpu/*.cuh)
 file(GLOB answers_files CONFIGURE_DEPENDS ${answers_files})
 code_digest(${CMAKE_CURRENT_BINARY_DIR}/answers_code.cpp answers_code ${answers_files})
 target_sources(hygroloom_core PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/answers_code.cpp)

@@ -8517,8 +8517,8 @@ Klicken zeigt diese Zeit.</translation>
         <translation>lässt sich nicht lesen</translation>
     </message>
     <message>
-        <source>%1 cannot be read; Garment Runs lists why.</source>
-        <translation>%1 lässt sich nicht lesen; Kleidungsläufe nennt den Grund.</translation>
+        <source>%1 cannot be read; Runs lists why.</source>
+        <translation>%1 lässt sich nicht lesen; Läufe nennt den Grund.</translation>
     </message>
     <message>
         <source>%1 cannot be read; Compare lists why.</source>

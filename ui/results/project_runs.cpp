@@ -317,7 +317,7 @@ void ProjectRuns::add(KeptRun run)
     run.saved = isFiled(run.path);
     history_.keep(run);
     if (!run.problem.isEmpty()) {
-        Q_EMIT messageShown((run.worn ? tr("%1 cannot be read; Garment Runs lists why.") : tr("%1 cannot be read; Compare lists why."))
+        Q_EMIT messageShown((run.worn ? tr("%1 cannot be read; Runs lists why.") : tr("%1 cannot be read; Compare lists why."))
                                 .arg(QFileInfo(run.path).fileName()),
                             10000);
     }

@@ -305,6 +305,15 @@ void RunWorkspace::finish(QueuedRun::Outcome outcome, const QString& sentence)
     if (!stopping_) { offerInstead(outcome, sentence); }
 }
 
+/// The subject that ran last, however the page has changed meanwhile.
+void RunWorkspace::runAgain(bool beyond_memory)
+{
+    for (const Subject subject : both_subjects) {
+        if (&of(subject) == running_) { Q_EMIT wanted(subject); }
+    }
+    start(beyond_memory);
+}
+
 /// Of a run that came to no end.
 void RunWorkspace::offerInstead(QueuedRun::Outcome outcome, const QString& sentence)
 {
@@ -316,10 +325,10 @@ void RunWorkspace::offerInstead(QueuedRun::Outcome outcome, const QString& sente
                                 Reply::act};
         if (ask(&window_, question) == Reply::act) {
             panel_->setBackend("cpu");
-            start();
+            runAgain(false);
         }
     } else if (outcome == QueuedRun::Outcome::memory_short) {
-        if (wantsBeyondMemory(&window_, sentence)) { start(true); }
+        if (wantsBeyondMemory(&window_, sentence)) { runAgain(true); }
     } else if (!sentence.isEmpty()) {
         Q_EMIT problemFound(sentence);
     }

@@ -115,6 +115,7 @@ private:
     void refreshChoice();
     void choose(int index);
     void finish(QueuedRun::Outcome outcome, const QString& sentence);
+    void runAgain(bool beyond_memory);
     void offerInstead(QueuedRun::Outcome outcome, const QString& sentence);
     // run_workspace_files.cpp
     void keepRun(RunSubject& subject);
