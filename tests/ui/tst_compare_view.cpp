@@ -263,10 +263,9 @@ private Q_SLOTS:
         QCOMPARE(view.table()->cellText(rowOf(view, three_.fabrics[2].name), 0), QString("not run"));
         const auto labels = view.findChildren<QLabel*>();
         const QString names = QString::fromStdString(three_.fabrics[0].name + ", " + three_.fabrics[1].name);
-        QVERIFY(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-            return label->isVisible() &&
-                   label->text().contains("Outdated, as the design or the program has changed since they were run: " + names + ".");
-        }));
+        const QString outdated = "Outdated, as the design or the program has changed since they were run: " + names + ".";
+        QVERIFY(std::any_of(labels.begin(), labels.end(),
+                            [&](const QLabel* label) { return label->isVisible() && label->text().contains(outdated); }));
         place.document.edit("another name", {}, [](Design& design) { design.experiments[0].name = "renamed"; });
         QCOMPARE(view.bar()->experiment(), 1);
         for (int i = 0; i < 2; ++i) { place.document.history()->undo(); }

@@ -351,6 +351,7 @@ private Q_SLOTS:
         QSignalSpy mapped(&compareView(), &CompareView::mapsChanged);
         QTRY_VERIFY_WITH_TIMEOUT(compareView().maps().size() == 1 && compareView().maps()[0]->map().maximum() > 0, 10000);
         const QString path = QFileInfo(project_).absolutePath() + "/seen.png";
+        QCoreApplication::processEvents(); // the page has come, and is laid out now
         chooseFile(path);
         trigger("Save Picture…");
         const QImage saved(path);
