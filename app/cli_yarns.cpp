@@ -3,6 +3,7 @@
 #include "app/cli.h"
 
 #include "core/base/words.h"
+#include "core/design/validate.h"
 #include "core/project/atomic_file.h"
 #include "core/project/library.h"
 #include "core/project/project_file.h"
@@ -43,9 +44,18 @@ int use(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
     const ChangeLock lock(options.project);
     Design design = read_project(options.project);
     const std::vector<std::string> fabrics = fabrics_with(design, yarn.yarn());
-    if (!options.by.empty() && replace_yarn(design, yarn.yarn(), named(yarns, options.by)) > 0) write_project(design, options.project);
+    const bool replaces = !options.by.empty() && replace_yarn(design, yarn.yarn(), named(yarns, options.by)) > 0;
+    if (replaces) {
+        for (const Issue& issue : validate(design))
+            if (issue.severity == Severity::error)
+                throw Stop(exit_invalid, fmt::format("{}: Nothing was replaced, as the project would not be valid: {}: {}", options.project,
+                                                     issue.where.text(), issue.text()));
+        write_project(design, options.project);
+    }
     if (options.json)
-        print_json(Json{{"format", "hygroloom-yarns"}, {"version", 1}, {"fabrics", fabrics}, {"replaced", !options.by.empty()}});
+        print_json(Json{{"format", "hygroloom-yarns"}, {"version", 1}, {"fabrics", fabrics}, {"replaced", replaces}});
+    else if (fabrics.empty())
+        print_result("No fabric of the project has this yarn: its fibres, count, twist and plies must be the same.\n");
     else
         for (const std::string& fabric : fabrics) print_result("{}\n", fabric);
     return exit_ok;

@@ -118,6 +118,23 @@ private Q_SLOTS:
         QVERIFY(run_cli(use + QStringList{"new"}).json()["fabrics"].toArray().isEmpty()); // the poplin has another
         QCOMPARE(run_cli(use + QStringList{"no such"}).code, 2);
     }
+    void aYarnThatDoesNotFitReplacesNone()
+    {
+        QFile table(file("two.csv"));
+        QVERIFY(table.open(QIODevice::WriteOnly));
+        table.write("name,material,linear_density_tex,packing_factor,twist_per_m\nwarp,cotton,14.7625,0.6,1046\n"
+                    "fine,cotton,14,0.6,1046\nheavy,cotton,590,0.6,200\n");
+        table.close();
+        QCOMPARE(run_cli({"yarns", file("two.hygrolib"), "--read", file("two.csv")}).code, 0);
+        const QStringList use{"yarns", file("two.hygrolib"), "--project", poplin(), "--where-used", "warp", "--json", "--by"};
+        const QByteArray before = content(poplin());
+        const Answer refused = run_cli(use + QStringList{"heavy"});
+        QCOMPARE(refused.code, 3);
+        QVERIFY2(refused.err.contains("Nothing was replaced"), refused.err.constData());
+        QCOMPARE(content(poplin()), before);
+        QVERIFY(run_cli(use + QStringList{"fine"}).json()["replaced"].toBool());
+        QVERIFY(!run_cli(use + QStringList{"fine"}).json()["replaced"].toBool(true)); // none is left
+    }
     void wrongRequestsAreRefused()
     {
         QCOMPARE(run_cli({"card", poplin(), "--runs", "no such"}).code, 2);
