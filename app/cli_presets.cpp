@@ -76,9 +76,8 @@ std::vector<double> weights_of(const PresetOptions& options, const std::vector<P
     std::vector<double> weights;
     for (const Preset& preset : presets) {
         const Validation found = validate_and_fit(preset.design);
-        for (const Issue& issue : found.issues)
-            if (issue.severity == Severity::error)
-                throw Stop(exit_invalid, fmt::format("{}: {}: {}", options.library, preset.fabric().name, issue.text()));
+        if (const Issue* error = first_error(found.issues))
+            throw Stop(exit_invalid, fmt::format("{}: {}: {}", options.library, preset.fabric().name, error->text()));
         weights.push_back(found.fabrics.front()->derived.areal_density_g_m2);
     }
     return weights;

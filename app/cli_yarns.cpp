@@ -46,10 +46,10 @@ int use(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
     const std::vector<std::string> fabrics = fabrics_with(design, yarn.yarn());
     const bool replaces = !options.by.empty() && replace_yarn(design, yarn.yarn(), named(yarns, options.by)) > 0;
     if (replaces) {
-        for (const Issue& issue : validate(design))
-            if (issue.severity == Severity::error)
-                throw Stop(exit_invalid, fmt::format("{}: Nothing was replaced, as the project would not be valid: {}: {}", options.project,
-                                                     issue.where.text(), issue.text()));
+        const std::vector<Issue> issues = validate(design);
+        if (const Issue* error = first_error(issues))
+            throw Stop(exit_invalid, fmt::format("{}: Nothing was replaced, as the project would not be valid: {}: {}", options.project,
+                                                 error->where.text(), error->text()));
         write_project(design, options.project);
     }
     if (options.json)

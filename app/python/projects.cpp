@@ -45,7 +45,7 @@ try {
 std::string first_of(const char* what, const std::vector<Issue>& issues)
 {
     const auto errors = std::count_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
-    const auto first = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
+    const Issue* first = first_error(issues);
     const std::string more = errors > 1 ? fmt::format(" There are {} more errors; see .issues.", errors - 1) : "";
     return fmt::format("The {} has errors; nothing was computed. {}: {}{}", what, first->where.text(), first->text(), more);
 }

@@ -28,9 +28,9 @@ struct Card {
 Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request = {});
 
 /// What stands beside the runs of a comparison: the laboratory's numbers that need no run, and what the yarn of a metre costs where all
-/// yarns have a price. Precondition as above. card_metrics(): all that it may find.
+/// yarns have a price. Precondition as above.
 LaboratoryNumbers compared_numbers(const Design& design, const Fabric& fabric, const FittedFabric& fitted);
-
+/// All that it may find.
 const std::vector<OutcomeInfo>& card_metrics();
 
 /// "warp", "weft, extra yarn 1".

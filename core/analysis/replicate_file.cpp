@@ -96,7 +96,7 @@ void require_parts(const ReplicateSet& set, const ObjectReader& reader)
         reader.refuse("project", "it must have the experiment, and no other.");
 }
 
-/// none: a program of other numbers wrote it.
+/// none: a program with another answers_code wrote it.
 std::optional<ReplicateSet> set_from(const ProjectJson& value, const std::string& file, const std::string& path)
 {
     ObjectReader reader(value, file, path);

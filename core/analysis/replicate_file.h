@@ -31,8 +31,8 @@ Design part_of_run(const Design& design, const std::string& fabric, const std::s
 constexpr int most_replicates = 1000;
 
 std::string format_replicates(const std::vector<ReplicateSet>& sets);
-/// Without the sets that a program of other numbers wrote, see answers_code, whose numbers may be others. Trusts nothing in the text; name
-/// stands for the file. Throws FileError: where, what is wrong, what is allowed.
+/// Without the sets of a program with another answers_code: its numbers may differ. Trusts nothing in the text; name stands for the file.
+/// Throws FileError: where, what is wrong, what is allowed.
 std::vector<ReplicateSet> parse_replicates(std::string_view text, const std::string& name);
 /// None where there is no file. Throws FileError.
 std::vector<ReplicateSet> read_replicates(const std::filesystem::path& path);

@@ -20,9 +20,9 @@ Mixture all_parts(std::size_t count) { return bit(count) - 1; }
 /// Why a mixture is no fabric, in a sentence; empty: it is one.
 std::string fault_of(const Design& design, const WhyPlan& plan, Mixture mixture)
 {
-    for (const Issue& issue : validate(mixed(design, plan, mixture)))
-        if (issue.severity == Severity::error) return issue.text();
-    return {};
+    const std::vector<Issue> issues = validate(mixed(design, plan, mixture));
+    const Issue* error = first_error(issues);
+    return error ? error->text() : std::string();
 }
 
 void choose_mixtures(WhyPlan& plan)

@@ -22,9 +22,14 @@ struct Issue {
     std::string text() const { return english(message); }
 };
 
-inline bool has_error(const std::vector<Issue>& issues)
+/// nullptr: there is none. Points into the list.
+inline const Issue* first_error(const std::vector<Issue>& issues)
 {
-    return std::any_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
+    const auto found = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
+    return found == issues.end() ? nullptr : &*found;
 }
+const Issue* first_error(std::vector<Issue>&&) = delete; // it would point into what is gone
+
+inline bool has_error(const std::vector<Issue>& issues) { return first_error(issues) != nullptr; }
 
 } // namespace hygroloom

@@ -208,8 +208,8 @@ std::string why_not_on_table(const Design& design)
     Design whole = design;
     whole.experiments = {table_experiment(Climate{})};
     whole.experiments[0].droplets = {Droplet{}};
-    for (const Issue& issue : validate(whole))
-        if (issue.severity == Severity::error) return issue.text();
+    const std::vector<Issue> issues = validate(whole);
+    if (const Issue* error = first_error(issues)) return error->text();
     const double side = 0.1 * lesson_cloth_mm, crossings = design.fabrics[0].ends_per_cm * design.fabrics[0].picks_per_cm * side * side;
     if (crossings > most_lesson_crossings)
         return fmt::format("A cloth of {:g} x {:g} mm may have {} crossings; this fabric has {:.0f}.", lesson_cloth_mm, lesson_cloth_mm,

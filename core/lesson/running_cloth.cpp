@@ -299,8 +299,8 @@ void change_air(std::vector<ClimateMoment>& later, double time, const Climate& b
 
 void write_recording(const RecordedCloth& cloth, const std::filesystem::path& path)
 {
-    for (const Issue& issue : validate(cloth.run.design))
-        if (issue.severity == Severity::error) throw FileError(path.string() + ": This cloth cannot be recorded. " + issue.text());
+    const std::vector<Issue> issues = validate(cloth.run.design);
+    if (const Issue* error = first_error(issues)) throw FileError(path.string() + ": This cloth cannot be recorded. " + error->text());
     RecordingWriter writer(path, cloth.run);
     for (const auto& frame : cloth.frames) writer.append(*frame);
     writer.finish(0);

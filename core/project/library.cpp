@@ -226,9 +226,10 @@ int replace_yarn(Design& design, const Yarn& old, const LibraryYarn& by)
     for (Fabric& fabric : design.fabrics)
         for (Yarn* yarn : yarns_of(fabric)) {
             if (!same_yarn(*yarn, old)) continue;
-            const std::optional<Color> color = yarn->color;
-            *yarn = taken;
-            yarn->color = color;
+            Yarn now = taken;
+            now.color = yarn->color;
+            now.fibres_per_yarn = yarn->fibres_per_yarn;
+            *yarn = now;
         }
     return static_cast<int>(fabrics.size());
 }

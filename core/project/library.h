@@ -46,11 +46,11 @@ void keep_yarn(std::vector<LibraryYarn>& yarns, LibraryYarn yarn);
 
 /// A library's yarn for a design, which gets its materials unless it has the same.
 Yarn take_yarn(Design& design, const LibraryYarn& from);
-/// Whether it is the same yarn, dyed or priced otherwise.
+/// Whether it is the same yarn, dyed, priced or drawn otherwise.
 bool same_yarn(Yarn a, Yarn b);
 /// Names of the design's fabrics that have the yarn, see same_yarn().
 std::vector<std::string> fabrics_with(const Design& design, const Yarn& yarn);
-/// In all fabrics; each keeps its colour. How many fabrics changed.
+/// In all fabrics; each keeps its colour and its number of drawn fibres. How many fabrics changed.
 int replace_yarn(Design& design, const Yarn& old, const LibraryYarn& by);
 
 /// A row a yarn, UTF-8. Columns: name, supplier, material ("cotton 60 + polyester 40", in percent), core ("elastane 5"), those of a yarn's

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/queue/card_runs.h"
 
+#include "core/analysis/replicate_file.h"
 #include "core/base/error.h"
 #include "core/design/validate.h"
 #include "core/run/recording.h"
@@ -12,22 +13,14 @@
 namespace hygroloom {
 namespace {
 
-/// The fabric alone, with the test.
-Design design_of(const Design& design, const Fabric& fabric, const CardTest& test)
+/// What the test's run depends on. Throws Error where it cannot be run.
+Design design_of(Design design, const Fabric& fabric, const CardTest& test)
 {
-    Design alone;
-    alone.materials = design.materials;
-    alone.liquids = design.liquids;
-    alone.fabrics = {fabric};
-    alone.experiments = {test.experiment};
+    design.experiments = {test.experiment};
+    Design alone = part_of_run(design, fabric.name, test.experiment.name);
+    const std::vector<Issue> issues = validate(alone);
+    if (const Issue* error = first_error(issues)) throw Error(error->text());
     return alone;
-}
-
-/// Throws Error with the first.
-void require_no_error(const Design& design)
-{
-    for (const Issue& issue : validate(design))
-        if (issue.severity == Severity::error) throw Error(issue.text());
 }
 
 /// Whether a run has nothing but the fidelity's own plan.
@@ -110,7 +103,6 @@ CardJobs card_jobs(const Design& design, const Fabric& fabric, const LaboratoryN
         try {
             CardTest test = card_test(key, fabric, known.found);
             const auto alone = std::make_shared<const Design>(design_of(design, fabric, test));
-            require_no_error(*alone);
             NamedJob job{key, {alone, key, fabric.name, {}, what.how}};
             if (!what.kept.empty()) {
                 auto [kept, file] = look_for_kept(what, key, *alone);

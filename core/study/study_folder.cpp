@@ -172,9 +172,8 @@ StudyFolder read_study_folder(const std::filesystem::path& folder)
     read.design = parse_project(read.project_text, (folder / "project.hygro").string());
     read.study = parse_study(read.study_text, (folder / "study.json").string());
     for (const std::vector<Issue>& issues : {validate(read.design), validate(read.study, read.design)})
-        for (const Issue& issue : issues)
-            if (issue.severity == Severity::error)
-                throw FileError(fmt::format("{}: {}: {}", folder.string(), issue.where.text(), issue.text()));
+        if (const Issue* error = first_error(issues))
+            throw FileError(fmt::format("{}: {}: {}", folder.string(), error->where.text(), error->text()));
     return read;
 }
 

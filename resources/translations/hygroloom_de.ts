@@ -3271,13 +3271,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <source>The numbers are being computed.</source>
         <translation>Die Zahlen werden berechnet.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n numbers could not be found; the saved card says why.</source>
-        <translation>
-            <numerusform>%n Zahl war nicht zu finden; die gespeicherte Karte sagt, warum.</numerusform>
-            <numerusform>%n Zahlen waren nicht zu finden; die gespeicherte Karte sagt, warum.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Numbers in grey need runs.</source>
         <translation>Graue Zahlen brauchen Läufe.</translation>
@@ -3297,6 +3290,10 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Some numbers could not be found; the saved card says why.</source>
+        <translation>Einige Zahlen waren nicht zu finden; die gespeicherte Karte sagt, warum.</translation>
     </message>
 </context>
 <context>

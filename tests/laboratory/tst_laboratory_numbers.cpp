@@ -62,7 +62,7 @@ private Q_SLOTS:
     {
         const Textile poplin = textile_of("Poplin shirting");
         const Estimate touch = warm_cool_feeling(poplin, false);
-        QVERIFY2(touch.value > 0.05e4 && touch.value < 0.35e4, qPrintable(QString::number(touch.value)));
+        QVERIFY2(touch.value > 0.1e4 && touch.value < 0.25e4, qPrintable(QString::number(touch.value)));
         QVERIFY(touch.low < touch.value && touch.value < touch.high);
         Textile raised = poplin;
         raised.quantities.thickness_1kpa_mm += 0.5;
@@ -98,7 +98,9 @@ private Q_SLOTS:
                      tension = water_surface_tension(room_temperature);
         const double square = tension * (1 + std::sqrt(0.25 * pi)) / half_gap;
         const double computed = hydrostatic_pressure(textile, *room_tables(textile, 14), 0, 0).value;
-        QVERIFY2(near_to(computed, square, 0.08), qPrintable(QString::number(computed / square)));
+        constexpr double of_two_slots = 2.0; // as the program has it: 6 % too much, see card.md
+        QVERIFY2(near_to(computed / square, of_two_slots / (1 + std::sqrt(0.25 * pi)), 0.01),
+                 qPrintable(QString::number(computed / square)));
         QVERIFY(near_to(breakthrough_pressure(tension, pi, 1e-4, 5e-5, 1e-4, 1e9), tension / 5e-5, 1e-4));
     }
     void evenHolesHoldMoreThanUnevenOnes()

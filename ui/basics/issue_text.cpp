@@ -84,8 +84,8 @@ QString issueText(const Issue& issue) { return messageText(issue.message); }
 
 QString firstError(const std::vector<Issue>& issues)
 {
-    const auto error = std::find_if(issues.begin(), issues.end(), [](const Issue& issue) { return issue.severity == Severity::error; });
-    return error == issues.end() ? QString() : issueText(*error);
+    const Issue* error = first_error(issues);
+    return error ? issueText(*error) : QString();
 }
 
 } // namespace hygroloom

@@ -59,6 +59,7 @@ void CardColumns::compute()
     for (const Fabric& fabric : design->fabrics) {
         if (!isKnown(fabric.name)) { wanted.push_back(fabric.name); }
     }
+    job_.drop(); // of a design that is gone
     if (wanted.empty()) { return; }
     job_.run([this, design, wanted](const NewestJob::Turn& turn) {
         const Validation found = validate_and_fit(*design);

@@ -103,8 +103,7 @@ QString CardDialog::state() const
     if (!document_.fabric()) { return tr("The project has no fabric."); }
     if (!document_.fitted()) { return tr("The fabric has errors; see Issues. Mend them first."); }
     if (!numbers_.card()) { return tr("The numbers are being computed."); }
-    const auto missing = static_cast<int>(numbers_.card()->numbers.missing.size());
-    if (missing > 0) { return tr("%n numbers could not be found; the saved card says why.", nullptr, missing); }
+    if (!numbers_.card()->numbers.missing.empty()) { return tr("Some numbers could not be found; the saved card says why."); }
     return numbers_.canRun() ? tr("Numbers in grey need runs.") : QString();
 }
 

@@ -160,8 +160,8 @@ void CardNumbers::give(const Task& task, const LaboratoryNumbers& numbers, const
 {
     Card more = *task.card;
     more.numbers = numbers;
-    post([this, design = task.design, tested, more = std::make_shared<const Card>(std::move(more))] {
-        if (design != design_ || !card_) { return; } // another cloth by now
+    post([this, design = task.design, fabric = task.fabric, tested, more = std::make_shared<const Card>(std::move(more))] {
+        if (design != design_ || fabric != fabric_ || !card_) { return; } // another cloth by now
         card_ = more;
         tested_.insert(tested.begin(), tested.end());
         Q_EMIT changed();

@@ -4,6 +4,8 @@
 #include "ui/panels/preset_gallery.h"
 #include "ui/panels/yarn_panel.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
@@ -28,16 +30,18 @@ void YarnPanel::addLibrary()
 void YarnPanel::fillLibrary(QMenu& menu)
 {
     menu.clear();
+    qDeleteAll(menu.findChildren<QMenu*>(Qt::FindDirectChildrenOnly)); // which clear() leaves
     QMenu* taken = menu.addMenu(tr("&Take from Library"));
     connect(menu.addAction(tr("&Keep in Library…")), &QAction::triggered, this, &YarnPanel::askToKeep);
     QMenu* replaced = menu.addMenu(tr("&Replace in All Fabrics"));
     menu.setEnabled(yarn() != nullptr);
     try {
         for (const LibraryYarn& one : read_yarns(userLibraryPath().toStdString())) {
-            const QString name = QString::fromStdString(one.name);
+            const auto shown = [](const std::string& text) { return QString::fromStdString(text).replace('&', "&&"); };
+            const QString name = shown(one.name);
             connect(taken->addAction(name), &QAction::triggered, this, [this, one] { take(one); });
             for (const YarnColour& colour : one.colours) {
-                connect(taken->addAction(name + ", " + QString::fromStdString(colour.name)), &QAction::triggered, this,
+                connect(taken->addAction(name + ", " + shown(colour.name)), &QAction::triggered, this,
                         [this, one, colour] { take(one, colour.color); });
             }
             connect(replaced->addAction(name), &QAction::triggered, this, [this, one] { replaceEverywhere(one); });
@@ -63,6 +67,7 @@ void YarnPanel::take(const LibraryYarn& from, const std::optional<Color>& color)
 
 void YarnPanel::keep(const QString& name, const QString& path) const
 {
+    QDir().mkpath(QFileInfo(path).absolutePath());
     std::vector<LibraryYarn> yarns = read_yarns(path.toStdString());
     keep_yarn(yarns, library_yarn(*form_.document().design(), *yarn(), name.toStdString()));
     write_yarns(yarns, path.toStdString());
