@@ -32,14 +32,21 @@ inline double most_held(const SceneCounts& scene, double acceleration)
     return puddle_height(scene, acceleration) * scene.sample_area + scene.capillarity / acceleration * scene.sample_edge;
 }
 
-/// Of all drops' volume, what can stay on the sample. A drop that is wider than the sample is stopped within its own diameter, which adds
-/// to its weight. Particles this far apart (m) neither stand on a narrower sample nor in a lower puddle.
+/// m/s2, by which a landing drop sweeps its liquid off the sample: its weight, and where it is wider than the sample, what stops it within
+/// its own diameter.
+inline double landing_acceleration(const SceneCounts& scene)
+{
+    const double wide = diameter_of_largest(scene);
+    return gravity_acceleration + (wide > narrow_side(scene) ? scene.landing_speed * scene.landing_speed / wide : 0.0);
+}
+
+/// Of all drops' volume, what can stay on the sample. Particles this far apart (m) neither stand on a narrower sample nor in a lower
+/// puddle.
 inline double share_that_stays(const SceneCounts& scene, double spacing)
 {
-    const double narrow = narrow_side(scene), wide = diameter_of_largest(scene), all = scene.drops * scene.drop_volume;
+    const double narrow = narrow_side(scene), all = scene.drops * scene.drop_volume;
     if (!std::isfinite(narrow) || all <= 0) return 1.0;
-    const double stopped = wide > narrow ? scene.landing_speed * scene.landing_speed / wide : 0.0; // m/s2
-    const double acceleration = gravity_acceleration + stopped;
+    const double acceleration = landing_acceleration(scene);
     if (narrow < spacing || puddle_height(scene, acceleration) < spacing) return 0.0;
     return std::min(1.0, most_held(scene, acceleration) / all);
 }
@@ -52,15 +59,19 @@ inline double falls_past_in(const SceneCounts& scene)
     return (std::sqrt(v * v + 2.0 * gravity_acceleration * way) - v) / gravity_acceleration;
 }
 
-/// Until yarns have absorbed what clings to a sample on which nothing stays, s; where they absorb nothing it clings to the end. The share
-/// that clings was set on 78 random drops, of which 15 instead of 18 were missed by more than a factor of 3 then; of 64 others, 17 instead
-/// of 18.
+/// Of a drop, what clings to a sample on which nothing stays: no more than is not swept off as it lands. The most was set on 78 random
+/// drops, of which 15 instead of 18 were missed by more than a factor of 3 then; of 64 others, 17 instead of 18.
+inline double clings_of(const SceneCounts& scene)
+{
+    constexpr double most = 0.3;
+    return std::min(most, most_held(scene, landing_acceleration(scene)) / std::max(1e-18, scene.drop_volume));
+}
+
+/// Until yarns have absorbed that, s; where they absorb nothing it clings to the end.
 inline double clings_for(const SceneCounts& scene)
 {
-    constexpr double clinging = 0.3; // of a drop
     if (scene.uptake <= 0) return scene.duration;
-    const double held = std::min(clinging * scene.drop_volume, most_held(scene, gravity_acceleration));
-    return std::max(falls_past_in(scene), held / scene.uptake);
+    return std::max(falls_past_in(scene), clings_of(scene) * scene.drop_volume / scene.uptake);
 }
 
 /// In which a drop's liquid swings once, s.

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hygroloom {
 namespace {
@@ -42,19 +43,34 @@ double spacing_of(const ModelPlan& plan) { return std::cbrt(std::max(1e-18, plan
 /// Of all drops' volume; those that stand as caps have room on the sample.
 double share_that_stays(const ModelPlan& plan) { return plan.on("cap") ? 1.0 : share_that_stays(plan.counts, spacing_of(plan)); }
 
-/// Of the yarns, as long as liquid is about that they may absorb: steps are short then. By suction front places ask for shorter steps; on
-/// full cloth some of it lies there until the end. What no yarn absorbs sleeps soon. Under a cap steps follow saturations: the six scenes
-/// of tests/data/tradeoff whose cloth draws took 31 to 228 more than frames, the median stands here.
+/// Until the air has taken so large a share of all drops' volume from the face that they cover, s. What the plan tells is of both faces of
+/// all that can get wet; without end where it tells nothing.
+double dries_in(const ModelPlan& plan, double of_drops)
+{
+    constexpr double never = std::numeric_limits<double>::infinity();
+    const SceneCounts& scene = plan.counts;
+    const auto vapour = std::find_if(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.name == "vapour"; });
+    const double wet = scene.wet_share * scene.sample_area;
+    if (vapour == plan.parts.end() || !vapour->on || !(vapour->share > 0) || !(wet > 0)) return never;
+    const double covered = std::min(wet, scene.drops * scene.drop_base * std::pow(scene.drop_volume, 2.0 / 3.0));
+    return scene.duration * of_drops / (*vapour->share * covered / (2.0 * wet));
+}
+
+/// Of the yarns, as long as liquid is about that they may absorb and that has not dried: steps are short then. By suction front places ask
+/// for shorter steps; on full cloth some of it lies there until the end. What no yarn absorbs sleeps soon. Under a cap steps follow
+/// saturations: the six scenes of tests/data/tradeoff whose cloth draws took 31 to 228 more than frames, the median stands here.
 double steps_with_drops(const ModelPlan& plan)
 {
     const SceneCounts& scene = plan.counts;
     const double limit = plan.knobs.network_step_limit, stays = share_that_stays(plan), landings = landings_of(scene);
-    const auto steps_in = [&](double time) { return std::min(scene.duration, landings * time) / limit; };
+    const auto steps_in = [&](double time) {
+        return std::min({scene.duration, landings * time, dries_in(plan, stays > 0 ? stays : clings_of(scene))}) / limit;
+    };
     constexpr double of_a_cap = 114;
     if (plan.on("cap")) return draws_from_drops(plan) ? landings * of_a_cap : 0.0;
     if (stays <= 0) return steps_in(plan.on("wicking") ? clings_for(scene) : falls_past_in(scene));
     if (!plan.on("wicking")) return steps_in(resting_swings * swing_of_largest(scene, stays));
-    if (scene.uptake <= 0 || share_with_room(scene, stays) < 1) return scene.duration / limit;
+    if (scene.uptake <= 0 || share_with_room(scene, stays) < 1) return steps_in(scene.duration);
     if (!flows_by_suction(plan)) return steps_in(absorbed_by_diffusion_in(scene));
     constexpr double of_the_limit = 0.7;
     return steps_in(absorbed_by_suction_in(scene)) / of_the_limit;
@@ -130,14 +146,15 @@ NetworkCount count_network(const ModelPlan& plan)
 /// To set up a scene, however small, s.
 double start_on(const std::string& backend) { return backend == "cuda" ? 0.02 : 0.01; }
 
-/// Of a drop's steps.
+/// Of a drop's steps, which also end where it meets the yarns.
 double step_of(const ModelPlan& plan, double spacing)
 {
     constexpr double usual_step = 0.85; // of the longest
     const SceneCounts& scene = plan.counts;
     const LiquidSteps longest =
         longest_steps(scene.capillarity, viscosity_of_particles(scene.viscosity, scene.capillarity, spacing), spacing);
-    return plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous);
+    return std::min(plan.knobs.liquid_step_factor * usual_step * std::min(longest.capillary, longest.viscous),
+                    plan.knobs.network_step_limit);
 }
 
 /// s, that drops are awake while so large a share of them goes: each time that as much has gone as may while they sleep, they wake, and
@@ -147,6 +164,13 @@ double awake_while_it_goes(const ModelPlan& plan, double gone)
     constexpr double waking_times = 6; // swings
     const double each = plan.knobs.settle_share, volume = std::max(1e-18, plan.counts.drop_volume);
     return gone / each * waking_times * swing_of(plan.counts, each * volume);
+}
+
+/// Of what stays of the drops, after a time (s): what yarns have absorbed, and what has dried.
+double share_gone(const ModelPlan& plan, double stays, double until_empty, double time)
+{
+    const double absorbed = std::min(share_with_room(plan.counts, stays), std::sqrt(std::min(1.0, time / until_empty)));
+    return std::min(1.0, absorbed + time / dries_in(plan, stays));
 }
 
 /// Drops that fall one after the other, are absorbed as they lie, and sleep for most of that time; where they are absorbed slowly they wake
@@ -160,25 +184,14 @@ LiquidCount count_by_suction(const ModelPlan& plan, double stays)
     const SceneCounts& scene = plan.counts;
     const double until_empty = absorbed_by_suction_in(scene), of_one = stays * particles_of(plan);
     const double moves = absorbed_swings * swing_of_largest(scene, stays);
-    const double absorbing = std::min(until_empty, scene.duration);
-    const double gone = std::min(share_with_room(scene, stays), std::sqrt(absorbing / until_empty));
+    const double absorbing = std::min({until_empty, scene.duration, dries_in(plan, stays)});
+    const double gone = share_gone(plan, stays, until_empty, scene.duration);
     const double flows =
         plan.knobs.settle_share > 0 ? std::min(flowing_share * absorbing, counted * awake_while_it_goes(plan, gone)) : absorbing;
     const double landings = landings_of(scene), at_once = scene.drops / landings * of_one;
     const bool empties = share_with_room(scene, stays) >= 1 && landings * until_empty < scene.duration;
     return {std::min(scene.duration, landings * (moves + flows)) / step_of(plan, spacing_of(plan)),
             empties ? left * at_once : 0.5 * (landings + 1) * at_once};
-}
-
-/// Of drops that no yarn absorbs, what the air takes from the face that they cover. What the plan tells is of both faces of all that can
-/// get wet; 0 where it tells nothing.
-double share_that_dries(const ModelPlan& plan)
-{
-    const SceneCounts& scene = plan.counts;
-    const auto vapour = std::find_if(plan.parts.begin(), plan.parts.end(), [](const PlannedPart& part) { return part.name == "vapour"; });
-    if (vapour == plan.parts.end() || !vapour->on || !vapour->share || scene.sample_area <= 0) return 0;
-    const double covered = scene.drops * scene.drop_base * std::pow(scene.drop_volume, 2.0 / 3.0);
-    return std::min(1.0, *vapour->share * covered / std::max(1e-18, 2.0 * scene.wet_share * scene.sample_area));
 }
 
 /// Drops of which some stays: they move as they land, one after the other, and then as they are absorbed.
@@ -195,12 +208,13 @@ LiquidCount count_staying(const ModelPlan& plan, double stays)
     const double swings = landings * swing_of_largest(scene, stays);
     if (!draws_from_drops(plan)) {
         const double moves =
-            settle_share > 0 ? resting_swings * swings + awake_while_it_goes(plan, share_that_dries(plan)) : scene.duration;
+            settle_share > 0 ? resting_swings * swings + awake_while_it_goes(plan, std::min(1.0, scene.duration / dries_in(plan, stays)))
+                             : std::min(scene.duration, dries_in(plan, stays));
         return {std::min(scene.duration, moves) / step, on_sample};
     }
     const double moves = std::min(moving_swings * swings, scene.duration), rest = scene.duration - moves;
-    const double until_empty = absorbed_by_diffusion_in(scene), absorbing = std::min(rest, until_empty);
-    const double gone = std::min(share_with_room(scene, stays), std::sqrt(absorbing / until_empty)); // share of the drop, in the end
+    const double until_empty = absorbed_by_diffusion_in(scene), absorbing = std::min({rest, until_empty, dries_in(plan, stays)});
+    const double gone = share_gone(plan, stays, until_empty, rest); // in the end
     double flows = absorbing;
     if (settle_share > 0) {
         const double awake_share = 0.12 * std::pow(spacing / usual_spacing, 0.3);
