@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace hygroloom {
@@ -23,6 +24,7 @@ struct YarnOptions : CommonOptions {
     std::string library;
     std::string read, write; ///< tables
     std::string project, where_used, by;
+    bool update = false;
 };
 
 /// Throws Stop.
@@ -37,21 +39,25 @@ const LibraryYarn& named(const std::vector<LibraryYarn>& yarns, const std::strin
                                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
+/// Throws Stop where the project has become one that is not valid, and leaves its file.
+void write_if_valid(const Design& design, const std::string& project, const char* nothing)
+{
+    const std::vector<Issue> issues = validate(design);
+    if (const Issue* error = first_error(issues))
+        throw Stop(exit_invalid,
+                   fmt::format("{}: {}, as the project would not be valid: {}: {}", project, nothing, error->where.text(), error->text()));
+    write_project(design, project);
+}
+
 /// The project's fabrics that have a yarn of the library; with another in its place where that was asked for.
 int use(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
 {
     const LibraryYarn& yarn = named(yarns, options.where_used);
     const ChangeLock lock(options.project);
     Design design = read_project(options.project);
-    const std::vector<std::string> fabrics = fabrics_with(design, yarn.yarn());
-    const bool replaces = !options.by.empty() && replace_yarn(design, yarn.yarn(), named(yarns, options.by)) > 0;
-    if (replaces) {
-        const std::vector<Issue> issues = validate(design);
-        if (const Issue* error = first_error(issues))
-            throw Stop(exit_invalid, fmt::format("{}: Nothing was replaced, as the project would not be valid: {}: {}", options.project,
-                                                 error->where.text(), error->text()));
-        write_project(design, options.project);
-    }
+    const std::vector<std::string> fabrics = fabrics_with(design, yarn);
+    const bool replaces = !options.by.empty() && replace_yarn(design, yarn, named(yarns, options.by)) > 0;
+    if (replaces) write_if_valid(design, options.project, "Nothing was replaced");
     if (options.json)
         print_json(Json{{"format", "hygroloom-yarns"}, {"version", 1}, {"fabrics", fabrics}, {"replaced", replaces}});
     else if (fabrics.empty())
@@ -61,37 +67,97 @@ int use(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
     return exit_ok;
 }
 
+Json json_of(const YarnUpdate& update)
+{
+    Json changes = Json::array();
+    for (const YarnChange& change : update.changes)
+        changes.push_back({{"field", change.key}, {"before", change.before}, {"after", change.after}});
+    return {{"fabric", update.fabric},
+            {"yarn", update.key},
+            {"library_yarn", update.library_yarn},
+            {"in_library", !update.is_missing},
+            {"changes", changes}};
+}
+
+std::string or_none(const std::string& text) { return text.empty() ? "not given" : text; }
+
+/// The project's yarns that refer to the library's become as they are there.
+int update(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
+{
+    const ChangeLock lock(options.project);
+    Design design = read_project(options.project);
+    const std::vector<YarnUpdate> updates = update_yarns(design, yarns);
+    const bool changed = std::any_of(updates.begin(), updates.end(), [](const YarnUpdate& each) { return !each.is_missing; });
+    if (changed) write_if_valid(design, options.project, "Nothing was updated");
+    Json json = Json::array();
+    for (const YarnUpdate& each : updates) {
+        json.push_back(json_of(each));
+        if (options.json) continue;
+        print_result("{}: {}: {}{}\n", each.fabric, each.key, each.library_yarn, each.is_missing ? ": The library has no such yarn." : "");
+        for (const YarnChange& change : each.changes)
+            print_result("  {}: {} -> {}\n", change.label, or_none(change.before), or_none(change.after));
+    }
+    if (options.json)
+        print_json(Json{{"format", "hygroloom-yarns"}, {"version", 1}, {"updates", json}, {"updated", changed}});
+    else if (updates.empty())
+        print_result("No yarn changed: all that refer to the library are as they are there.\n");
+    return exit_ok;
+}
+
 int list(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
 {
     Json json = Json::array();
+    if (!options.json && !yarns.empty())
+        print_result("  {:<30} {:<16} {:<30} {:>12}  {}\n", "name", "count", "fibres, %", "price a kg", "supplier");
     for (const LibraryYarn& yarn : yarns) {
-        json.push_back({{"name", yarn.name}, {"supplier", yarn.supplier}, {"currency", yarn.currency}});
-        if (!options.json) print_result("  {:<30} {}\n", yarn.name, yarn.supplier);
+        const std::string size = size_text(yarn.yarn()), fibres = fibres_text(yarn.yarn());
+        const std::optional<double> price = yarn.yarn().price;
+        json.push_back({{"name", yarn.name},
+                        {"count", size},
+                        {"fibres", fibres},
+                        {"price", price ? Json(*price) : Json(nullptr)},
+                        {"currency", yarn.currency},
+                        {"supplier", yarn.supplier}});
+        if (options.json) continue;
+        const std::string costs = price ? fmt::format("{:g} {}", *price, yarn.currency) : std::string();
+        print_result("  {:<30} {:<16} {:<30} {:>12}  {}\n", yarn.name, size, fibres, costs, yarn.supplier);
     }
     if (options.json) print_json(Json{{"format", "hygroloom-yarns"}, {"version", 1}, {"yarns", json}});
     return exit_ok;
 }
 
+/// The library's yarns, with those of the table that was given, which are kept in it.
+std::vector<LibraryYarn> library_of(const YarnOptions& options)
+{
+    if (options.read.empty()) return read_yarns(options.library);
+    const ChangeLock lock(options.library);
+    std::vector<LibraryYarn> known = read_yarns(options.library);
+    for (LibraryYarn& yarn : yarns_of_csv(read_file(options.read, std::size_t{16} << 20U), options.read, known))
+        keep_yarn(known, std::move(yarn));
+    write_yarns(known, options.library);
+    return known;
+}
+
 int yarns(const YarnOptions& options)
 {
-    if (options.where_used.empty() != options.project.empty())
+    const bool uses = !options.where_used.empty();
+    if (uses && options.update) throw Stop(exit_usage, "--where-used and --update are two commands; give one of them.");
+    if (options.project.empty() && uses)
         throw Stop(exit_usage, "--where-used names a yarn of the library, and --project where to look for it; give both.");
-    if (!options.by.empty() && options.where_used.empty()) throw Stop(exit_usage, "--by goes with --where-used.");
+    if (options.project.empty() && options.update)
+        throw Stop(exit_usage, "--update brings a project's yarns up to date; name the project with --project.");
+    if (!options.project.empty() && !uses && !options.update) throw Stop(exit_usage, "--project goes with --where-used or --update.");
+    if (!options.by.empty() && !uses) throw Stop(exit_usage, "--by goes with --where-used.");
     if (options.read.empty() && !std::filesystem::exists(options.library))
         throw Stop(exit_invalid, options.library + ": There is no such library.");
     std::vector<LibraryYarn> known;
     try {
-        known = read_yarns(options.library);
-        if (!options.read.empty()) {
-            for (LibraryYarn& yarn : yarns_of_csv(read_file(options.read, std::size_t{16} << 20U), options.read, known))
-                keep_yarn(known, std::move(yarn));
-            write_yarns(known, options.library);
-        }
+        known = library_of(options);
     } catch (const Error& error) {
         throw Stop(exit_invalid, error.what());
     }
     if (!options.write.empty()) write_file(options.write, csv_of_yarns(known));
-    return options.where_used.empty() ? list(options, known) : use(options, known);
+    return uses ? use(options, known) : options.update ? update(options, known) : list(options, known);
 }
 
 } // namespace
@@ -100,10 +166,11 @@ void add_yarns(CLI::App& app, Verb& verb)
 {
     auto options = std::make_shared<YarnOptions>();
     CLI::App& yarns_verb =
-        *app.add_subcommand("yarns", "List the yarns of your library, as tables too; replace one in a project's fabrics");
+        *app.add_subcommand("yarns", "List the yarns of your library, as tables too; replace or update them in a project's fabrics");
     yarns_verb.footer(
         "Example: hygroloom-cli yarns own.hygrolib --read yarns.csv\n"
-        "Replace a yarn in all fabrics: hygroloom-cli yarns own.hygrolib --project cloth.hygro --where-used \"Ne 40\" --by \"Ne 36\"");
+        "Replace a yarn in all fabrics: hygroloom-cli yarns own.hygrolib --project cloth.hygro --where-used \"Ne 40\" --by \"Ne 36\"\n"
+        "Bring a project's yarns up to date: hygroloom-cli yarns own.hygrolib --project cloth.hygro --update");
     add_common_options(yarns_verb, *options);
     yarns_verb.add_option("library", options->library, "Your own library (.hygrolib)")->required()->type_name("FILE");
     yarns_verb.add_option("--read", options->read, "Add the yarns of a table (.csv), a row each; those of the same name are replaced")
@@ -112,7 +179,13 @@ void add_yarns(CLI::App& app, Verb& verb)
     yarns_verb.add_option("--project", options->project, "Project to look into")->type_name("FILE");
     yarns_verb.add_option("--where-used", options->where_used,
                           "List the project's fabrics that have this yarn, whatever its colour and price");
-    yarns_verb.add_option("--by", options->by, "Put this yarn in its place in all of them, and save the project; colours stay");
+    yarns_verb.add_option(
+        "--by", options->by,
+        "Put this yarn in its place in all of them, and save the project; colours stay. They refer to it then; with the same "
+        "name they refer to the one they have");
+    yarns_verb.add_flag("--update", options->update,
+                        "Bring the project's yarns that refer to yarns of the library up to date with them, say what changed, and save the "
+                        "project; colours stay");
     yarns_verb.callback([&verb, options] { verb = [options] { return yarns(*options); }; });
 }
 

@@ -81,6 +81,7 @@ Lines lines_of(std::string text, const std::string& file)
     std::size_t number = 0;
     for (std::size_t at = 0; at < text.size();) {
         const std::string line = next_line(text, at), where = fmt::format("{}: line {}: ", file, ++number);
+        if (!is_utf8(line)) throw Error(where + "The text is not UTF-8; save the table as CSV in UTF-8.");
         if (line.find_first_not_of(" \t") == std::string::npos || line.front() == '#') continue;
         if (all.lines.empty() && !is_given && line.size() == 5 && (line.starts_with("sep=") || line.starts_with("SEP="))) {
             is_given = true;

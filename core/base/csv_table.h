@@ -18,7 +18,7 @@ struct CsvTable {
 /// Fields between commas (or, where the header has no comma, semicolons), with quotes or without, as RFC 4180 has them; lines end with LF,
 /// CR or both; those that are empty or start with # are skipped, as is a first line such as sep=; that Excel writes. Throws Error naming
 /// the file, the line and the fault: a required column is missing, named twice, a row has another number of fields than the header, there
-/// are more than 100 000 rows, a field has more than 1000 characters, columns are separated by tabs, the text is UTF-16.
+/// are more than 100 000 rows, a field has more than 1000 characters, columns are separated by tabs, the text is not UTF-8.
 CsvTable read_csv(const std::string& text, const std::string& file, const std::vector<std::string>& required,
                   const std::vector<std::string>& optional);
 

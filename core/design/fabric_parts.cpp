@@ -100,6 +100,7 @@ bool alike(const std::vector<Yarn>& a, const std::vector<Yarn>& b)
         for (const Field<Yarn>& row : fields_of<Yarn>())
             if (is_look(row)) set_field(row, other, field_value(row, one));
         other.color = one.color;
+        other.library_yarn = one.library_yarn;
         return one == other;
     });
 }
@@ -150,11 +151,15 @@ std::vector<FabricPart> all_parts()
         {"warp fibre", always, {field("warp.material", "", OF(warp.material)), field("warp.core", "core", OF(warp.core))}},
         {"warp count", always, {}},
         {"warp construction", always, {}},
-        {"warp look", never, {field("warp.color", "colour", OF(warp.color))}},
+        {"warp look",
+         never,
+         {field("warp.color", "colour", OF(warp.color)), field("warp.library_yarn", "yarn of the library", OF(warp.library_yarn))}},
         {"weft fibre", always, {field("weft.material", "", OF(weft.material)), field("weft.core", "core", OF(weft.core))}},
         {"weft count", always, {}},
         {"weft construction", always, {}},
-        {"weft look", never, {field("weft.color", "colour", OF(weft.color))}},
+        {"weft look",
+         never,
+         {field("weft.color", "colour", OF(weft.color)), field("weft.library_yarn", "yarn of the library", OF(weft.library_yarn))}},
         {"weave", always, {field("weave", "", OF(weave))}},
         {"warp sett", always, {}},
         {"weft sett", always, {}},

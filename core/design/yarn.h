@@ -48,6 +48,7 @@ struct Yarn {
     std::optional<double> irregularity_cv; ///< coefficient of variation of the linear density along the yarn, 0 .. 0.4; see evenness.h
     std::optional<Color> color;            ///< without it, the undyed fibre's
     std::optional<double> price;           ///< of a kilogram, in any currency
+    std::string library_yarn;              ///< name of the yarn of one's library that it refers to; empty: of none
     bool operator==(const Yarn&) const = default;
 };
 

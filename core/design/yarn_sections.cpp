@@ -337,6 +337,7 @@ YarnOrder yarn_order(const Fabric& fabric, bool warp)
         Yarn copy = yarn_in(fabric, warp, yarn);
         copy.color.reset();
         copy.price.reset();
+        copy.library_yarn.clear();
         return copy;
     };
     std::vector<Yarn> seen;

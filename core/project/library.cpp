@@ -57,6 +57,13 @@ void write_json(const LibraryJson& library, const std::filesystem::path& path)
     write_file(path, text, Previous::keep_as_backup);
 }
 
+/// Where it cannot be made, writing says so.
+void make_folder_of(const std::filesystem::path& path)
+{
+    std::error_code ignored;
+    std::filesystem::create_directories(path.parent_path(), ignored);
+}
+
 std::vector<Preset> presets_from(const ProjectJson& list, const std::string& name)
 {
     std::vector<Preset> presets;
@@ -117,6 +124,7 @@ ProjectJson json_of(const LibraryYarn& yarn)
     if (!yarn.currency.empty()) json["currency"] = yarn.currency;
     if (!yarn.colours.empty()) json["colours"] = ProjectJson::array();
     for (const YarnColour& colour : yarn.colours) json["colours"].push_back({{"name", colour.name}, {"color", text_of(colour.color)}});
+    if (!yarn.unsaid.empty()) json["unsaid"] = yarn.unsaid;
     json["project"] = json_from_design(yarn.design);
     return json;
 }
@@ -138,6 +146,13 @@ LibraryYarn yarn_from(const ProjectJson& json, const std::string& name, const st
             const auto color = color_of(text);
             if (!color) colour.refuse("color", fmt::format("This must be a colour as \"#rrggbb\"; given is \"{}\".", text));
             yarn.colours.push_back({called, *color});
+        }
+    if (const ProjectJson* unsaid = entry.find("unsaid"))
+        for (const ProjectJson& each : array_in(*unsaid, name, at + ".unsaid")) {
+            const std::string key = each.is_string() ? each.get<std::string>() : std::string();
+            if (std::find(unsaid_keys().begin(), unsaid_keys().end(), key) == unsaid_keys().end())
+                entry.refuse("unsaid", fmt::format("A yarn may leave out {}; given is {}.", listed(unsaid_keys()), in_words(each)));
+            yarn.unsaid.push_back(key);
         }
     yarn.design = design_from_json(entry.require("project"), name + ": " + at + ".project");
     entry.finish({"name"});
@@ -184,9 +199,11 @@ LibraryYarn library_yarn(const Design& design, const Yarn& yarn, const std::stri
 {
     Fabric fabric;
     fabric.name = name;
-    fabric.warp = fabric.weft = yarn;
+    fabric.warp = yarn;
+    fabric.warp.library_yarn.clear();
+    fabric.weft = fabric.warp;
     fabric.weave = weave_from_pattern("plain");
-    return {name, {}, {}, {}, preset_of(design, fabric, {}, {}).design};
+    return {name, {}, {}, {}, preset_of(design, fabric, {}, {}).design, {}};
 }
 
 void keep_yarn(std::vector<LibraryYarn>& yarns, LibraryYarn yarn)
@@ -198,40 +215,30 @@ void keep_yarn(std::vector<LibraryYarn>& yarns, LibraryYarn yarn)
         *same = std::move(yarn);
 }
 
-Yarn take_yarn(Design& design, const LibraryYarn& from) { return fabric_for(design, {{}, {}, from.design}).warp; }
-
-bool same_yarn(Yarn a, Yarn b)
+void keep_in_library(LibraryYarn yarn, const std::filesystem::path& path)
 {
-    a.color = b.color;
-    a.price = b.price;
-    a.fibres_per_yarn = b.fibres_per_yarn;
-    return a == b;
+    make_folder_of(path);
+    const ChangeLock alone(path);
+    std::vector<LibraryYarn> yarns = read_yarns(path);
+    keep_yarn(yarns, std::move(yarn));
+    write_yarns(yarns, path);
 }
 
-std::vector<std::string> fabrics_with(const Design& design, const Yarn& yarn)
+void keep_in_library(Preset preset, const std::filesystem::path& path)
 {
-    std::vector<std::string> names;
-    for (Fabric fabric : design.fabrics) {
-        const std::vector<Yarn*> own = yarns_of(fabric);
-        if (std::any_of(own.begin(), own.end(), [&](const Yarn* each) { return same_yarn(*each, yarn); })) names.push_back(fabric.name);
-    }
-    return names;
+    make_folder_of(path);
+    const ChangeLock alone(path);
+    std::vector<Preset> kept = read_library(path);
+    std::erase_if(kept, [&](const Preset& each) { return each.fabric().name == preset.fabric().name; });
+    kept.push_back(std::move(preset));
+    write_library(kept, path);
 }
 
-int replace_yarn(Design& design, const Yarn& old, const LibraryYarn& by)
+Yarn take_yarn(Design& design, const LibraryYarn& from)
 {
-    const std::vector<std::string> fabrics = fabrics_with(design, old);
-    if (fabrics.empty()) return 0;
-    const Yarn taken = take_yarn(design, by);
-    for (Fabric& fabric : design.fabrics)
-        for (Yarn* yarn : yarns_of(fabric)) {
-            if (!same_yarn(*yarn, old)) continue;
-            Yarn now = taken;
-            now.color = yarn->color;
-            now.fibres_per_yarn = yarn->fibres_per_yarn;
-            *yarn = now;
-        }
-    return static_cast<int>(fabrics.size());
+    Yarn yarn = fabric_for(design, {{}, {}, from.design}).warp;
+    yarn.library_yarn = from.name;
+    return yarn;
 }
 
 Preset preset_of(const Design& design, const Fabric& fabric, const std::string& group, const std::string& note)

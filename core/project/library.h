@@ -34,8 +34,13 @@ struct LibraryYarn {
     std::string currency; ///< of its price
     std::vector<YarnColour> colours;
     Design design; ///< one fabric, whose warp it is; no experiments
+    /// Keys of those of unsaid_keys() that its table leaves out: no yarn is another one by them, and an update leaves them.
+    std::vector<std::string> unsaid;
     const Yarn& yarn() const { return design.fabrics[0].warp; }
 };
+/// Numbers that a table may leave out although each yarn of a project has them: turns and direction of the twist, and of the plies'.
+const std::vector<std::string>& unsaid_keys();
+
 /// Those of a user's library, as read_library() and write_library() do; the presets stay in it.
 std::vector<LibraryYarn> read_yarns(const std::filesystem::path& path);
 void write_yarns(const std::vector<LibraryYarn>& yarns, const std::filesystem::path& path);
@@ -44,22 +49,54 @@ LibraryYarn library_yarn(const Design& design, const Yarn& yarn, const std::stri
 /// Puts it into the list; one of the same name is replaced.
 void keep_yarn(std::vector<LibraryYarn>& yarns, LibraryYarn yarn);
 
-/// A library's yarn for a design, which gets its materials unless it has the same.
-Yarn take_yarn(Design& design, const LibraryYarn& from);
-/// Whether it is the same yarn, dyed, priced or drawn otherwise.
-bool same_yarn(Yarn a, Yarn b);
-/// Names of the design's fabrics that have the yarn, see same_yarn().
-std::vector<std::string> fabrics_with(const Design& design, const Yarn& yarn);
-/// In all fabrics; each keeps its colour and its number of drawn fibres. How many fabrics changed.
-int replace_yarn(Design& design, const Yarn& old, const LibraryYarn& by);
+/// Puts a yarn or a fabric into the library at path, in place of one of the same name. Meanwhile others that change it wait. Throws
+/// FileError.
+void keep_in_library(LibraryYarn yarn, const std::filesystem::path& path);
+void keep_in_library(Preset preset, const std::filesystem::path& path);
 
-/// A row a yarn, UTF-8. Columns: name, supplier, material ("cotton 60 + polyester 40", in percent), core ("elastane 5"), those of a yarn's
-/// numbers in the project file, colours ("navy #101a40 + white #ffffff"), currency. Of materials the names stand in it, of its own colour
-/// nothing.
+/// A library's yarn for a design, which gets its materials unless it has the same. It refers to the library's.
+Yarn take_yarn(Design& design, const LibraryYarn& from);
+
+/// A number, or the fibres or the core, in which a yarn is not as the library has it.
+struct YarnChange {
+    std::string key;           ///< in the project file
+    std::string label;         ///< "Twist"
+    std::string before, after; ///< with unit: "14.8 tex"; empty: not given
+};
+/// In which a design's yarn is not the library's. Fibres are compared by what they are, under any name; colour and number of drawn fibres
+/// are not compared, nor what the library does not say.
+std::vector<YarnChange> changes_of_yarn(const Design& design, const Yarn& yarn, const LibraryYarn& of);
+/// Whether it is the same yarn, dyed, priced or drawn otherwise.
+bool same_yarn(const Design& design, const Yarn& yarn, const LibraryYarn& as);
+/// Names of the design's fabrics that have the yarn, see same_yarn().
+std::vector<std::string> fabrics_with(const Design& design, const LibraryYarn& yarn);
+/// In all fabrics; each keeps its colour and its number of drawn fibres. How many fabrics changed.
+int replace_yarn(Design& design, const LibraryYarn& old, const LibraryYarn& by);
+
+/// A yarn of a design that refers to one of the library.
+struct YarnUpdate {
+    std::string fabric, key;  ///< the fabric's name; the yarn's key there: "warp", "extra_yarns[0]"
+    std::string library_yarn; ///< name
+    bool is_missing = false;  ///< the library has no such yarn; it stays as it is
+    std::vector<YarnChange> changes;
+};
+/// Each yarn that refers to one of the library becomes that yarn; what changes_of_yarn() does not compare stays. Returns those that were
+/// other ones, and those whose yarn is missing.
+std::vector<YarnUpdate> update_yarns(Design& design, const std::vector<LibraryYarn>& library);
+
+/// "cotton 60 + polyester 40", in percent.
+std::string fibres_text(const Yarn& yarn);
+/// The count in the fewest digits, so that it is read as it is: "Ne 60/2"; one that no four digits tell in tex, with four; without a linear
+/// density the diameter: "0.2 mm".
+std::string size_text(const Yarn& yarn);
+
+/// A row a yarn, UTF-8. Columns: name, supplier, material ("cotton 60 + polyester 40", in percent), core ("elastane 5"), count ("Ne 60/2";
+/// empty where four digits do not tell it, whose linear density and plies stand in their columns then), those of a yarn's numbers in the
+/// project file, colours ("navy #101a40 + white #ffffff"), currency. Of materials the names stand in it, of its own colour nothing.
 std::string csv_of_yarns(const std::vector<LibraryYarn>& yarns);
 /// Reads the same; a column count ("Ne 60/2") may stand for linear density, plies and filaments, and columns may be left out that a valid
-/// yarn does without. A yarn of a known one's name keeps its colour and materials. Throws Error naming file, line and field, also where a
-/// column is unknown, a name stands twice or the yarn is not valid.
+/// yarn does without. A yarn of a known one's name keeps its colour, its materials and those of unsaid_keys() that the table leaves out.
+/// Throws Error naming file, line and field, also where a column is unknown, a name stands twice, the yarn is not valid or there is none.
 std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string& file, const std::vector<LibraryYarn>& known = {});
 
 /// A fabric of a design as a preset, with those of the design's materials that its yarns name.

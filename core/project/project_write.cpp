@@ -59,6 +59,7 @@ ProjectJson write_yarn(const Yarn& yarn)
     }
     write_fields(json, yarn);
     if (yarn.color) json["color"] = text_of(*yarn.color);
+    if (!yarn.library_yarn.empty()) json["library_yarn"] = yarn.library_yarn;
     return json;
 }
 

@@ -37,4 +37,5 @@ target_sources(hygroloom_core PRIVATE
   project/wif_write.cpp
   project/yarn_json.cpp
   project/yarn_table.cpp
+  project/yarn_update.cpp
 )

@@ -76,6 +76,7 @@ Yarn yarn_from_json(const ProjectJson& value, const std::string& file, const std
     read_fields(object, yarn);
     read_count(object, yarn);
     yarn.color = read_color(object);
+    object.read("library_yarn", yarn.library_yarn);
     object.finish({"material"});
     return yarn;
 }

@@ -5,11 +5,14 @@
 #include "core/base/text.h"
 #include "core/base/words.h"
 #include "core/design/validate.h"
+#include "core/design/yarn_count.h"
 #include "core/project/color_text.h"
 #include "core/project/field_json.h"
 #include "core/project/library.h"
 #include "core/project/project_json.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -74,12 +77,23 @@ ProjectJson material_json(const std::string& text, bool by_semicolons)
     return shares;
 }
 
-std::string material_text(const Yarn& yarn)
+/// In the fewest digits in which it is read as it is, in the first of its systems where several are as short.
+std::optional<std::string> exact_count(const Yarn& yarn)
 {
-    std::string text;
-    for (const MaterialShare& part : yarn.material)
-        text += (text.empty() ? "" : " + ") + fmt::format("{} {:g}", part.name, 100 * part.share);
-    return text;
+    if (!yarn.linear_density_tex) return {};
+    using enum CountSystem;
+    const auto digits = [](const std::string& text) {
+        return std::count_if(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    };
+    std::optional<std::string> best;
+    for (const CountSystem system : yarn.filament_count ? std::array{denier, dtex, tex} : std::array{ne, tex, nm}) {
+        const std::string text = count_text(*yarn.linear_density_tex, yarn.plies, yarn.filament_count, system);
+        Yarn read = yarn;
+        set_count(read, read_yarn_count(text));
+        read.diameter_mm = yarn.diameter_mm;
+        if (read == yarn && (!best || digits(text) < digits(*best))) best = text;
+    }
+    return best;
 }
 
 std::string colours_text(const LibraryYarn& yarn)
@@ -131,18 +145,37 @@ void require_valid(const LibraryYarn& yarn, const std::string& where)
 
 } // namespace
 
+std::string fibres_text(const Yarn& yarn)
+{
+    std::string text;
+    for (const MaterialShare& part : yarn.material)
+        text += (text.empty() ? "" : " + ") + fmt::format("{} {:g}", part.name, 100 * part.share);
+    return text;
+}
+
+std::string size_text(const Yarn& yarn)
+{
+    if (!yarn.linear_density_tex) return yarn.diameter_mm ? fmt::format("{:g} mm", *yarn.diameter_mm) : std::string();
+    return exact_count(yarn).value_or(count_text(*yarn.linear_density_tex, yarn.plies, yarn.filament_count, CountSystem::tex));
+}
+
 std::string csv_of_yarns(const std::vector<LibraryYarn>& yarns)
 {
-    std::string csv = "name,supplier,material,core";
+    std::string csv = "name,supplier,material,core,count";
     for (const std::string& key : number_keys()) csv += "," + key;
     csv += ",colours,currency\n";
     for (const LibraryYarn& each : yarns) {
         const Yarn& yarn = each.yarn();
         const std::string core = yarn.core ? fmt::format("{} {:g}", yarn.core->material, 100 * yarn.core->share) : std::string();
-        csv += csv_field(each.name) + "," + csv_field(each.supplier) + "," + csv_field(material_text(yarn)) + "," + csv_field(core);
+        csv += csv_field(each.name) + "," + csv_field(each.supplier) + "," + csv_field(fibres_text(yarn)) + "," + csv_field(core);
+        const std::optional<std::string> count = exact_count(yarn);
+        std::vector<std::string> elsewhere = each.unsaid; // or nowhere
+        if (count) elsewhere.insert(elsewhere.end(), {"linear_density_tex", "plies"});
+        if (count && read_yarn_count(*count).filaments) elsewhere.emplace_back("filament_count");
+        csv += "," + csv_field(count.value_or(""));
         for (const Field<Yarn>& field : fields_of<Yarn>()) {
             csv += ",";
-            if (!field_value(field, yarn)) continue;
+            if (!field_value(field, yarn) || std::find(elsewhere.begin(), elsewhere.end(), field.key) != elsewhere.end()) continue;
             const ProjectJson value = json_of_field(field, yarn);
             csv += value.is_string() ? value.get<std::string>() : value.dump();
         }
@@ -155,6 +188,7 @@ std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string
 {
     require_columns(text, file);
     const CsvTable table = read_csv(text, file, {"name"}, columns());
+    if (table.rows.empty()) throw Error(file + ": The table holds no yarn: below the line that names the columns there is none.");
     const bool by_semicolons = table.by_semicolons;
     std::vector<LibraryYarn> yarns;
     std::map<std::string, std::size_t> lines; // of each name
@@ -182,7 +216,16 @@ std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string
             if (const std::string value = field(key); !value.empty()) json[key] = value_json(value, by_semicolons);
         Yarn read = yarn_from_json(json, file, at);
         if (before != known.end()) read.color = before->yarn().color;
+        std::vector<std::string> unsaid;
+        for (const std::string& key : unsaid_keys()) {
+            if (json.contains(key)) continue;
+            const Field<Yarn>& left_out = field_named<Yarn>(key);
+            if (before != known.end()) set_field(left_out, read, field_value(left_out, before->yarn()));
+            if (before == known.end() || std::find(before->unsaid.begin(), before->unsaid.end(), key) != before->unsaid.end())
+                unsaid.push_back(key);
+        }
         LibraryYarn yarn = library_yarn(before == known.end() ? Design() : before->design, read, table.rows[i][0]);
+        yarn.unsaid = unsaid;
         yarn.supplier = field("supplier");
         yarn.currency = field("currency");
         for (const std::string& part : parts_of(field("colours"))) {

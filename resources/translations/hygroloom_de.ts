@@ -2281,14 +2281,6 @@
         <translation>Restfeuchte nach dem Schleudern</translation>
     </message>
     <message>
-        <source>Speed of wicking along the warp</source>
-        <translation>Sauggeschwindigkeit in Kettrichtung</translation>
-    </message>
-    <message>
-        <source>Speed of wicking along the weft</source>
-        <translation>Sauggeschwindigkeit in Schussrichtung</translation>
-    </message>
-    <message>
         <source>Spreading speed, bottom</source>
         <translation>Ausbreitungsgeschwindigkeit, unten</translation>
     </message>
@@ -2427,6 +2419,70 @@
     <message>
         <source>water drawn in after 5 min, per width</source>
         <translation>aufgesaugtes Wasser nach 5 min, je Breite</translation>
+    </message>
+    <message>
+        <source>Core</source>
+        <translation>Kern</translation>
+    </message>
+    <message>
+        <source>Ends on the loom</source>
+        <translation>Kettdichte auf dem Webstuhl</translation>
+    </message>
+    <message>
+        <source>Ends, all</source>
+        <translation>Kettfäden, gesamt</translation>
+    </message>
+    <message>
+        <source>Ends, finished</source>
+        <translation>Kettdichte, fertig</translation>
+    </message>
+    <message>
+        <source>Fibres</source>
+        <translation>Fasern</translation>
+    </message>
+    <message>
+        <source>Picks, finished</source>
+        <translation>Schussdichte, fertig</translation>
+    </message>
+    <message>
+        <source>Reed</source>
+        <translation>Webblatt</translation>
+    </message>
+    <message>
+        <source>Shrinks in length</source>
+        <translation>Springt in der Länge ein</translation>
+    </message>
+    <message>
+        <source>Shrinks in width</source>
+        <translation>Springt in der Breite ein</translation>
+    </message>
+    <message>
+        <source>Speed of wicking along the warp, level strip</source>
+        <translation>Sauggeschwindigkeit längs der Kette, liegender Streifen</translation>
+    </message>
+    <message>
+        <source>Speed of wicking along the weft, level strip</source>
+        <translation>Sauggeschwindigkeit längs des Schusses, liegender Streifen</translation>
+    </message>
+    <message>
+        <source>Warp: count</source>
+        <translation>Kette: Feinheit</translation>
+    </message>
+    <message>
+        <source>Warp: crimp</source>
+        <translation>Kette: Einarbeitung</translation>
+    </message>
+    <message>
+        <source>Weft: count</source>
+        <translation>Schuss: Feinheit</translation>
+    </message>
+    <message>
+        <source>Weft: crimp</source>
+        <translation>Schuss: Einarbeitung</translation>
+    </message>
+    <message>
+        <source>Width, finished</source>
+        <translation>Breite, fertig</translation>
     </message>
 </context>
 <context>
@@ -3292,8 +3348,28 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>Some numbers could not be found; the saved card says why.</source>
-        <translation>Einige Zahlen waren nicht zu finden; die gespeicherte Karte sagt, warum.</translation>
+        <source>Notes of the card</source>
+        <translation>Anmerkungen der Karte</translation>
+    </message>
+    <message>
+        <source>The tests are paused. The queue of runs, below in the main window, lets them go on.</source>
+        <translation>Die Prüfungen sind angehalten. Die Warteschlange der Läufe, unten im Hauptfenster, lässt sie weitergehen.</translation>
+    </message>
+    <message>
+        <source>Tests are in progress</source>
+        <translation>Prüfungen laufen</translation>
+    </message>
+    <message>
+        <source>Stop the tests of the technical card?</source>
+        <translation>Die Prüfungen der technischen Karte stoppen?</translation>
+    </message>
+    <message>
+        <source>Numbers of tests that have ended are lost, too, unless the card is saved.</source>
+        <translation>Auch die Zahlen beendeter Prüfungen gehen verloren, wenn die Karte nicht gespeichert ist.</translation>
+    </message>
+    <message>
+        <source>Stop the Tests</source>
+        <translation>Prüfungen stoppen</translation>
     </message>
 </context>
 <context>
@@ -3313,6 +3389,10 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>Saved %1.</source>
         <translation>%1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save Card</source>
+        <translation>Karte speichern</translation>
     </message>
 </context>
 <context>
@@ -5731,10 +5811,6 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <translation>A speichern u&amp;nter…</translation>
     </message>
     <message>
-        <source>Write the run that is kept as A to another recording.</source>
-        <translation>Den als A behaltenen Lauf in eine andere Aufzeichnung schreiben.</translation>
-    </message>
-    <message>
         <source>Save &amp;Map…</source>
         <translation>&amp;Karte speichern…</translation>
     </message>
@@ -5829,6 +5905,10 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
     <message>
         <source>about 4 min, 38 MB</source>
         <translation>etwa 4 min, 38 MB</translation>
+    </message>
+    <message>
+        <source>Write the run that is kept as A to another recording, and beside it the files of its garment.</source>
+        <translation>Den als A behaltenen Lauf in eine andere Aufzeichnung schreiben, und daneben die Dateien seines Kleidungsstücks.</translation>
     </message>
 </context>
 <context>
@@ -9469,6 +9549,10 @@ Stattdessen auf der CPU rechnen?</translation>
         <source>The recording cannot be written to %1: %2</source>
         <translation>Die Aufzeichnung lässt sich nicht in %1 schreiben: %2</translation>
     </message>
+    <message>
+        <source>%1 is saved. Files of its garment could not be copied beside it: %2. Its design needs them there.</source>
+        <translation>%1 ist gespeichert. Dateien des Kleidungsstücks konnten nicht daneben kopiert werden: %2. Der Entwurf braucht sie dort.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::SampleSubject</name>
@@ -11589,10 +11673,6 @@ Stattdessen auf der CPU rechnen?</translation>
         <translation>Garne…</translation>
     </message>
     <message>
-        <source>Takes the yarn from your library, keeps it there, or replaces it in all fabrics of the project.</source>
-        <translation>Nimmt das Garn aus Ihrer Bibliothek, legt es dort ab oder ersetzt es in allen Geweben des Projekts.</translation>
-    </message>
-    <message>
         <source>Library</source>
         <translation>Bibliothek</translation>
     </message>
@@ -11623,6 +11703,62 @@ Stattdessen auf der CPU rechnen?</translation>
     <message>
         <source>yarn in all fabrics</source>
         <translation>Garn in allen Geweben</translation>
+    </message>
+    <message>
+        <source>Takes the yarn from your library, keeps it there, or replaces it in all fabrics of the project. A yarn that was taken from it or kept in it bears its name here, and can be brought up to date with it.</source>
+        <translation>Nimmt das Garn aus Ihrer Bibliothek, legt es dort ab oder ersetzt es in allen Geweben des Projekts. Ein Garn, das aus ihr genommen oder in ihr abgelegt wurde, trägt hier seinen Namen und kann nach ihr aktualisiert werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Update All from Library</source>
+        <translation>Alle aus der Bibliothek &amp;aktualisieren</translation>
+    </message>
+    <message>
+        <source>Brings all yarns of the project that were taken from the library up to date with it.</source>
+        <translation>Aktualisiert alle Garne des Projekts, die aus der Bibliothek genommen wurden.</translation>
+    </message>
+    <message>
+        <source>&amp;Separate from Library</source>
+        <translation>Von der Bibliothek &amp;lösen</translation>
+    </message>
+    <message>
+        <source>separated from the library</source>
+        <translation>von der Bibliothek gelöst</translation>
+    </message>
+    <message>
+        <source>%1 kept in the library</source>
+        <translation>%1 in der Bibliothek abgelegt</translation>
+    </message>
+    <message>
+        <source>yarns from the library</source>
+        <translation>Garne aus der Bibliothek</translation>
+    </message>
+    <message>
+        <source>All yarns that were taken from the library are as they are there.</source>
+        <translation>Alle Garne, die aus der Bibliothek genommen wurden, sind so wie dort.</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3</source>
+        <translation>%1, %2: %3</translation>
+    </message>
+    <message>
+        <source>The library has no such yarn. It stays as it is.</source>
+        <translation>Die Bibliothek hat kein solches Garn. Es bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>%1: %2 → %3</source>
+        <translation>%1: %2 → %3</translation>
+    </message>
+    <message>
+        <source>Update All from Library</source>
+        <translation>Alle aus der Bibliothek aktualisieren</translation>
+    </message>
+    <message>
+        <source>no price</source>
+        <translation>kein Preis</translation>
     </message>
 </context>
 <context>

@@ -59,6 +59,7 @@ const std::map<std::string, Change> changes{
     {"yarn.irregularity_cv", {"0.1"}},
     {"yarn.color", {R"("#102030")"}},
     {"yarn.price", {"6.5"}},
+    {"yarn.library_yarn", {R"("fine")"}},
     {"weave.pattern", {R"("twill 2/2 Z")"}},
     {"weave.rows", {R"({ "rows": ["110", "011", "101"] })", "weave"}},
     {"ends_per_cm", {"11"}},

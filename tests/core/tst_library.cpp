@@ -2,14 +2,17 @@
 #include "core/base/error.h"
 #include "core/design/fitted_fabric.h"
 #include "core/design/validate.h"
+#include "core/project/atomic_file.h"
 #include "core/project/library.h"
 
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <chrono>
 #include <cmath>
 #include <map>
+#include <thread>
 
 using namespace hygroloom;
 
@@ -48,6 +51,7 @@ private Q_SLOTS:
         const LibraryYarn read = read_yarns(path).at(0);
         QCOMPARE(read_library(path).size(), std::size_t{1});
         QCOMPARE(read.yarn(), yarn);
+        QVERIFY(read.unsaid.empty());
         QCOMPARE(read.supplier, std::string("Mill \"A\", north"));
         QVERIFY(read.colours.at(0).name == "navy blue" && read.colours[0].color == (Color{16, 26, 64}));
         Design other;
@@ -63,21 +67,140 @@ private Q_SLOTS:
             design.fabrics.emplace_back();
             design.fabrics.back().name = name;
         }
-        const Yarn old = design.fabrics[0].warp;
+        const LibraryYarn old = library_yarn({}, design.fabrics[0].warp, "old");
         design.fabrics[0].warp.color = Color{1, 2, 3}; // dyed and priced, it is the same yarn
         design.fabrics[0].warp.price = 5;
         design.fabrics[1].warp.twist_per_m = 1; // another one
         for (Fabric* each : {&design.fabrics[3]}) each->warp.plies = each->weft.plies = 2;
-        Yarn finer = old;
+        Yarn finer = old.yarn();
         finer.linear_density_tex = 10;
         QCOMPARE(fabrics_with(design, old), (std::vector<std::string>{"a", "b", "c"}));
         QCOMPARE(replace_yarn(design, old, library_yarn({}, finer, "finer")), 3);
         QCOMPARE(design.fabrics[0].warp.linear_density_tex, finer.linear_density_tex);
         QVERIFY(design.fabrics[0].warp.color == (Color{1, 2, 3}));
         QCOMPARE(design.fabrics[1].warp.twist_per_m, 1.0);
+        finer.library_yarn = "finer";
         QCOMPARE(design.fabrics[1].weft, finer);
         QCOMPARE(design.fabrics[3].warp.plies, 2);
         QVERIFY(fabrics_with(design, old).empty());
+    }
+    void fibresAreComparedByWhatTheyAre()
+    {
+        Design design;
+        design.fabrics.emplace_back();
+        design.materials = {*find_library_material("cotton")};
+        design.materials[0].name = "our cotton"; // the same fibre, of another name
+        Yarn named = design.fabrics[0].warp;
+        named.material = {{"our cotton", 1.0}};
+        design.fabrics[0].weft = named;
+        const LibraryYarn cotton = library_yarn({}, design.fabrics[0].warp, "cotton");
+        QVERIFY(same_yarn(design, named, cotton));
+        design.materials[0].contact_angle_deg = 30;
+        QVERIFY(!same_yarn(design, named, cotton));
+        design.materials[0] = *find_library_material("flax");
+        design.materials[0].name = "cotton"; // another fibre, of the same name
+        QVERIFY(!same_yarn(design, design.fabrics[0].warp, cotton));
+        QVERIFY(changes_of_yarn(design, design.fabrics[0].warp, cotton).at(0).key == "material");
+    }
+    void yarnsAreBroughtUpToDate()
+    {
+        Design design;
+        for (const char* name : {"a", "b", "c"}) {
+            design.fabrics.emplace_back();
+            design.fabrics.back().name = name;
+        }
+        Yarn fine;
+        fine.linear_density_tex = 14.8;
+        LibraryYarn library = library_yarn(design, fine, "fine");
+        design.fabrics[0].warp = take_yarn(design, library);
+        design.fabrics[1].weft = take_yarn(design, library);
+        design.fabrics[1].weft.color = Color{1, 2, 3};
+        design.fabrics[2].warp = fine; // the same, but it refers to none
+        QVERIFY(update_yarns(design, {library}).empty());
+        library.design.fabrics[0].warp.linear_density_tex = 15.2;
+        library.design.fabrics[0].warp.price = 7;
+        design.fabrics[1].warp.library_yarn = "gone";
+        const Design before = design;
+        const std::vector<YarnUpdate> updates = update_yarns(design, {library});
+        QCOMPARE(updates.size(), std::size_t{3});
+        QVERIFY(updates[0].fabric == "a" && updates[0].key == "warp" && updates[0].changes.size() == 2);
+        QVERIFY(updates[0].changes[0].label == "Linear density" && updates[0].changes[0].before == "14.8 tex" &&
+                updates[0].changes[0].after == "15.2 tex");
+        QVERIFY(updates[0].changes[1].key == "price" && updates[0].changes[1].before.empty());
+        QVERIFY(updates[1].is_missing && updates[1].library_yarn == "gone");
+        QVERIFY(updates[2].fabric == "b" && updates[2].key == "weft");
+        QCOMPARE(*design.fabrics[0].warp.linear_density_tex, 15.2);
+        QCOMPARE(*design.fabrics[1].weft.linear_density_tex, 15.2);
+        QVERIFY(design.fabrics[1].weft.color == (Color{1, 2, 3}));
+        QCOMPARE(design.fabrics[1].warp, before.fabrics[1].warp);
+        QCOMPARE(design.fabrics[2], before.fabrics[2]);
+    }
+    void whatATableDoesNotSayMakesNoOtherYarn()
+    {
+        const LibraryYarn read = yarns_of_csv("name,count,material\nfine,20 tex,cotton\n", "t.csv").at(0);
+        Design design;
+        design.fabrics.emplace_back();
+        Yarn& own = design.fabrics[0].warp;
+        own.linear_density_tex = 20;
+        own.twist_per_m = 950;
+        own.library_yarn = "fine";
+        QVERIFY(same_yarn(design, own, read));
+        QVERIFY(update_yarns(design, {read}).empty());
+        own.linear_density_tex = 21;
+        QCOMPARE(update_yarns(design, {read}).size(), std::size_t{1});
+        QCOMPARE(own.twist_per_m, 950.0); // the library does not say it
+        const QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("own.hygrolib").toStdString();
+        write_yarns({read}, path);
+        QCOMPARE(read_yarns(path).at(0).unsaid, read.unsaid);
+        QCOMPARE(yarns_of_csv(csv_of_yarns({read}), "again.csv").at(0).unsaid, read.unsaid);
+        const LibraryYarn said = yarns_of_csv("name,count,material,twist_per_m\nfine,20 tex,cotton,800\n", "t.csv", {read}).at(0);
+        QVERIFY(!same_yarn(design, own, said));
+        QCOMPARE(yarns_of_csv("name,count,material\nfine,20 tex,cotton\n", "t.csv", {said}).at(0).yarn().twist_per_m, 800.0);
+    }
+    void countsAreWrittenAsTheTradeWritesThem()
+    {
+        const auto back_and_forth = [](const std::string& count) {
+            const LibraryYarn yarn = yarns_of_csv("name,count,material\na," + count + ",polyester\n", "c.csv").at(0);
+            const std::string table = csv_of_yarns({yarn});
+            if (yarns_of_csv(table, "again.csv").at(0).yarn() != yarn.yarn()) return std::string("another yarn");
+            return size_text(yarn.yarn());
+        };
+        for (const char* count : {"Ne 60/2", "Nm 48/2", "14.8 tex × 2", "150/48 den", "167 dtex f48", "29.5 tex"})
+            QCOMPARE(back_and_forth(count), std::string(count).starts_with("167") ? std::string("167/48 dtex") : std::string(count));
+        QVERIFY(csv_of_yarns(yarns_of_csv("name,count,material\na,Ne 60/2,cotton\n", "c.csv")).find(",Ne 60/2,") != std::string::npos);
+        const std::string fine = "name,linear_density_tex,material\na,14.8123456,cotton\n"; // no count of four digits is it
+        const std::vector<LibraryYarn> kept = yarns_of_csv(csv_of_yarns(yarns_of_csv(fine, "f.csv")), "again.csv");
+        QCOMPARE(*kept.at(0).yarn().linear_density_tex, 14.8123456);
+    }
+    void tablesThatHoldNoYarnSaySo()
+    {
+        const auto said = [](const std::string& table) {
+            try {
+                yarns_of_csv(table, "t.csv");
+            } catch (const Error& error) {
+                return std::string(error.what());
+            }
+            return std::string();
+        };
+        QCOMPARE(said("name,count\n"), std::string("t.csv: The table holds no yarn: below the line that names the columns there is none."));
+        QCOMPARE(said("name,count\na,Ne 20\nM\xfcller,Ne 30\n"),
+                 std::string("t.csv: line 3: The text is not UTF-8; save the table as CSV in UTF-8."));
+    }
+    void whoChangesALibraryWaitsForOthers()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("own.hygrolib").toStdString();
+        const auto keep = [path] { keep_in_library(library_yarn({}, Yarn(), "fine"), path); };
+        std::thread other;
+        {
+            const ChangeLock alone(path);
+            other = std::thread(keep);
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+            write_yarns({library_yarn({}, Yarn(), "of the first")}, path);
+        }
+        other.join();
+        QCOMPARE(read_yarns(path).size(), std::size_t{2}); // neither is lost
     }
     void yarnsGoThroughATable()
     {

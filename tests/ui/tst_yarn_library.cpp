@@ -8,6 +8,9 @@
 #include <QLabel>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
+
+#include <algorithm>
 
 using namespace hygroloom;
 
@@ -33,6 +36,8 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const QString library = folder.filePath("own.hygrolib");
         warp.keep("as it was", library);
+        QCOMPARE(document.design()->fabrics[0].warp.library_yarn, std::string("as it was"));
+        document.history()->undo();
         LibraryYarn finer = read_yarns(library.toStdString()).at(0);
         QCOMPARE(finer.yarn(), before.fabrics[0].warp);
         finer.design.fabrics[0].warp.twist_per_m += 100;
@@ -50,6 +55,38 @@ private Q_SLOTS:
         QCOMPARE(document.design()->fabrics[0].warp.twist_per_m, common.twist_per_m + 100);
         QVERIFY(document.design()->fabrics[0].warp.color == (Color{1, 2, 3}));
         QCOMPARE(document.design()->fabrics[1], before.fabrics[1]);
+    }
+    void yarnsAreBroughtUpToDateInOneStep()
+    {
+        Document document;
+        QVERIFY(document.openExample(QDir(examplesFolder()).filePath("three-candidates.hygro")));
+        DesignForm form(document);
+        form.addSection("Fabric");
+        YarnPanel warp(form, YarnUse::warp, nullptr);
+        form.refresh();
+        const QTemporaryDir folder;
+        const QString library = folder.filePath("own.hygrolib");
+        warp.keep("fine", library);
+        const auto buttons = form.findChildren<QToolButton*>();
+        QVERIFY(std::any_of(buttons.begin(), buttons.end(), [](const QToolButton* each) { return each->text() == "fine"; }));
+        document.edit("another fabric has it, too", {}, [](Design& design) { design.fabrics[1].weft = design.fabrics[0].warp; });
+        document.endStroke();
+        const int steps = document.history()->count();
+        QVERIFY(warp.updateFrom(library).empty()); // as they are there
+        QCOMPARE(document.history()->count(), steps);
+        LibraryYarn finer = read_yarns(library.toStdString()).at(0);
+        finer.design.fabrics[0].warp.twist_per_m += 100;
+        write_yarns({finer}, library.toStdString());
+        const Design before = *document.design();
+        const std::vector<YarnUpdate> updates = warp.updateFrom(library);
+        QCOMPARE(document.history()->count(), steps + 1);
+        QCOMPARE(document.design()->fabrics[0].warp.twist_per_m, before.fabrics[0].warp.twist_per_m + 100);
+        QCOMPARE(document.design()->fabrics[1].weft.twist_per_m, before.fabrics[0].warp.twist_per_m + 100);
+        const QString said = YarnPanel::saidOf(updates);
+        QVERIFY2(said.contains("Twist: ") && said.contains(QString::fromStdString(before.fabrics[1].name) + ", weft: fine"),
+                 qPrintable(said));
+        document.history()->undo();
+        QCOMPARE(*document.design(), before);
     }
     void loomAndPriceHaveFields()
     {

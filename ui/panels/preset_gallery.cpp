@@ -59,12 +59,9 @@ QString userLibraryPath() { return QDir(QStandardPaths::writableLocation(QStanda
 
 void keepInLibrary(const Design& design, const Fabric& fabric, const QString& path)
 {
-    QDir().mkpath(QFileInfo(path).absolutePath());
-    std::vector<Preset> kept = read_library(path.toStdString());
-    std::erase_if(kept, [&](const Preset& preset) { return preset.fabric().name == fabric.name; });
-    kept.push_back(
-        preset_of(design, fabric, PresetGallery::tr("My library").toStdString(), PresetGallery::tr("Saved by you.").toStdString()));
-    write_library(kept, path.toStdString());
+    keep_in_library(
+        preset_of(design, fabric, PresetGallery::tr("My library").toStdString(), PresetGallery::tr("Saved by you.").toStdString()),
+        path.toStdString());
 }
 
 PresetGallery::PresetGallery(const QString& library, QWidget* parent)

@@ -61,6 +61,7 @@ YarnPanel::YarnPanel(DesignForm& form, YarnUse use, QObject* parent)
     QuantityEdit* fibres = form.addNumber(row_, "fibres_per_yarn");
     QuantityEdit* evenness = form.addNumber(row_, "irregularity_cv");
     QuantityEdit* price = form.addNumber(row_, "price");
+    price->setPlaceholderText(tr("no price"));
     crimp_ = form.addDerived(tr("Crimp"), tr("How much longer the yarn is than the fabric."));
     pore_ = form.addDerived(tr("Fibre pores"), tr("Radius of the pores between the fibres; they draw water in by capillarity."));
     fields_ = {fibre_,           blend_, share_,     core_,          core_share_, diameter_, count_, packing_, twist_,
@@ -243,6 +244,7 @@ std::string YarnPanel::path(const char* field) const
 void YarnPanel::refresh()
 {
     if (choice_) { refreshChoice(); }
+    refreshLibrary();
     const Yarn* y = yarn();
     for (QWidget* field : fields_) { field->setEnabled(y != nullptr); }
     if (same_) { same_->setEnabled(y != nullptr); }

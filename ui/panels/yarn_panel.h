@@ -27,10 +27,15 @@ public:
 
     /// The yarn as the library has it, dyed so where it comes in colours; without one it keeps its colour.
     void take(const LibraryYarn& from, const std::optional<Color>& color = {});
-    /// Into the library at path; a yarn of that name is replaced. Throws FileError.
-    void keep(const QString& name, const QString& path) const;
+    /// Into the library at path; a yarn of that name is replaced. The yarn refers to it then. Throws FileError.
+    void keep(const QString& name, const QString& path);
     /// All yarns of the project that are the same as this one become the library's, in one step of the history. How many fabrics changed.
     int replaceEverywhere(const LibraryYarn& by);
+    /// All yarns of the project that refer to the library at path become as they are there, in one step of the history, or none where
+    /// they are so already. Throws FileError.
+    std::vector<YarnUpdate> updateFrom(const QString& path);
+    /// What changed, for the user.
+    static QString saidOf(const std::vector<YarnUpdate>& updates);
 
 Q_SIGNALS:
     /// The values of this one of the project's own fibres are to be edited.
@@ -51,6 +56,8 @@ private:
     void addLibrary();
     void fillLibrary(QMenu& menu);
     void askToKeep();
+    void updateAndSay();
+    void refreshLibrary();
     void addMaterials();
     using PartName = std::string* (*)(Yarn&); ///< the name of a fibre in a yarn; nullptr: it has none there
     /// Beside a choice of a fibre: a button for makeOwn().
@@ -76,6 +83,7 @@ private:
     FormSection section_;
     FormOwner<Yarn> row_;
     int stripe_ = 0; ///< of the extra yarns, the one last chosen; there may be fewer now
+    QToolButton* library_ = nullptr;
     QComboBox* choice_ = nullptr;
     QCheckBox* same_ = nullptr;
     QComboBox* fibre_ = nullptr;
