@@ -52,7 +52,8 @@ void print_card(const Card& card)
         print_result("  {:<44} {:>7.4g} g/m     {:.3g} tex, crimp {:.3g} %, take-up {:.3g} %\n", name_of(use), use.grams_per_metre, use.tex,
                      use.crimp_percent, use.take_up_percent());
     print_result("  {:<44} {:>7.4g} g/m     of {:.4g} cm\n", "yarn, together", card.technical.grams_per_metre, card.technical.width_cm);
-    if (card.technical.yarn_cost_per_metre) print_result("  {:<44} {:>7.4g} a metre\n", "yarn cost", *card.technical.yarn_cost_per_metre);
+    if (card.technical.yarn_cost_per_metre)
+        print_result("  {:<44} {:>7.4g} per m   in the currency of the prices\n", "yarn cost", *card.technical.yarn_cost_per_metre);
     for (const LaboratoryNumber& number : card.numbers.found) {
         const std::string run = number.run.empty() ? std::string() : " (" + number.run + ")";
         print_result("  {:<44} {:>7} {:<12} {:<18} {}{}\n", number.title, value_text(number), number.unit, range_text(number.estimate),

@@ -17,6 +17,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <string_view>
 #include <tuple>
 
 namespace hygroloom {
@@ -67,7 +68,7 @@ std::vector<ConstructionNumber> construction_numbers(const Card& card)
                                         {"picks_per_cm", "Picks, finished", card.picks_per_cm, "/cm"}};
     const LoomState& loom = card.technical.loom;
     const auto add_if = [&](const char* key, const char* title, const std::optional<double>& value, const char* unit) {
-        if (value) all.push_back({key, title, *value, unit, 4});
+        if (value) all.push_back({key, title, *value, unit, unit == std::string_view("%") ? 3 : 4});
     };
     add_if("loom_ends_per_cm", "Ends on the loom", loom.ends_per_cm, "/cm");
     add_if("loom_picks_per_cm", "Picks on the loom", loom.picks_per_cm, "/cm");
@@ -87,35 +88,59 @@ std::vector<ConstructionNumber> construction_numbers(const Card& card)
     return all;
 }
 
+constexpr double usual_length_m = 100; // where none is ordered
+
 PageBlocks consumption_table(const Card& card, const ReaderUnits& units)
 {
     const ReaderUnit count = reader_unit(units, "tex");
-    std::vector<PageRow> rows;
+    const double length_m = card.length_m > 0 ? card.length_m : usual_length_m;
+    const auto number = [](double value, int digits) { return PageCell{rounded_text(value, digits), PageCell::Kind::number}; };
+    const auto priced = [](const YarnConsumption& use) { return use.cost_per_metre.has_value(); };
+    const bool costs = std::any_of(card.technical.yarns.begin(), card.technical.yarns.end(), priced);
+    std::vector<std::string> headings{
+        "yarn", "count, " + count.unit, "share, %", "take-up, %", "g/m", fmt::format("kg for {:g} m", length_m)};
+    if (costs) headings.emplace_back("cost of 1 m");
+    std::vector<PageRow> rows{row_of_headings(headings)};
     for (const YarnConsumption& use : card.technical.yarns) {
-        std::string remark = fmt::format("{:.3g} % of the threads, {:.3g} {}, take-up {:.3g} %", 100 * use.share, count.of(use.tex),
-                                         count.unit, use.take_up_percent());
-        if (use.cost_per_metre) remark += fmt::format(", costs {:.4g} a metre", *use.cost_per_metre);
-        if (card.length_m > 0) remark += fmt::format(", {:.4g} kg for {:g} m", 1e-3 * use.grams_per_metre * card.length_m, card.length_m);
-        rows.push_back(row(name_of(use), rounded_text(use.grams_per_metre, 4), "g/m", remark));
+        PageRow line{
+            {name_of(use), PageCell::Kind::heading}, number(count.of(use.tex), 3),   number(100 * use.share, 3),
+            number(use.take_up_percent(), 3),        number(use.grams_per_metre, 4), number(1e-3 * use.grams_per_metre * length_m, 4)};
+        if (costs) line.push_back(use.cost_per_metre ? number(*use.cost_per_metre, 3) : PageCell{"no price", PageCell::Kind::number});
+        rows.push_back(std::move(line));
     }
-    rows.push_back(row("Together", rounded_text(card.technical.grams_per_metre, 4), "g/m"));
-    if (const auto& cost = card.technical.yarn_cost_per_metre) rows.push_back(row("Yarn cost", rounded_text(*cost, 4), "a metre"));
-    return joined({table(rows), list(card.technical.notes)});
+    PageRow sum{{"together", PageCell::Kind::heading, {}, {}, 4},
+                number(card.technical.grams_per_metre, 4),
+                number(1e-3 * card.technical.grams_per_metre * length_m, 4)};
+    if (const auto& cost = card.technical.yarn_cost_per_metre) sum.push_back(number(*cost, 3));
+    rows.push_back(std::move(sum));
+    const char* about = "The share is that of the threads of warp or weft; the take-up is of the yarn's length.";
+    const char* currency = " Costs are in the currency in which the yarns' prices for a kilogram are given.";
+    return joined({table(rows), sentence(std::string(about) + (costs ? currency : "")), list(card.technical.notes)});
+}
+
+/// Each sentence once, in their order.
+std::vector<std::string> comparisons(const std::vector<LaboratoryNumber>& numbers)
+{
+    std::vector<std::string> said;
+    for (const LaboratoryNumber& number : numbers)
+        if (!number.model.empty() && std::find(said.begin(), said.end(), number.model) == said.end()) said.push_back(number.model);
+    return said;
 }
 
 PageBlocks laboratory_table(const Card& card, const ReaderUnits& units)
 {
-    std::vector<PageRow> rows;
+    std::vector<PageRow> rows{row_of_headings({"number", "value", "unit", "range", "standard and conditions"})};
     for (const LaboratoryNumber& number : card.numbers.found) {
         const LaboratoryNumber seen = in_units(number, units);
-        std::string remark = range_text(seen.estimate);
+        std::string remark;
         for (const std::string& more :
-             {grade_text(number), number.standard, number.conditions, number.run.empty() ? std::string() : "Run: " + number.run,
-              number.model.empty() ? std::string() : "Compared: " + number.model})
+             {grade_text(number), number.standard, number.conditions, number.run.empty() ? std::string() : "run: " + number.run})
             if (!more.empty()) remark += (remark.empty() ? "" : "; ") + more;
-        rows.push_back(row(number.title, value_text(seen), seen.unit, remark));
+        rows.push_back(row(number.title, value_text(seen), seen.unit, range_text(seen.estimate)));
+        rows.back().resize(4);
+        rows.back().push_back({remark});
     }
-    return joined({table(rows), list(card.numbers.missing), list(card.numbers.notes)});
+    return joined({table(rows), list(comparisons(card.numbers.found)), list(card.numbers.missing), list(card.numbers.notes)});
 }
 
 /// Of the table, see card_csv().
@@ -344,10 +369,14 @@ std::string card_csv(const Card& card)
         line("yarn_linear_density_tex", name_of(use), exact(use.tex), "tex", "", "");
         line("yarn_take_up_percent", name_of(use), exact(use.take_up_percent()), "%", "", "");
         line("yarn_g_per_m", name_of(use), exact(use.grams_per_metre), "g/m", "", "");
+        if (card.length_m > 0)
+            line("yarn_kg", name_of(use), exact(1e-3 * use.grams_per_metre * card.length_m), "kg", "",
+                 fmt::format("for {:g} m", card.length_m));
     }
     line("yarn_g_per_m", "together", exact(card.technical.grams_per_metre), "g/m", "", "");
     if (card.technical.yarn_cost_per_metre)
-        line("yarn_cost_per_m", "Yarn cost", exact(*card.technical.yarn_cost_per_metre), "a metre", "", "");
+        line("yarn_cost_per_m", "Yarn cost", exact(*card.technical.yarn_cost_per_metre), "per m", "",
+             "in the currency of the yarns' prices");
     for (const LaboratoryNumber& number : card.numbers.found) csv += line_of(number);
     for (const std::string& sentence : card.numbers.missing) csv += fmt::format("missing,{},,,,,,,\n", csv_field(sentence));
     for (const std::string& sentence : card.numbers.notes) csv += fmt::format("note,{},,,,,,,\n", csv_field(sentence));
@@ -356,11 +385,12 @@ std::string card_csv(const Card& card)
 
 ReportPage card_page(const Card& card, const std::vector<ReportPicture>& pictures, const ReaderUnits& units)
 {
+    constexpr std::size_t day = 10; // letters of a date
     const char* about =
         "Computed from the drawn cloth, not measured. The range after a value holds what the description leaves open and the error of the "
-        "computation, not what the physics leaves out; of a test that ran once, the error of the computation alone. Where a number was "
-        "compared with measurements, it says so.";
-    return {card.fabric, joined({sentence(fmt::format("Technical card. {}, {}", made_by(), card.made_at)),
+        "computation, not what the physics leaves out; of a test that ran once, the error of the computation alone. Below the numbers "
+        "stands how far off they were where they were compared with measurements.";
+    return {card.fabric, joined({sentence(fmt::format("Technical card of {}. {}", card.made_at.substr(0, day), made_by())),
                                  pictures.empty() ? sentence("No picture: a repeat is more than 10 cm wide or high.") : blocks_of(pictures),
                                  section("Construction", table(construction_rows(card, units))),
                                  section("Yarn for a metre", consumption_table(card, units)),

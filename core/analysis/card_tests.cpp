@@ -120,7 +120,10 @@ std::string conditions_of(const Experiment& e)
     if (e.type == ExperimentType::droplet) text += fmt::format(", one drop of {:g} µl", e.droplets.front().volume_ul);
     if (e.type == ExperimentType::moisture_management) text += fmt::format(", {:g} µl of saline in {:g} s", e.volume_ul, e.feed_s);
     if (e.type == ExperimentType::vertical_wicking)
-        text += fmt::format(", {:g} mm hang in water; water for each mm of the strip's width", e.immersion_mm);
+        text +=
+            fmt::format(", strip hangs, {:g} mm of it in water; some cm up the rooms between the yarns empty, and the yarns draw alone; "
+                        "water for each mm of the strip's width",
+                        e.immersion_mm);
     if (e.type == ExperimentType::drying)
         text += fmt::format(", air {:g} m/s, {:g} g/m² at the start", e.climate.air_speed_m_s, e.initial_water_g_m2);
     if (e.type == ExperimentType::conditioning) text += ", from dry";
@@ -204,7 +207,8 @@ void add_test_numbers(LaboratoryNumbers& numbers, const CardTest& test, const Ca
         numbers.found.push_back(std::move(number));
     }
     if (candidate.metrics)
-        for (const std::string& note : candidate.metrics->notes) numbers.notes.push_back(fmt::format("{}: {}", test.title, note));
+        for (const std::string& note : candidate.metrics->notes) // those of the computation stand in the run's report
+            if (!note.starts_with("Numerical:")) numbers.notes.push_back(fmt::format("{}: {}", test.title, note));
 }
 
 } // namespace hygroloom

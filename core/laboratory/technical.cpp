@@ -31,11 +31,13 @@ void add_yarns(TechnicalCard& card, const Fabric& fabric, const FittedFabric& fi
     }
 }
 
-/// Taylor's rule of thumb: contraction in percent is four times the intersections an inch over the cotton count of the crossed yarn.
+/// Of crimps that are calculated. Taylor's rule of thumb: contraction in percent is four times the intersections an inch over the cotton
+/// count of the crossed yarn.
 void note_take_up(TechnicalCard& card, const Fabric& fabric, const FittedFabric& fitted)
 {
     const WovenYarns woven = woven_yarns(fabric, fitted.yarns);
     for (const YarnConsumption& use : card.yarns) {
+        if (use.warp ? fabric.warp_crimp_percent : fabric.weft_crimp_percent) continue;
         const double crossed_per_inch = per_inch_from_per_cm(use.warp ? fabric.picks_per_cm : fabric.ends_per_cm);
         const double changes = woven.changes(use.warp) * crossed_per_inch;
         double crossed_tex = 0;

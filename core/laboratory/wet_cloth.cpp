@@ -68,7 +68,8 @@ Pores pores_of(const Textile& textile, const RoomTables& tables, const Off& off)
     const BetweenParameters between = room_of_crossing(textile, 0, 0, water(), tables);
     pores.room = between.volume / (textile.warp.pitch * textile.weft.pitch);
     pores.of_room = scaled_suctions(retention_of_room(textile, between), off.room_suctions);
-    pores.room_fills = pores.of_room.front > -density() * gravity_acceleration * bath_depth;
+    // Water of a bath stands on both faces and wets the yarns: it shuts no air in between them.
+    pores.room_fills = pores.yarns > 0 || pores.of_room.front > -density() * gravity_acceleration * bath_depth;
     pores.solid_depth = textile.thickness / fibre;
     return pores;
 }
@@ -101,6 +102,11 @@ struct Wicking {
 };
 Wicking wicking_of_yarns(const Textile& textile, YarnKind along)
 {
+    const YarnKind across = along == YarnKind::warp ? YarnKind::weft : YarnKind::warp;
+    const auto pores_in = [&](YarnKind kind) { // m of a square metre; those across the front drink, too
+        const YarnType& of = textile.system(kind).types[0];
+        return wets(textile, kind) ? of.area * (1 - of.packing) * of.length_per_pitch[0] / textile.system(kind).pitch : 0.0;
+    };
     const YarnType& type = textile.system(along).types[0];
     const YarnBySuction yarn = yarn_by_suction(type, textile, along, water());
     const Retention& pores = yarn.on_top.retention;
@@ -111,7 +117,7 @@ Wicking wicking_of_yarns(const Textile& textile, YarnKind along)
     for (int i = 0; i < places; ++i)
         integral += step * share_of_permeability(held_filling(pores, step * (i + 0.5)).saturation, pores.threshold, 7);
     const double pitch = textile.system(along).pitch, longer = type.length_per_pitch[0];
-    return {yarn.flow_along * integral / (pitch * longer), type.area * (1 - type.packing) * longer / pitch};
+    return {yarn.flow_along * integral / (pitch * longer), pores_in(along) + pores_in(across)};
 }
 Wicking wicking_of_room(const Textile& textile, const RoomTables& tables, YarnKind along, const Off& off)
 {

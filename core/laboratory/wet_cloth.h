@@ -17,13 +17,13 @@ struct WaterHeld {
 constexpr double hanging_height = 0.10; ///< m, DIN 53923
 constexpr double spin_acceleration = 350,
                  spin_load = 8.2; ///< in units of gravity; dry kg/m2 of wall, as 10 CFR 430 J3 loads its test cloth
-/// Retention curves of yarns and of the room as they empty. Yarns that do not wet take none, and the room takes none that 5 cm of water do
-/// not press into it. The interval: suctions of the room 20 % either way, packing of yarns 0.05.
+/// Retention curves of yarns and of the room as they empty. Yarns that do not wet take none; the room fills where any yarn wets, else
+/// where 5 cm of water press into it. The interval: suctions of the room 20 % either way, packing of yarns 0.05.
 WaterHeld water_held(const Textile& textile, const RoomTables& tables);
 
 /// m/sqrt(s), by which a level strip's front goes with the root of time: permeability over suction of yarns and rooms together, integrated
-/// up to the suction at which each fills, over the water behind it. The interval: suctions of the room 20 %, permeabilities 30 % either
-/// way.
+/// up to the suction at which each fills, over the water behind it: in the rooms and in the yarns of both systems. The interval: suctions
+/// of the room 20 %, permeabilities 30 % either way.
 Estimate wicking_speed(const Textile& textile, const RoomTables& tables, YarnKind along);
 
 /// Pa of water that breaks through. Of repellent yarns: the least of the holes in 100 cm2, by the third (ISO 811): gaps scatter by how

@@ -68,6 +68,8 @@ void run_comparison(Comparison& comparison, const std::vector<NamedJob>& candida
     batch.name = comparison.experiment;
     batch.count = all;
     batch.places = places;
+    batch.paused = watch.paused;
+    batch.room = watch.room;
     batch.job = [&](std::size_t i) {
         RunJob job = candidates[i % candidates.size()].job;
         job.replicate = static_cast<int>(i / candidates.size());

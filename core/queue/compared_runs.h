@@ -26,6 +26,8 @@ struct ComparedWatch {
     std::function<void(std::size_t, RunJob&)> begins = {};        ///< from its thread: it may add its callbacks
     std::function<void(std::size_t, const RunResult&)> came = {}; ///< one that came to its end, before it is judged
     std::function<void(std::size_t)> ended = {};                  ///< any, after it was judged; never two at a time
+    std::function<void(bool)> paused = {};                        ///< see RunBatch
+    std::function<double()> room = {};                            ///< see RunBatch
 };
 
 /// Runs every candidate as often as the comparison has replicates: all have their first before one has its second. An Error in a run

@@ -63,6 +63,12 @@ private Q_SLOTS:
         const QByteArray page = content(file("card.html"));
         for (const char* text : {"Air permeability at 100 Pa", "ISO 11092", "data:image/png", "10 mm", "turned over", "mm wide", "g/m"})
             QVERIFY2(page.contains(text), text);
+        for (const char* text : {"verify", "T0", "Numerical"}) QVERIFY2(!page.contains(text), text); // of programs, not of cloths
+        QCOMPARE(
+            run_cli({"card", poplin(), "-o", file("order.html"), "-q", "--length-m", "500", "--set", "fabrics[0].warp.price=6.5"}).code, 0);
+        const QByteArray order = content(file("order.html"));
+        for (const char* text : {"kg for 500 m", "cost of 1 m", "no price", "currency", "Give the thickness as measured"})
+            QVERIFY2(order.contains(text), text);
         QCOMPARE(run_cli({"card", poplin(), "-o", file("card.csv"), "-q"}).code, 0);
         const QByteArray table = content(file("card.csv"));
         QVERIFY(table.startsWith("key,title,value,low,high,unit,standard,conditions,run\n") && table.contains("\nret_m2pa_w,"));
@@ -113,10 +119,37 @@ private Q_SLOTS:
         QCOMPARE(run_cli({"yarns", file("own.hygrolib"), "--read", file("yarns.csv"), "-q", "--write", file("all.csv")}).code, 0);
         QVERIFY(content(file("all.csv")).contains("\nnew,Mill,cotton 100,"));
         const QJsonObject listed = run_cli({"yarns", file("own.hygrolib"), "--json"}).json();
-        QCOMPARE(listed["yarns"].toArray()[0].toObject()["supplier"].toString(), "Mill");
+        const QJsonObject yarn = listed["yarns"].toArray()[0].toObject();
+        QCOMPARE(yarn["supplier"].toString(), "Mill");
+        QCOMPARE(yarn["count"].toString(), "Ne 36");
+        QCOMPARE(yarn["fibres"].toString(), "cotton 100");
+        QVERIFY(yarn["price"].isNull());
         const QStringList use{"yarns", file("own.hygrolib"), "--project", poplin(), "--json", "--where-used"};
         QVERIFY(run_cli(use + QStringList{"new"}).json()["fabrics"].toArray().isEmpty()); // the poplin has another
         QCOMPARE(run_cli(use + QStringList{"no such"}).code, 2);
+    }
+    void yarnsOfAProjectAreBroughtUpToDate()
+    {
+        const auto kept = [](const QByteArray& table) {
+            QFile csv(file("kept.csv"));
+            if (csv.open(QIODevice::WriteOnly)) csv.write(table);
+            csv.close();
+            return run_cli({"yarns", file("kept.hygrolib"), "--read", file("kept.csv"), "-q"}).code;
+        };
+        const QString cloth = file("kept.hygro");
+        run_cli({"presets", "Poplin shirting", "-o", cloth});
+        QCOMPARE(kept("name,material,linear_density_tex,packing_factor\nwarp,cotton,14.7625,0.6\n"), 0);
+        const QStringList of{"yarns", file("kept.hygrolib"), "--project", cloth, "--json"};
+        QVERIFY(run_cli(of + QStringList{"--where-used", "warp", "--by", "warp"}).json()["replaced"].toBool()); // it refers to it now
+        QVERIFY(!run_cli(of + QStringList{"--update"}).json()["updated"].toBool());
+        QCOMPARE(kept("name,material,linear_density_tex,packing_factor\nwarp,cotton,14.5,0.6\n"), 0);
+        const QJsonObject done = run_cli(of + QStringList{"--update"}).json();
+        QVERIFY(done["updated"].toBool());
+        const QJsonObject change = done["updates"].toArray()[0].toObject()["changes"].toArray()[0].toObject();
+        QCOMPARE(change["field"].toString(), "linear_density_tex");
+        QCOMPARE(change["before"].toString() + " " + change["after"].toString(), "14.7625 tex 14.5 tex");
+        QVERIFY(content(cloth).contains("\"library_yarn\": \"warp\"") && content(cloth).contains("14.5"));
+        QCOMPARE(run_cli({"yarns", file("kept.hygrolib"), "--update"}).code, 2); // no project is named
     }
     void aYarnThatDoesNotFitReplacesNone()
     {

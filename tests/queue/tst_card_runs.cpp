@@ -6,6 +6,9 @@
 #include "core/project/library.h"
 #include "core/queue/card_runs.h"
 #include "tests/support/places.h"
+#include "tests/support/run.h"
+
+#include <fmt/format.h>
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -137,6 +140,49 @@ private Q_SLOTS:
             QCOMPARE(jobs.jobs.size(), std::size_t{1});
             QCOMPARE(jobs.jobs.front().job.how.recording, what.kept / "regain-2.hygrorec"); // none is replaced
         }
+    }
+    /// Before its weight counts, water rises as fast as it goes in a level strip, in the direction of either system.
+    void aLevelStripGoesAsAHangingOneBegins()
+    {
+        for (const char* system : {"warp", "weft"}) {
+            Design design = poplin().design;
+            design.experiments = {card_test(std::string("wicking_") + system, poplin().fabric(), poplin().known.found).experiment};
+            design.experiments[0].duration_s = 1;
+            RunOptions how;
+            how.fidelity = Fidelity::live;
+            const double risen = 1e3 * run(design, how).metrics.wicking->height; // mm, in one second
+            const Estimate level = number_of(poplin().known, fmt::format("wicking_speed_{}_mm_sqrt_s", system))->estimate;
+            QVERIFY2(level.low < risen && risen < level.high,
+                     qPrintable(QString("%1: %2 mm, %3 to %4").arg(system).arg(risen).arg(level.low).arg(level.high)));
+        }
+    }
+    void notesOfTheComputationStayOffTheCard()
+    {
+        LaboratoryNumbers numbers;
+        Candidate candidate;
+        Metrics metrics;
+        metrics.notes = {"Numerical: 4 times something was not found.", "The strip was wet to its end."};
+        candidate.metrics = std::make_shared<const Metrics>(metrics);
+        add_test_numbers(numbers, card_test("wicking_warp", poplin().fabric(), poplin().known.found), candidate, "live, cpu");
+        QCOMPARE(numbers.notes, std::vector<std::string>{"Wicking along the warp: The strip was wet to its end."});
+    }
+    void aBatchIsPausedAndSharesMemory()
+    {
+        const CardJobs jobs = card_jobs(poplin().design, poplin().fabric(), poplin().known, quick({"regain"}));
+        RunQueue queue;
+        std::atomic<bool> asked = false, paused = false, cancel = false;
+        ComparedWatch watch;
+        watch.room = [&] {
+            asked = true;
+            return 1e12;
+        };
+        watch.paused = [&](bool on) { paused = on; };
+        watch.begins = [&](std::size_t, RunJob&) {
+            if (!cancel) queue.set_paused(queue.list().front().id, true);
+            cancel = true;
+        };
+        run_card_jobs(jobs, 1, queue, cpu_places(), cancel, watch);
+        QVERIFY(asked && paused);
     }
     void whatWasStoppedIsMissing()
     {

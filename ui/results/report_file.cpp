@@ -80,7 +80,9 @@ public:
     {
         heading(page.title, 1);
         for (const PageBlock& block : page.blocks) {
-            if (!std::holds_alternative<PagePicture>(block)) { endPictures(); }
+            const auto* picture = std::get_if<PagePicture>(&block);
+            if (!picture || (picture->width_mm > 0) != true_scale_) { endPictures(); }
+            if (picture) { true_scale_ = picture->width_mm > 0; }
             std::visit(*this, block);
         }
         endPictures();
@@ -113,7 +115,7 @@ public:
         html_ += QString("<p><img src=\"%1\">").arg(pictures_.add(QByteArray::fromStdString(block.svg)));
         html_ += (block.caption.empty() ? QString() : "<br>" + escaped(block.caption)) + "</p>";
     }
-    /// Two of those that follow each other stand in a row.
+    /// Two of those that follow each other stand in a row; those at true scale, which are small, in rows of their own.
     void operator()(const PagePicture& block)
     {
         const QString name = QString("map:%1").arg(maps_++);
@@ -158,6 +160,7 @@ private:
     const std::set<int>& broken_;
     QString html_;
     int headings_ = 0, maps_ = 0, in_row_ = 0;
+    bool true_scale_ = false; ///< the picture before
 };
 
 /// The page on which a block's first line stands.
@@ -284,9 +287,10 @@ QString askForFile(QWidget* parent, const QString& title, const QString& folder,
     return {};
 }
 
-QString askForReportFile(QWidget* parent, const QString& folder, const QString& name)
+QString askForReportFile(QWidget* parent, const QString& folder, const QString& name, const QString& title)
 {
-    return askForFile(parent, QObject::tr("Save Report"), folder, name, {QObject::tr("PDF"), "pdf"}, {QObject::tr("Web page"), "html"});
+    return askForFile(parent, title.isEmpty() ? QObject::tr("Save Report") : title, folder, name, {QObject::tr("PDF"), "pdf"},
+                      {QObject::tr("Web page"), "html"});
 }
 
 } // namespace hygroloom

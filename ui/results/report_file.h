@@ -35,6 +35,6 @@ QString askForFile(QWidget* parent, const QString& title, const QString& folder,
                    const FileKind& second);
 
 /// Asks where a report is to be saved, as PDF or web page; empty: nowhere. name: a suggestion, without an ending.
-QString askForReportFile(QWidget* parent, const QString& folder, const QString& name);
+QString askForReportFile(QWidget* parent, const QString& folder, const QString& name, const QString& title = {});
 
 } // namespace hygroloom
