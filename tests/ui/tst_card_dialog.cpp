@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 // File, Technical Card: the numbers come in the background, follow the fabric, are run and cancelled, and what is saved is the core's.
+#include "tests/ui/answer_questions.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/preferences.h"
 #include "ui/export/card_dialog.h"
 #include "ui/window/examples.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -93,6 +95,42 @@ private Q_SLOTS:
         QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog->numbers().running(), 20000);
         QVERIFY(shown.dialog->numbers().canRun());
         QCOMPARE(textOf(*shown.dialog, "Regain at 65 % humidity", 1), "…");
+    }
+    void testsGoOnWhileTheDialogIsHiddenAndAreAskedAbout()
+    {
+        Shown shown;
+        QVERIFY(shown.ready());
+        QVERIFY(shown.dialog->agreesToStopTests(nullptr)); // there are none
+        shown.dialog->startOrCancel();
+        QTRY_COMPARE(shown.queue.list().size(), std::size_t{1});
+        shown.dialog->hide();
+        QTest::qWait(300);
+        QVERIFY(shown.dialog->numbers().running() && shown.queue.list().size() == 1);
+        shown.queue.runs().set_paused(shown.queue.list().front().id, true);
+        shown.dialog->show();
+        QTRY_VERIFY(shown.dialog->message().contains("paused"));
+        QVERIFY(shown.dialog->numbers().running());
+        {
+            const auto no = answerQuestions("Cancel");
+            QVERIFY(!shown.dialog->agreesToStopTests(shown.dialog.get()));
+        }
+        shown.dialog->startOrCancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog->numbers().running(), 20000);
+    }
+    void constructionAndNotesStandOnIt()
+    {
+        Shown shown;
+        QVERIFY(shown.ready());
+        QVERIFY(textOf(*shown.dialog, "Ends, finished", 1).toDouble() > 0);
+        QVERIFY(textOf(*shown.dialog, "Warp: crimp", 1).toDouble() > 0);
+        shown.document.edit("reed", {}, [&](Design& design) {
+            design.fabrics[static_cast<std::size_t>(shown.document.fabricIndex())].loom.reed_width_cm = 159;
+        });
+        QVERIFY(shown.ready());
+        const auto labels = shown.dialog->findChildren<QLabel*>();
+        QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->isVisible() && label->text().contains("The finished width is not given");
+        }));
     }
     void whatHasEndedStaysWhenTheRestIsCancelled()
     {

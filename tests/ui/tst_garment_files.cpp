@@ -2,6 +2,7 @@
 // Files that the Garment workspace takes beside patterns: rates over time for the experiment, and recordings of other projects; and its
 // commands without a garment.
 #include "ui/basics/quantity_edit.h"
+#include "ui/document/sources.h"
 #include "ui/garment/flat_view.h"
 #include "ui/garment/garment_edits.h"
 #include "ui/garment/garment_panel.h"
@@ -38,6 +39,33 @@ private Q_SLOTS:
         window_.reset();
     }
 
+    void aRunKeptAsATakesTheFilesOfItsGarmentAlong()
+    {
+        addTee();
+        const QByteArray rates = "time_s,zone,g_m2_h\n0,default,200\n600,default,840\n";
+        QVERIFY(QDir().mkpath(folder_.filePath("kept/run")) && QDir().mkpath(folder_.filePath("elsewhere")));
+        QVERIFY(window_->document().saveAs(folder_.filePath("kept/worn.hygro")));
+        write(folder_.filePath("kept/run/rates.csv"), rates);
+        editWear(window_->document(), "rates", 0, {}, [](WearExperiment& wear) {
+            wear.activity_file = "run/rates.csv";
+            wear.duration_s = 5;
+        });
+        window_->run().panel().setFidelity(Fidelity::live);
+        QTRY_VERIFY(window_->run().panel().canRun());
+        window_->run().start();
+        auto& playback = window_->run().garment().playback();
+        QTRY_VERIFY_WITH_TIMEOUT(playback.run() && playback.whole(), 60000);
+        playback.keepAsA();
+        chooseFile(folder_.filePath("elsewhere/a.hygrorec"));
+        trigger("Save A As…");
+        QFile copy(folder_.filePath("elsewhere/run/rates.csv"));
+        QTRY_VERIFY_WITH_TIMEOUT(copy.exists() && copy.size() == rates.size(), 20000);
+        QCOMPARE(folderOfSources(playback.kept()->record->design, folder_.filePath("elsewhere/a.hygrorec")), folder_.filePath("elsewhere"));
+        write(folder_.filePath("elsewhere/run/rates.csv"), "another file\n"); // is not replaced
+        QCOMPARE(copySources(playback.kept()->record->design, folder_.filePath("kept"), folder_.filePath("elsewhere")),
+                 QStringList("run/rates.csv"));
+        QCOMPARE(copy.size(), qint64{13});
+    }
     void ratesOverTimeAreChosenReadAndLetGo()
     {
         addTee();

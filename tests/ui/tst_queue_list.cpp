@@ -101,6 +101,7 @@ private Q_SLOTS:
         QTest::mouseClick(button("Stop"), Qt::LeftButton);
         QTRY_COMPARE(tree()->topLevelItemCount(), 0);
         QVERIFY(!button("Stop")->isEnabled());
+        QVERIFY(list()->isVisible() && !button("Stop")->isVisible() && !tree()->isVisible()); // nothing to press
     }
 
 private:

@@ -2,6 +2,7 @@
 #include "ui/document/sources.h"
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
@@ -30,6 +31,29 @@ bool isFile(const std::string& zones)
     return std::find(shipped.begin(), shipped.end(), zones) == shipped.end();
 }
 
+/// All that a design names by a path from its folder.
+QStringList relativeSources(const Design& design)
+{
+    QStringList files;
+    const auto add = [&files](const std::string& name) {
+        const QString file = QString::fromStdString(name);
+        if (!name.empty() && QFileInfo(file).isRelative() && !files.contains(file)) { files << file; }
+    };
+    for (const Garment& garment : design.garments) {
+        if (!garment.is_built_in()) { add(garment.source); }
+        if (isFile(garment.wearer.zones)) { add(garment.wearer.zones); }
+    }
+    for (const WearExperiment& wear : design.wears) { add(wear.activity_file); }
+    return files;
+}
+
+bool holdTheSame(const QString& a, const QString& b)
+{
+    QFile one(a), other(b);
+    return one.open(QIODevice::ReadOnly) && other.open(QIODevice::ReadOnly) && one.size() == other.size() &&
+           one.readAll() == other.readAll();
+}
+
 } // namespace
 
 QString sourceFrom(const QString& folder, const QString& file)
@@ -51,6 +75,33 @@ Design movedSources(Design design, const QString& from, const QString& to)
     }
     for (WearExperiment& wear : design.wears) { move(wear.activity_file); }
     return design;
+}
+
+QString folderOfSources(const Design& recorded, const QString& recording)
+{
+    const QStringList files = relativeSources(recorded);
+    const QString own = QFileInfo(recording).absolutePath();
+    for (const QString& folder : {own, QFileInfo(own).absolutePath()}) {
+        for (const QString& file : files) {
+            if (QFileInfo::exists(QDir(folder).filePath(file))) { return folder; }
+        }
+    }
+    return {};
+}
+
+QStringList copySources(const Design& design, const QString& from, const QString& to)
+{
+    QStringList left;
+    for (const QString& file : relativeSources(design)) {
+        const QString source = QDir(from).filePath(file), target = QDir(to).filePath(file);
+        if (realFile(source) == realFile(target)) { continue; }
+        const bool outside = QDir::cleanPath(file).startsWith("..");
+        const bool there = QFileInfo::exists(target);
+        const bool copied = there ? holdTheSame(source, target)
+                                  : !outside && QDir().mkpath(QFileInfo(target).absolutePath()) && QFile::copy(source, target);
+        if (!copied) { left << file; }
+    }
+    return left;
 }
 
 } // namespace hygroloom

@@ -5,6 +5,7 @@
 #include "core/design/design.h"
 
 #include <QString>
+#include <QStringList>
 
 namespace hygroloom {
 
@@ -14,5 +15,13 @@ QString sourceFrom(const QString& folder, const QString& file);
 /// The same design in another folder: each file that it names from the one is named from the other. Neither folder need be there; without
 /// the first nothing changes, without the second files are named in full. What is named in full stays so.
 Design movedSources(Design design, const QString& from, const QString& to);
+
+/// The folder from which a recorded design names its files: that of the recording, or the one above, as a project's runs lie; empty: its
+/// files are in neither.
+QString folderOfSources(const Design& recorded, const QString& recording);
+
+/// Copies the files that a design names from a folder to the same places from another one. Returns those that it could not: outside of
+/// the folder, or in the place of another file, which stays.
+QStringList copySources(const Design& design, const QString& from, const QString& to);
 
 } // namespace hygroloom

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "ui/export/card_dialog.h"
 
+#include "ui/basics/ask.h"
 #include "ui/basics/core_words.h"
 #include "ui/basics/preferences.h"
 #include "ui/basics/quantity.h"
@@ -24,7 +25,7 @@ QString words(const std::string& text) { return QString::fromStdString(text); }
 
 CardDialog::CardDialog(Document& document, WindowQueue& queue, QWidget* parent)
     : QDialog(parent), document_(document), numbers_(document, queue), file_(document, this), fabric_(new QLabel),
-      table_(new QTableWidget(0, columns)), message_(new QLabel), progress_(new QProgressBar), start_(new QPushButton),
+      table_(new QTableWidget(0, columns)), notes_(new QLabel), message_(new QLabel), progress_(new QProgressBar), start_(new QPushButton),
       save_(new QPushButton(tr("&Save Card…")))
 {
     setWindowTitle(tr("Technical Card"));
@@ -49,6 +50,10 @@ void CardDialog::arrange()
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->setAccessibleName(tr("Numbers of the card"));
+    notes_->setTextFormat(Qt::PlainText);
+    notes_->setWordWrap(true);
+    notes_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    notes_->setAccessibleName(tr("Notes of the card"));
     message_->setTextFormat(Qt::PlainText);
     message_->setWordWrap(true);
     progress_->setRange(0, 1000);
@@ -70,6 +75,7 @@ void CardDialog::arrange()
     auto* all = new QVBoxLayout(this);
     all->addWidget(fabric_);
     all->addWidget(table_, 1);
+    all->addWidget(notes_);
     all->addWidget(message_);
     all->addLayout(buttons);
 }
@@ -103,21 +109,56 @@ QString CardDialog::state() const
     if (!document_.fabric()) { return tr("The project has no fabric."); }
     if (!document_.fitted()) { return tr("The fabric has errors; see Issues. Mend them first."); }
     if (!numbers_.card()) { return tr("The numbers are being computed."); }
-    if (!numbers_.card()->numbers.missing.empty()) { return tr("Some numbers could not be found; the saved card says why."); }
+    if (numbers_.paused()) { return tr("The tests are paused. The queue of runs, below in the main window, lets them go on."); }
     return numbers_.canRun() ? tr("Numbers in grey need runs.") : QString();
+}
+
+/// What the page says below its numbers, in its language.
+QString CardDialog::notes() const
+{
+    if (!numbers_.card()) { return {}; }
+    QStringList lines;
+    for (const auto* some : {&numbers_.card()->technical.notes, &numbers_.card()->numbers.missing, &numbers_.card()->numbers.notes}) {
+        for (const std::string& note : *some) { lines << words(note); }
+    }
+    return lines.join('\n');
+}
+
+bool CardDialog::agreesToStopTests(QWidget* window) const
+{
+    return !numbers_.running() ||
+           confirm(window, tr("Tests are in progress"), tr("Stop the tests of the technical card?"),
+                   tr("Numbers of tests that have ended are lost, too, unless the card is saved."), tr("Stop the Tests"));
 }
 
 void CardDialog::refresh()
 {
     fabric_->setText(document_.fabric() ? words(document_.fabric()->name) : QString());
     const std::vector<CardNumbers::Row> rows = numbers_.rows();
-    table_->setRowCount(static_cast<int>(rows.size()));
-    for (std::size_t i = 0; i < rows.size(); ++i) { fillRow(static_cast<int>(i), rows[i]); }
+    const std::vector<PageRow> construction =
+        numbers_.card() ? construction_rows(*numbers_.card(), unitsOfReader()) : std::vector<PageRow>();
+    const int above = static_cast<int>(construction.size());
+    table_->setRowCount(above + static_cast<int>(rows.size()));
+    for (int i = 0; i < above; ++i) { fillConstruction(i, construction[static_cast<std::size_t>(i)]); }
+    for (std::size_t i = 0; i < rows.size(); ++i) { fillRow(above + static_cast<int>(i), rows[i]); }
+    notes_->setText(notes());
+    notes_->setVisible(!notes_->text().isEmpty());
     message_->setText(state());
     progress_->setVisible(numbers_.running());
     start_->setText(numbers_.running() ? tr("&Cancel") : tr("&Run the Tests"));
     start_->setEnabled(numbers_.running() || numbers_.canRun());
     save_->setEnabled(numbers_.card() != nullptr);
+}
+
+void CardDialog::fillConstruction(int row, const PageRow& of)
+{
+    const QString number = words(of[1].text).replace('.', QLocale().decimalPoint());
+    const QStringList texts{coreWord(of[0].text), number, {}, words(of[2].text), of.size() > 3 ? words(of[3].text) : QString(), {}};
+    for (int column = 0; column < columns; ++column) {
+        auto* item = new QTableWidgetItem(texts[column]);
+        if (column == value_column) { item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter); }
+        table_->setItem(row, column, item);
+    }
 }
 
 void CardDialog::fillRow(int row, const CardNumbers::Row& of)

@@ -25,6 +25,8 @@ public:
     QTableWidget* table() { return table_; }
     QString message() const;
     void startOrCancel();
+    /// Asks whether tests that are on may be stopped.
+    bool agreesToStopTests(QWidget* window) const;
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -34,6 +36,8 @@ private:
     void arrange();
     void refresh();
     void fillRow(int row, const CardNumbers::Row& of);
+    void fillConstruction(int row, const PageRow& of);
+    QString notes() const;
     QString state() const;
 
     Document& document_;
@@ -41,6 +45,7 @@ private:
     CardExport file_;
     QLabel* fabric_;
     QTableWidget* table_;
+    QLabel* notes_;
     QLabel* message_;
     QProgressBar* progress_;
     QPushButton* start_;

@@ -19,7 +19,8 @@ void CardExport::save(const std::shared_ptr<const Card>& card)
     }
     const QString folder = document_.path().isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)
                                                       : QFileInfo(document_.path()).absolutePath();
-    const QString file = askForReportFile(window_, folder, tr("%1, card").arg(QString::fromStdString(document_.fabric()->name)));
+    const QString file =
+        askForReportFile(window_, folder, tr("%1, card").arg(QString::fromStdString(document_.fabric()->name)), tr("Save Card"));
     if (!file.isEmpty()) { write(file, card); }
 }
 

@@ -40,11 +40,7 @@ void CardNumbers::post(std::function<void()> work) { QMetaObject::invokeMethod(t
 void CardNumbers::follow(bool on)
 {
     follows_ = on;
-    if (on) {
-        take();
-    } else {
-        cancel();
-    }
+    if (on) { take(); }
 }
 
 void CardNumbers::take()
@@ -108,6 +104,7 @@ void CardNumbers::run()
     }
     cancel_ = false;
     running_ = true;
+    paused_ = false;
     thread_ = std::jthread([this, tests] {
         QString sentence;
         try {
@@ -150,6 +147,15 @@ void CardNumbers::runTests(const Task& task)
             post([this, all] { Q_EMIT progressed(all); });
         };
     };
+    watch.paused = [this](bool paused) {
+        post([this, paused] {
+            paused_ = paused;
+            Q_EMIT changed();
+        });
+    };
+    if (expected_backend(backendOfMany()) != "cpu") {
+        watch.room = [] { return memory_for_scenes("auto"); };
+    }
     watch.came = [&](std::size_t i, const RunResult&) { tested.insert(jobs.jobs[i].name); };
     const LaboratoryNumbers last = run_card_jobs(jobs, 1, queue_.runs(), places, cancel_, watch,
                                                  [&](const LaboratoryNumbers& numbers) { give(task, numbers, tested); });

@@ -21,7 +21,7 @@ public:
     /// Cancels and waits, 0.2 s or so.
     ~CardNumbers() override;
 
-    /// Whether the card keeps up with the chosen fabric; otherwise nothing is computed or run.
+    /// Whether the card keeps up with the chosen fabric; otherwise nothing is computed. Tests that are on go on.
     void follow(bool on);
     struct Row {
         LaboratoryNumber number;
@@ -33,6 +33,8 @@ public:
     const std::shared_ptr<const Card>& card() const { return card_; }
     bool computing() const { return job_.busy(); }
     bool running() const { return running_; }
+    /// In the queue of runs.
+    bool paused() const { return running_ && paused_; }
     /// Whether a test has not been run.
     bool canRun() const;
     /// Runs the tests that were not, at the fidelity live. Precondition: canRun().
@@ -69,7 +71,7 @@ private:
     std::set<std::string> tested_; ///< tests that came to an end
     NewestJob job_;
     std::atomic<bool> cancel_ = false;
-    bool running_ = false;
+    bool running_ = false, paused_ = false;
     std::jthread thread_; // last: it ends before the rest goes
 };
 

@@ -140,6 +140,8 @@ void QueueList::refresh()
         }
     }
     none_->setVisible(shown_.empty());
+    tree_->setVisible(!shown_.empty());
+    for (QPushButton* button : {pause_, stop_, earlier_, later_}) { button->setVisible(!shown_.empty()); }
     refreshButtons();
 }
 

@@ -36,27 +36,6 @@ QString mapFolder(const QString& above, const QString& wish)
     return path(free_name(wish.toStdString(), [&](const std::string& name) { return QFileInfo::exists(path(name)); }));
 }
 
-/// The folder from which a recorded design names its files: that of the recording, or the one above, as a project's runs lie; empty: its
-/// files are in neither.
-QString folderOfSources(const Design& recorded, const QString& recording)
-{
-    std::vector<std::string> files;
-    for (const Garment& garment : recorded.garments) {
-        if (!garment.is_built_in()) { files.push_back(garment.source); }
-        if (garment.wearer.zones.ends_with(".csv")) { files.push_back(garment.wearer.zones); }
-    }
-    for (const WearExperiment& wear : recorded.wears) {
-        if (!wear.activity_file.empty()) { files.push_back(wear.activity_file); }
-    }
-    const QString own = QFileInfo(recording).absolutePath();
-    for (const QString& folder : {own, QFileInfo(own).absolutePath()}) {
-        for (const std::string& file : files) {
-            if (QFileInfo::exists(QDir(folder).filePath(QString::fromStdString(file)))) { return folder; }
-        }
-    }
-    return {};
-}
-
 /// Whether it is of the design as it is now, its garment cut alike.
 bool isAsDesigned(const KeptRun& kept, const Design& design)
 {
@@ -115,7 +94,8 @@ void GarmentSubject::fillMenu(QMenu* menu)
     steps_ = addCommand(menu, {}, tr("S&teps of the Colours…"), {}, tr("Set where each of the eight colours ends."));
     connect(steps_, &QAction::triggered, view_, &GarmentView::editSteps);
     menu->addSeparator();
-    save_a_ = addCommand(menu, {}, tr("Save &A As…"), {}, tr("Write the run that is kept as A to another recording."));
+    save_a_ = addCommand(menu, {}, tr("Save &A As…"), {},
+                         tr("Write the run that is kept as A to another recording, and beside it the files of its garment."));
     connect(save_a_, &QAction::triggered, this, [this] { Q_EMIT saveOfAWanted(playback_.kept()->file); });
     save_map_ = addCommand(menu, {}, tr("Save &Map…"), {},
                            tr("Write pictures and textures of the panels, a table of cells, OBJ and GLB of the time shown to a folder."));

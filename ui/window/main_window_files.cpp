@@ -6,6 +6,7 @@
 #include "ui/basics/typed_value.h"
 #include "ui/compare/compare_view.h"
 #include "ui/document/run_folder.h"
+#include "ui/export/card_dialog.h"
 #include "ui/export/export_dialog.h"
 #include "ui/garment/garment_view.h"
 #include "ui/lesson/lesson_window.h"
@@ -269,6 +270,7 @@ bool MainWindow::mayLeave()
     run_->stopRun();
     compare_->stopRuns();
     study_->stopRun();
+    card_->numbers().cancel();
     return copiesAreDone();
 }
 
@@ -276,8 +278,8 @@ bool MainWindow::mayLeave()
 bool MainWindow::agreesToLeave()
 {
     compare_->project().stay();
-    return copiesAreDone() && run_->agreesToStopRun() && compare_->agreesToStopRuns(this) && study_->agreesToLeave() && mayDiscard() &&
-           mayDropRuns();
+    return copiesAreDone() && run_->agreesToStopRun() && compare_->agreesToStopRuns(this) && study_->agreesToLeave() &&
+           card_->agreesToStopTests(this) && mayDiscard() && mayDropRuns();
 }
 
 /// Runs of a project that has a file stay with it.
@@ -400,6 +402,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     run_->stopRun();
     compare_->stopRuns();
     study_->stopRun();
+    card_->numbers().cancel();
     if (!copiesAreDone()) {
         compare_->project().stay();
         event->ignore();

@@ -2,6 +2,7 @@
 // Recordings that are opened, listed and saved elsewhere, and reports.
 #include "core/base/error.h"
 #include "ui/document/run_folder.h"
+#include "ui/document/sources.h"
 #include "ui/results/project_runs.h"
 #include "ui/results/report_file.h"
 #include "ui/window/command.h"
@@ -124,8 +125,10 @@ void RunWorkspace::askToSaveRecording(const QString& from)
 void RunWorkspace::saveRecording(const QString& from, const QString& to)
 {
     if (QFileInfo(from) == QFileInfo(to)) { return; }
-    copier_.run([this, from, to](const NewestJob::Turn& turn) {
+    const KeptRun* kept = history_.find(from);
+    copier_.run([this, from, to, run = kept && kept->worn ? kept->run : nullptr](const NewestJob::Turn& turn) {
         QString why;
+        QStringList left;
         try {
             makeOneFile(from);
             copyRecording(from, to, [&](double share) {
@@ -133,10 +136,16 @@ void RunWorkspace::saveRecording(const QString& from, const QString& to)
                 turn.deliver([this, to, percent] { Q_EMIT messageShown(tr("Saving %1: %2 %").arg(to).arg(percent), 4000); });
                 return !turn.outdated();
             });
+            const QString sources = run ? folderOfSources(run->design, from) : QString();
+            if (!sources.isEmpty()) { left = copySources(run->design, sources, QFileInfo(to).absolutePath()); }
         } catch (const std::exception& error) {
             why = QString::fromStdString(error.what());
         }
-        turn.deliver([this, from, to, why] {
+        turn.deliver([this, from, to, why, left] {
+            if (!left.isEmpty()) {
+                Q_EMIT problemFound(tr("%1 is saved. Files of its garment could not be copied beside it: %2. Its design needs them there.")
+                                        .arg(to, left.join(", ")));
+            }
             if (why.isEmpty()) {
                 history_.markCopied(from, to);
                 history_.forget(to); // an older recording at that place
