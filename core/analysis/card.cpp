@@ -100,7 +100,10 @@ PageBlocks consumption_table(const Card& card, const ReaderUnits& units)
     std::vector<std::string> headings{
         "yarn", "count, " + count.unit, "share, %", "take-up, %", "g/m", fmt::format("kg for {:g} m", length_m)};
     if (costs) headings.emplace_back("cost of 1 m");
-    std::vector<PageRow> rows{row_of_headings(headings)};
+    PageRow head;
+    for (const std::string& heading : headings) // as its numbers are
+        head.push_back({heading, head.empty() ? PageCell::Kind::heading : PageCell::Kind::number});
+    std::vector<PageRow> rows{std::move(head)};
     for (const YarnConsumption& use : card.technical.yarns) {
         PageRow line{
             {name_of(use), PageCell::Kind::heading}, number(count.of(use.tex), 3),   number(100 * use.share, 3),
@@ -130,6 +133,7 @@ std::vector<std::string> comparisons(const std::vector<LaboratoryNumber>& number
 PageBlocks laboratory_table(const Card& card, const ReaderUnits& units)
 {
     std::vector<PageRow> rows{row_of_headings({"number", "value", "unit", "range", "standard and conditions"})};
+    rows.front()[1].kind = PageCell::Kind::number;
     for (const LaboratoryNumber& number : card.numbers.found) {
         const LaboratoryNumber seen = in_units(number, units);
         std::string remark;

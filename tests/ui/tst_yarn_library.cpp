@@ -42,10 +42,10 @@ private Q_SLOTS:
         QCOMPARE(finer.yarn(), before.fabrics[0].warp);
         finer.design.fabrics[0].warp.twist_per_m += 100;
         finer.design.fabrics[0].warp.color.reset();
-        const int steps = document.history()->count();
+        const int steps = document.history()->index();
         const int all = static_cast<int>(before.fabrics.size());
         QCOMPARE(warp.replaceEverywhere(finer), all);
-        QCOMPARE(document.history()->count(), steps + 1);
+        QCOMPARE(document.history()->index(), steps + 1);
         for (const Fabric& fabric : document.design()->fabrics) { QCOMPARE(fabric.warp.twist_per_m, common.twist_per_m + 100); }
         QVERIFY(document.design()->fabrics[0].warp.color == (Color{9, 9, 9}) && !document.design()->fabrics[1].warp.color);
         document.history()->undo();
