@@ -107,7 +107,7 @@ void add_projects(py::module_& module)
         return value.is_null() ? py::object(py::none()) : py::object(text(value.dump()));
     });
     module.def("fabric_names", &fabric_names);
-    module.def("yarn_table", [](const std::string& library) { return text(csv_of_yarns(read_yarns(library))); });
+    module.def("yarn_table", [](const std::string& library) { return text(csv_of_yarns(read_yarns(library), true)); });
     module.def("experiment_names", &experiment_names);
 }
 

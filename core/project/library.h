@@ -38,7 +38,7 @@ struct LibraryYarn {
     std::vector<std::string> unsaid;
     const Yarn& yarn() const { return design.fabrics[0].warp; }
 };
-/// Numbers that a table may leave out although each yarn of a project has them: turns and direction of the twist, and of the plies'.
+/// What the trade's tables often leave out: turns and direction of the twist, and of the plies'; packing, class and irregularity.
 const std::vector<std::string>& unsaid_keys();
 
 /// Those of a user's library, as read_library() and write_library() do; the presets stay in it.
@@ -93,7 +93,8 @@ std::string size_text(const Yarn& yarn);
 /// A row a yarn, UTF-8. Columns: name, supplier, material ("cotton 60 + polyester 40", in percent), core ("elastane 5"), count ("Ne 60/2";
 /// empty where four digits do not tell it, whose linear density and plies stand in their columns then), those of a yarn's numbers in the
 /// project file, colours ("navy #101a40 + white #ffffff"), currency. Of materials the names stand in it, of its own colour nothing.
-std::string csv_of_yarns(const std::vector<LibraryYarn>& yarns);
+/// for_programs: a yarn with a count has its linear density and plies beside it, too, which yarns_of_csv() refuses.
+std::string csv_of_yarns(const std::vector<LibraryYarn>& yarns, bool for_programs = false);
 /// Reads the same; a column count ("Ne 60/2") may stand for linear density, plies and filaments, and columns may be left out that a valid
 /// yarn does without. A yarn of a known one's name keeps its colour, its materials and those of unsaid_keys() that the table leaves out.
 /// Throws Error naming file, line and field, also where a column is unknown, a name stands twice, the yarn is not valid or there is none.

@@ -159,7 +159,7 @@ std::string size_text(const Yarn& yarn)
     return exact_count(yarn).value_or(count_text(*yarn.linear_density_tex, yarn.plies, yarn.filament_count, CountSystem::tex));
 }
 
-std::string csv_of_yarns(const std::vector<LibraryYarn>& yarns)
+std::string csv_of_yarns(const std::vector<LibraryYarn>& yarns, bool for_programs)
 {
     std::string csv = "name,supplier,material,core,count";
     for (const std::string& key : number_keys()) csv += "," + key;
@@ -170,8 +170,8 @@ std::string csv_of_yarns(const std::vector<LibraryYarn>& yarns)
         csv += csv_field(each.name) + "," + csv_field(each.supplier) + "," + csv_field(fibres_text(yarn)) + "," + csv_field(core);
         const std::optional<std::string> count = exact_count(yarn);
         std::vector<std::string> elsewhere = each.unsaid; // or nowhere
-        if (count) elsewhere.insert(elsewhere.end(), {"linear_density_tex", "plies"});
-        if (count && read_yarn_count(*count).filaments) elsewhere.emplace_back("filament_count");
+        if (count && !for_programs) elsewhere.insert(elsewhere.end(), {"linear_density_tex", "plies"});
+        if (count && !for_programs && read_yarn_count(*count).filaments) elsewhere.emplace_back("filament_count");
         csv += "," + csv_field(count.value_or(""));
         for (const Field<Yarn>& field : fields_of<Yarn>()) {
             csv += ",";

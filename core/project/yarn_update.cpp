@@ -76,7 +76,8 @@ Yarn updated(Design& design, const Yarn& before, const LibraryYarn& by)
 
 const std::vector<std::string>& unsaid_keys()
 {
-    static const std::vector<std::string> keys{"twist_per_m", "twist_direction", "ply_twist_per_m", "ply_twist_direction"};
+    static const std::vector<std::string> keys{"twist_per_m",    "twist_direction", "ply_twist_per_m", "ply_twist_direction",
+                                               "packing_factor", "yarn_class",      "irregularity_cv"};
     return keys;
 }
 

@@ -143,12 +143,14 @@ private Q_SLOTS:
         Yarn& own = design.fabrics[0].warp;
         own.linear_density_tex = 20;
         own.twist_per_m = 950;
+        own.packing_factor = 0.6;
         own.library_yarn = "fine";
         QVERIFY(same_yarn(design, own, read));
         QVERIFY(update_yarns(design, {read}).empty());
         own.linear_density_tex = 21;
         QCOMPARE(update_yarns(design, {read}).size(), std::size_t{1});
         QCOMPARE(own.twist_per_m, 950.0); // the library does not say it
+        QCOMPARE(*own.packing_factor, 0.6);
         const QTemporaryDir folder;
         const std::filesystem::path path = folder.filePath("own.hygrolib").toStdString();
         write_yarns({read}, path);
@@ -169,6 +171,7 @@ private Q_SLOTS:
         for (const char* count : {"Ne 60/2", "Nm 48/2", "14.8 tex × 2", "150/48 den", "167 dtex f48", "29.5 tex"})
             QCOMPARE(back_and_forth(count), std::string(count).starts_with("167") ? std::string("167/48 dtex") : std::string(count));
         QVERIFY(csv_of_yarns(yarns_of_csv("name,count,material\na,Ne 60/2,cotton\n", "c.csv")).find(",Ne 60/2,") != std::string::npos);
+        QVERIFY(csv_of_yarns(yarns_of_csv("name,count,material\na,Ne 60/2,cotton\n", "c.csv"), true).find(",19.68") != std::string::npos);
         const std::string fine = "name,linear_density_tex,material\na,14.8123456,cotton\n"; // no count of four digits is it
         const std::vector<LibraryYarn> kept = yarns_of_csv(csv_of_yarns(yarns_of_csv(fine, "f.csv")), "again.csv");
         QCOMPARE(*kept.at(0).yarn().linear_density_tex, 14.8123456);

@@ -238,7 +238,7 @@ def test_yarns_of_a_library_are_a_table(cli, tmp_path):
     assert hygroloom.read_yarns(library).empty
     cli("yarns", library, "--read", tmp_path / "yarns.csv")
     table = hygroloom.read_yarns(library)
-    assert list(table.name) == ["fine"] and table.price[0] == 6.5 and table.plies[0] == 2 and table.material[0] == "cotton 60 + polyester 40"
+    assert list(table.name) == ["fine"] and table.price[0] == 6.5 and table.plies[0] == 2 and table["count"][0] == "Ne 60/2" and table.material[0] == "cotton 60 + polyester 40"
     with pytest.raises(hygroloom.FileError):
         hygroloom.read_yarns(tmp_path / "yarns.csv")
 

@@ -154,7 +154,8 @@ def folder_of(project: Project) -> bytes:
 
 
 def read_yarns(library: Union[str, os.PathLike]) -> "pandas.DataFrame":
-    """The yarns of a library (.hygrolib) of one's own, a row each, as ``hygroloom-cli yarns --write`` has them. One that is not there is empty.
+    """The yarns of a library (.hygrolib) of one's own, a row each, as ``hygroloom-cli yarns --write`` has them, with linear density
+    and plies beside the count. A library that is not there is empty.
 
     Raises FileError when the file is no library.
     """
