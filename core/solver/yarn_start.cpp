@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later WITH AdditionRef-CUDA-runtime
 #include "core/solver/yarn_start.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace hygroloom {
 namespace {
+
+constexpr double least_change = 1e-3; // of regain: where nothing is to change, nothing is to be followed more closely
 
 /// How far a yarn's regain is from what the air of any time asks for.
 double largest_change(const Scene& scene, const YarnParameters& yarn)
@@ -24,6 +28,27 @@ void add_water_to_come(double& water, const Scene& scene, double pores)
     for (const ScenePool& pool : scene.supply.pools) water += pool.rate * (pool.end - pool.start) * scene.climate.density;
     constexpr double ahead = 60; // s, about the longest step; not the run's duration, which steps must not depend on
     water += sweat_rate(scene) * ahead;
+}
+
+bool is_at_rest(const Scene& scene)
+{
+    const ClothStart& start = scene.cloth.start;
+    return start.warmth == 0 && start.humidity < 0 && start.liquid.empty() && scene.climate.course.empty() &&
+           std::all_of(scene.cloth.yarns.begin(), scene.cloth.yarns.end(),
+                       [&](const YarnParameters& yarn) { return largest_change(scene, yarn) < least_change; });
+}
+
+/// Share of the cloth in which anything happens: all of it, or where cloth at rest gets drops or pools and nothing else, as much as their
+/// water fills. So errors are not measured by cloth that stays as it is. pores: m3, of all segments.
+double share_at_stake(const Scene& scene, double pores)
+{
+    const Supply& supply = scene.supply;
+    if (!is_at_rest(scene) || !supply.fed.empty() || !supply.skin.rate.empty() || (supply.droplets.empty() && supply.pools.empty()))
+        return 1.0;
+    double water = 0; // m3
+    for (const SceneDroplet& drop : supply.droplets) water += drop.volume;
+    for (const ScenePool& pool : supply.pools) water += pool.rate * (pool.end - pool.start);
+    return std::min(1.0, water / pores);
 }
 
 /// kg/m3 in the pores.
@@ -139,7 +164,6 @@ YarnStart yarn_start(const Scene& scene)
     std::vector<double> bound(n);
     const Segments s = swelling_segments(scene, start, bound);
     const std::vector<bool> there = segments_there(scene);
-    constexpr double least_change = 1e-3;       // of regain: where nothing is to change, nothing is to be followed more closely
     constexpr double temperature_change = 50.0; // K: temperatures settle at once, so errors of steps do not add up
     for (std::size_t i = 0; i < n; ++i) {
         if (!there[i]) continue;
@@ -152,7 +176,10 @@ YarnStart yarn_start(const Scene& scene)
         if (scene.rules.sorption) start.at_stake.water += fibres * std::max(least_change, largest_change(scene, yarn));
         start.at_stake.heat += temperature_change * heat_capacity(yarn, scene.cloth.fibre_length(i, yarn), liquid);
     }
-    add_water_to_come(start.at_stake.water, scene, std::accumulate(start.pores.begin(), start.pores.end(), 0.0));
+    const double pores = std::accumulate(start.pores.begin(), start.pores.end(), 0.0), share = share_at_stake(scene, pores);
+    start.at_stake.water *= share;
+    start.at_stake.heat *= share;
+    add_water_to_come(start.at_stake.water, scene, pores);
     if (scene.cloth.by_suction) add_suctions(start, scene, s);
     return start;
 }
