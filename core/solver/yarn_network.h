@@ -128,6 +128,8 @@ private:
     void flow_in_turn(double dt);
     bool flow_whole(double dt);
     template <typename Whole> bool find_suctions(const Whole& w, double open);
+    template <typename Whole> WholeSums balance_of(const Whole& w, bool changed);
+    template <typename Whole> WholeSums go_downhill(const Whole& w, double downhill, bool& stiff);
     template <typename Whole> double solve_round(const Whole& w);
     template <typename Whole> void carry_heat(const Whole& w, double dt);
     void flow_between_touching(double dt, bool odd_first);

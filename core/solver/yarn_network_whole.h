@@ -54,40 +54,73 @@ template <typename Executor> bool YarnNetwork<Executor>::flow_whole(double dt)
     return true;
 }
 
-/// By Newton's rounds, before each of which open places close alone; each goes as far as the energy falls. They leave little of what was
-/// open at first, so that what comes to rest does, and no more than so much of the capacity.
+/// What is left open; and how the energy changes along the last change, if there was one.
+template <typename Executor> template <typename Whole> WholeSums YarnNetwork<Executor>::balance_of(const Whole& w, bool changed)
+{
+    exec_.for_each_line("whole, balance", w.box.ends, w.box.picks, WholeBalance{w, changed});
+    exec_.for_each_line("whole, sum", 1, w.box.ends, SumLines{w.line_sums, w.box.ends, SumLines::balance, w.sums});
+    return whole_sums_.read(0);
+}
+
+/// By Newton's rounds, before each of which open places close alone. They leave little of what was open at first, so that what comes to
+/// rest does, and no more than so much of the capacity.
 template <typename Executor> template <typename Whole> bool YarnNetwork<Executor>::find_suctions(const Whole& whole, double open)
 {
     constexpr double of_the_first = 0.01;
     Whole w = whole;
-    constexpr int most_rounds = 60, most_trials = 8;
+    constexpr int most_rounds = 60;
     constexpr double open_alone = 1e-4; // of the capacity
     const PlaceBox& box = w.box;
-    const auto ends = [&](const char* name, const auto& stage) { exec_.for_each_line(name, box.ends, box.picks, stage); };
-    const auto balance = [&](bool changed) {
-        ends("whole, balance", WholeBalance{w, changed});
-        exec_.for_each_line("whole, sum", 1, box.ends, SumLines{w.line_sums, box.ends, SumLines::balance, w.sums});
-        return whole_sums_.read(0);
-    };
-    WholeSums now = balance(false);
+    bool stiff = false; // whether changes led past bends
+    WholeSums now = balance_of(w, false);
     w.enough = std::min(open, of_the_first * now.worst);
     for (int round = 0; now.worst > 0; ++round) {
         if (round == most_rounds) return false;
-        for (int turn = 0; turn < 2; ++turn) ends("whole, sweep", WholeSweep{w, turn, open_alone});
-        now = balance(false);
+        for (int turn = 0; turn < 2; ++turn) exec_.for_each_line("whole, sweep", box.ends, box.picks, WholeSweep{w, turn, open_alone});
+        now = balance_of(w, false);
         if (!(now.worst > 0)) break;
-        const double downhill = solve_round(w); // by which the energy falls at first along the change
-        double at = 1, low = 0, low_slope = -downhill;
-        ends("whole, move", WholeMove{w, at});
-        now = balance(true);
-        for (int trial = 0; trial < most_trials && now.worst > 0 && now.slope > 0.5 * downhill; ++trial) {
-            const double part = std::clamp(low_slope / (low_slope - now.slope), 0.1, 0.9), next = low + (at - low) * part;
-            ends("whole, move", WholeMove{w, next - at});
-            at = next;
-            now = balance(true);
-        }
+        if (stiff) exec_.for_each_line("whole, stiff", box.ends, box.picks, WholeStiff{w});
+        now = go_downhill(w, solve_round(w), stiff);
     }
     return true;
+}
+
+/// Goes along a round's change, by which the energy falls so much at first, to where it rises or falls by little more; to the change's end
+/// where it still falls there. Where it rises steeply there, the rounds that follow take classes to be as stiff as this change found them,
+/// until one falls short.
+template <typename Executor>
+template <typename Whole>
+WholeSums YarnNetwork<Executor>::go_downhill(const Whole& w, double downhill, bool& stiff)
+{
+    constexpr int most_trials = 8;
+    constexpr double level = 0.2, steep = 10.0, too_short = 0.5; // of downhill
+    struct Place {
+        double at, slope;
+    } low{0, -downhill}, high{1, 0};
+    double at = 0;
+    const auto go = [&](double to) {
+        exec_.for_each_line("whole, move", w.box.ends, w.box.picks, WholeMove{w, to - at});
+        at = to;
+        return balance_of(w, true);
+    };
+    WholeSums now = go(high.at);
+    high.slope = now.slope;
+    if (now.slope <= level * downhill) {
+        if (now.slope < -too_short * downhill) stiff = false;
+        return now;
+    }
+    if (now.slope > steep * downhill) {
+        exec_.for_each_line("whole, stiffen", w.box.ends, w.box.picks, WholeStiffen{w, !stiff});
+        stiff = true;
+    }
+    bool halves = false; // where a line through both slopes left most of the way between them
+    for (int trial = 0; trial < most_trials && now.worst > 0 && std::abs(now.slope) > level * downhill; ++trial) {
+        const double between = high.at - low.at;
+        now = go(low.at + between * (halves ? 0.5 : std::clamp(low.slope / (low.slope - high.slope), 0.1, 0.9)));
+        (now.slope > 0 ? high : low) = {at, now.slope};
+        halves = high.at - low.at > 0.5 * between;
+    }
+    return now;
 }
 
 /// A round's change of suctions; returns how much the energy falls along it at first.

@@ -209,6 +209,27 @@ private Q_SLOTS:
         QVERIFY(one.between == two.between);
     }
 
+    /// Of an open cloth whose rooms hardly join: 27 where a round stopped at the first bend that any of them came to.
+    void roundsAreFew()
+    {
+        Experiment experiment = standard_experiment(ExperimentType::moisture_management);
+        experiment.sample_mm = {40, 40};
+        experiment.duration_s = 6;
+        const SetUp made = set_up(library_fabric("Voile"), experiment, Fidelity::live);
+        QVERIFY(made.scene.rules.whole_flow);
+        const std::unique_ptr<Backend> backend = make_cpu_backend();
+        backend->time_stages();
+        const Frame end = frames_at(*backend, made.scene, {6}).front();
+        QVERIFY(std::accumulate(end.liquid.begin(), end.liquid.end(), 0.0) > 1e-5);
+        double rounds = 0, steps = 0;
+        for (const StageTime& stage : backend->stage_times()) {
+            if (stage.name == "whole, factor") rounds = 0.5 * static_cast<double>(stage.calls); // along ends, along picks
+            if (stage.name == "whole, accept") steps = static_cast<double>(stage.calls);
+        }
+        qInfo("%.0f rounds in %.0f steps", rounds, steps);
+        QVERIFY(steps > 50 && rounds < 15 * steps);
+    }
+
     void aStainComesToRestToTheByte()
     {
         Scene scene = random_patch("Textile F", true);

@@ -47,7 +47,8 @@ struct WholePores : FlowAlongLines {
         beside = answer + 3,              ///< Pa, what lines along picks add to solved
         on_ends = beside + 3,             ///< what WholeLines notes of a place's equations
         on_picks = on_ends + 4,
-        whole_columns = on_picks + 4
+        stiff = on_picks + 4, ///< kg/Pa, how steep a class at least is taken to be, see WholeStiffen
+        whole_columns = stiff + 3
     };
 
     HL_FN int at(int end, int pick) const { return end * box.picks + pick; }
@@ -315,6 +316,50 @@ struct WholeMove {
     {
         w.each_on_end(team, end, [&](int k) {
             for (int which = 0; which < 3; ++which) w.box(PoreLines::suction + which, k) += by * w.box(WholePores::change + which, k);
+        });
+    }
+};
+
+/// Notes how steep classes are on the way of a change that leads past bends which the tangent where it begins knows nothing of: a room that
+/// hardly anything joins has none while it is dry, would go anywhere, and would keep all others from going their ways.
+struct WholeStiffen {
+    WholePores w;
+    static constexpr bool wide_along_lines = true;
+    bool first; ///< of a solution
+    template <typename Team> HL_FN void operator()(const Team& team, int end) const
+    {
+        w.each_on_end(team, end, [&](int k) {
+            for (int which = 0; which < 3; ++which) note(which, k);
+        });
+    }
+    HL_FN void note(int which, int k) const
+    {
+        constexpr double much = 2.0; // steeper than where it begins
+        const PlaceBox& box = w.box;
+        const double change = box(WholePores::change + which, k), ends = box(PoreLines::suction + which, k),
+                     cap = box(PoreLines::can_hold + which, k);
+        double& stiff = box(WholePores::stiff + which, k);
+        if (first) stiff = 0;
+        if (change == 0) return;
+        const PoreCourse held = w.course(box, w.place(box, k), which, k);
+        const Held begins = held.at(ends - change);
+        const double on_the_way = cap * (begins.saturation - held.at(ends).saturation) / change;
+        if (on_the_way > much * cap * begins.fall && on_the_way > stiff) stiff = on_the_way;
+    }
+};
+
+/// Then rounds take them to be as steep.
+struct WholeStiff {
+    WholePores w;
+    static constexpr bool wide_along_lines = true;
+    template <typename Team> HL_FN void operator()(const Team& team, int end) const
+    {
+        w.each_on_end(team, end, [&](int k) {
+            for (int which = 0; which < 3; ++which) {
+                double& falls = w.box(WholePores::falls + which, k);
+                const double stiff = w.box(WholePores::stiff + which, k);
+                falls = stiff > falls ? stiff : falls;
+            }
         });
     }
 };
