@@ -141,7 +141,13 @@ std::vector<YarnUpdate> update_yarns(Design& design, const std::vector<LibraryYa
         for (std::size_t i = 0; i < yarns.size(); ++i) {
             Yarn& yarn = *yarns[i];
             if (yarn.library_yarn.empty()) continue;
-            YarnUpdate update{fabric.name, i == 0 ? "warp" : i == 1 ? "weft" : fmt::format("extra_yarns[{}]", i - 2), yarn.library_yarn};
+            YarnUpdate update{fabric.name,
+                              i == 0   ? "warp"
+                              : i == 1 ? "weft"
+                                       : fmt::format("extra_yarns[{}]", i - 2),
+                              yarn.library_yarn,
+                              false,
+                              {}};
             const auto by = std::find_if(library.begin(), library.end(), [&](const auto& each) { return each.name == yarn.library_yarn; });
             update.is_missing = by == library.end();
             if (!update.is_missing) update.changes = changes_of_yarn(design, yarn, *by);

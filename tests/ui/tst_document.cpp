@@ -49,7 +49,7 @@ private Q_SLOTS:
         QStringList seen;
         for (QWidget* panel : {static_cast<QWidget*>(&fabric), static_cast<QWidget*>(&experiment)}) {
             for (QuantityEdit* edit : panel->findChildren<QuantityEdit*>()) {
-                if (!edit->isEnabled() || !edit->isVisibleTo(panel) || (!edit->value() && edit->placeholderText() == "auto")) { continue; }
+                if (!edit->isEnabled() || !edit->isVisibleTo(panel) || (!edit->value() && !edit->placeholderText().isEmpty())) { continue; }
                 const std::string before = text();
                 QTest::keyClick(edit, Qt::Key_Up);
                 if (text() == before) { QTest::keyClick(edit, Qt::Key_Down); }
