@@ -49,24 +49,6 @@ void write_if_valid(const Design& design, const std::string& project, const char
     write_project(design, project);
 }
 
-/// The project's fabrics that have a yarn of the library; with another in its place where that was asked for.
-int use(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
-{
-    const LibraryYarn& yarn = named(yarns, options.where_used);
-    const ChangeLock lock(options.project);
-    Design design = read_project(options.project);
-    const std::vector<std::string> fabrics = fabrics_with(design, yarn);
-    const bool replaces = !options.by.empty() && replace_yarn(design, yarn, named(yarns, options.by)) > 0;
-    if (replaces) write_if_valid(design, options.project, "Nothing was replaced");
-    if (options.json)
-        print_json(Json{{"format", "hygroloom-yarns"}, {"version", 1}, {"fabrics", fabrics}, {"replaced", replaces}});
-    else if (fabrics.empty())
-        print_result("No fabric of the project has this yarn: its fibres, count, twist and plies must be the same.\n");
-    else
-        for (const std::string& fabric : fabrics) print_result("{}\n", fabric);
-    return exit_ok;
-}
-
 Json json_of(const YarnUpdate& update)
 {
     Json changes = Json::array();
@@ -81,6 +63,38 @@ Json json_of(const YarnUpdate& update)
 
 std::string or_none(const std::string& text) { return text.empty() ? "not given" : text; }
 
+void print_text(const YarnUpdate& update)
+{
+    print_result("{}: {}: {}{}\n", update.fabric, update.key, update.library_yarn,
+                 update.is_missing ? ": The library has no such yarn." : "");
+    for (const YarnChange& change : update.changes)
+        print_result("  {}: {} -> {}\n", change.label, or_none(change.before), or_none(change.after));
+}
+
+/// The project's fabrics that have a yarn of the library; with another in its place where that was asked for.
+int use(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
+{
+    const LibraryYarn& yarn = named(yarns, options.where_used);
+    const ChangeLock lock(options.project);
+    Design design = read_project(options.project);
+    const std::vector<std::string> fabrics = fabrics_with(design, yarn);
+    std::vector<YarnUpdate> replaced;
+    if (!options.by.empty()) replaced = replace_yarn(design, yarn, named(yarns, options.by));
+    if (!replaced.empty()) write_if_valid(design, options.project, "Nothing was replaced");
+    Json json = Json::array();
+    for (const YarnUpdate& each : replaced) json.push_back(json_of(each));
+    if (options.json)
+        print_json(
+            Json{{"format", "hygroloom-yarns"}, {"version", 1}, {"fabrics", fabrics}, {"replaced", !replaced.empty()}, {"updates", json}});
+    else if (fabrics.empty())
+        print_result("No fabric of the project has this yarn: its fibres, count, twist and plies must be the same.\n");
+    else if (!replaced.empty())
+        for (const YarnUpdate& each : replaced) print_text(each);
+    else
+        for (const std::string& fabric : fabrics) print_result("{}\n", fabric);
+    return exit_ok;
+}
+
 /// The project's yarns that refer to the library's become as they are there.
 int update(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
 {
@@ -92,10 +106,7 @@ int update(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
     Json json = Json::array();
     for (const YarnUpdate& each : updates) {
         json.push_back(json_of(each));
-        if (options.json) continue;
-        print_result("{}: {}: {}{}\n", each.fabric, each.key, each.library_yarn, each.is_missing ? ": The library has no such yarn." : "");
-        for (const YarnChange& change : each.changes)
-            print_result("  {}: {} -> {}\n", change.label, or_none(change.before), or_none(change.after));
+        if (!options.json) print_text(each);
     }
     if (options.json)
         print_json(Json{{"format", "hygroloom-yarns"}, {"version", 1}, {"updates", json}, {"updated", changed}});

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace hygroloom {
 
@@ -96,24 +97,39 @@ template <typename Change> void each_yarn(Fabric& fabric, const Change& change)
     for (Yarn& yarn : fabric.extra_yarns) change(yarn);
 }
 
+/// The name that a preset's material has in a design, which gets it unless it has the same.
+std::string name_in(Design& design, const Material& material)
+{
+    for (const Material& own : design.materials) {
+        Material named = own;
+        named.name = material.name;
+        named.based_on = material.based_on;
+        if (named == material) return own.name;
+    }
+    Material added = material; // a name that a shipped fibre has would change the yarns that have that one
+    added.name = free_name(material.name, [&](const std::string& wanted) { return find_material(design, wanted) != nullptr; });
+    if (find_library_material(material.name) == &material) added.based_on = material.name;
+    design.materials.push_back(added);
+    return added.name;
+}
+
 /// A preset's fabric for a design, which gets its materials unless it has the same; names that are taken get a number.
 Fabric fabric_for(Design& design, const Preset& preset)
 {
     Fabric fabric = preset.fabric();
-    for (const Material& material : preset.design.materials) {
-        const auto same = std::find_if(design.materials.begin(), design.materials.end(), [&](Material own) {
-            own.name = material.name;
-            return own == material;
-        });
-        Material added = material;
-        added.name = same != design.materials.end() ? same->name : name_beside(design.materials, material.name);
-        if (same == design.materials.end()) design.materials.push_back(added);
-        each_yarn(fabric, [&](Yarn& yarn) {
-            for (MaterialShare& part : yarn.material)
-                if (part.name == material.name) part.name = added.name;
-            if (yarn.core && yarn.core->material == material.name) yarn.core->material = added.name;
-        });
-    }
+    std::map<std::string, std::string> names; // in the preset -> in the design
+    for (const Material& material : preset.design.materials) names[material.name] = name_in(design, material);
+    const auto rename = [&](std::string& name) {
+        const Material* shipped = find_library_material(name);
+        if (names.contains(name))
+            name = names[name];
+        else if (shipped && find_material(design, name) != shipped) // the design has another of that name
+            name = names[name] = name_in(design, *shipped);
+    };
+    each_yarn(fabric, [&](Yarn& yarn) {
+        for (MaterialShare& part : yarn.material) rename(part.name);
+        if (yarn.core) rename(yarn.core->material);
+    });
     return fabric;
 }
 

@@ -63,16 +63,13 @@ struct YarnChange {
     std::string label;         ///< "Twist"
     std::string before, after; ///< with unit: "14.8 tex"; empty: not given
 };
-/// In which a design's yarn is not the library's. Fibres are compared by what they are, under any name; colour and number of drawn fibres
-/// are not compared, nor what the library does not say.
+/// In which a design's yarn is not the library's. Fibres are compared by what they are, in any order and under any name, their shares to
+/// 1e-6, linear densities to 1e-4 of them; colour and number of drawn fibres are not compared, nor what the library does not say.
 std::vector<YarnChange> changes_of_yarn(const Design& design, const Yarn& yarn, const LibraryYarn& of);
 /// Whether it is the same yarn, dyed, priced or drawn otherwise.
 bool same_yarn(const Design& design, const Yarn& yarn, const LibraryYarn& as);
 /// Names of the design's fabrics that have the yarn, see same_yarn().
 std::vector<std::string> fabrics_with(const Design& design, const LibraryYarn& yarn);
-/// In all fabrics; each keeps its colour and its number of drawn fibres. How many fabrics changed.
-int replace_yarn(Design& design, const LibraryYarn& old, const LibraryYarn& by);
-
 /// A yarn of a design that refers to one of the library.
 struct YarnUpdate {
     std::string fabric, key;  ///< the fabric's name; the yarn's key there: "warp", "extra_yarns[0]"
@@ -80,6 +77,11 @@ struct YarnUpdate {
     bool is_missing = false;  ///< the library has no such yarn; it stays as it is
     std::vector<YarnChange> changes;
 };
+/// The library's yarn as it stands in the place of one of the design, which keeps what changes_of_yarn() does not tell. It refers to the
+/// library's. The design gets the materials that it lacks.
+Yarn yarn_in_place(Design& design, const Yarn& before, const LibraryYarn& by);
+/// In all fabrics, as yarn_in_place() does. Returns each that was replaced, with what changed of it, which may be nothing.
+std::vector<YarnUpdate> replace_yarn(Design& design, const LibraryYarn& old, const LibraryYarn& by);
 /// Each yarn that refers to one of the library becomes that yarn; what changes_of_yarn() does not compare stays. Returns those that were
 /// other ones, and those whose yarn is missing.
 std::vector<YarnUpdate> update_yarns(Design& design, const std::vector<LibraryYarn>& library);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hygroloom {
 namespace {
@@ -21,17 +22,29 @@ bool same_substance(const Design& a, const std::string& name_a, const Design& b,
     return named == *other;
 }
 
+/// Tables and files round shares.
+bool same_share(double one, double other) { return std::abs(one - other) <= 1e-6; }
+
+/// In any order.
 bool same_fibres(const Design& a, const Yarn& one, const Design& b, const Yarn& other)
 {
-    return std::equal(
-        one.material.begin(), one.material.end(), other.material.begin(), other.material.end(),
-        [&](const MaterialShare& x, const MaterialShare& y) { return x.share == y.share && same_substance(a, x.name, b, y.name); });
+    const auto same = [&](const MaterialShare& x, const MaterialShare& y) {
+        return same_share(x.share, y.share) && same_substance(a, x.name, b, y.name);
+    };
+    const auto is_in_other = [&](const MaterialShare& x) {
+        return std::any_of(other.material.begin(), other.material.end(), [&](const auto& y) { return same(x, y); });
+    };
+    const auto is_in_one = [&](const MaterialShare& y) {
+        return std::any_of(one.material.begin(), one.material.end(), [&](const auto& x) { return same(x, y); });
+    };
+    return one.material.size() == other.material.size() && std::all_of(one.material.begin(), one.material.end(), is_in_other) &&
+           std::all_of(other.material.begin(), other.material.end(), is_in_one);
 }
 
 bool same_core(const Design& a, const Yarn& one, const Design& b, const Yarn& other)
 {
     if (!one.core || !other.core) return one.core.has_value() == other.core.has_value();
-    return one.core->share == other.core->share && same_substance(a, one.core->material, b, other.core->material);
+    return same_share(one.core->share, other.core->share) && same_substance(a, one.core->material, b, other.core->material);
 }
 
 std::string core_text(const Yarn& yarn)
@@ -62,15 +75,15 @@ std::string text_of_field(const Field<Yarn>& field, const Yarn& yarn)
     return unit.empty() ? fmt::format("{:.6g}", *number) : fmt::format("{:.6g} {}", *number, unit);
 }
 
-/// What the library's yarn does not say is as it was.
-Yarn updated(Design& design, const Yarn& before, const LibraryYarn& by)
+/// Linear densities are the same to 1e-4 of them: those that come from counts are rounded.
+bool same_value(const Field<Yarn>& field, const Yarn& one, const Yarn& other)
 {
-    Yarn yarn = take_yarn(design, by);
-    yarn.color = before.color;
-    for (const Field<Yarn>& field : fields_of<Yarn>())
-        if (!is_said(by, field.key)) set_field(field, yarn, field_value(field, before));
-    return yarn;
+    const auto value = field_value(field, one), beside = field_value(field, other);
+    if (field.key != std::string_view("linear_density_tex") || !value || !beside) return value == beside;
+    return std::abs(*value - *beside) <= 1e-4 * std::max(std::abs(*value), std::abs(*beside));
 }
+
+std::string key_of(std::size_t yarn) { return yarn == 0 ? "warp" : yarn == 1 ? "weft" : fmt::format("extra_yarns[{}]", yarn - 2); }
 
 } // namespace
 
@@ -89,7 +102,7 @@ std::vector<YarnChange> changes_of_yarn(const Design& design, const Yarn& yarn, 
     if (!same_core(design, yarn, of.design, other)) changes.push_back({"core", "Core", core_text(yarn), core_text(other)});
     for (const Field<Yarn>& field : fields_of<Yarn>()) {
         if (!is_said(of, field.key) || (!has(yarn, field.key) && !has(other, field.key))) continue;
-        if (field_value(field, yarn) == field_value(field, other)) continue;
+        if (same_value(field, yarn, other)) continue;
         changes.push_back({field.key, field.label, text_of_field(field, yarn), text_of_field(field, other)});
     }
     return changes;
@@ -112,25 +125,36 @@ std::vector<std::string> fabrics_with(const Design& design, const LibraryYarn& y
     return names;
 }
 
-int replace_yarn(Design& design, const LibraryYarn& old, const LibraryYarn& by)
+Yarn yarn_in_place(Design& design, const Yarn& before, const LibraryYarn& by)
 {
-    std::vector<Yarn*> replaced;
-    int fabrics = 0;
+    Yarn yarn = by.yarn();
+    if (same_fibres(design, before, by.design, by.yarn()) && same_core(design, before, by.design, by.yarn())) {
+        yarn.material = before.material; // by the names that they have here
+        yarn.core = before.core;
+        yarn.library_yarn = by.name;
+    } else {
+        yarn = take_yarn(design, by);
+    }
+    yarn.color = before.color;
+    for (const Field<Yarn>& field : fields_of<Yarn>())
+        if (!is_said(by, field.key) || same_value(field, before, by.yarn())) set_field(field, yarn, field_value(field, before));
+    return yarn;
+}
+
+std::vector<YarnUpdate> replace_yarn(Design& design, const LibraryYarn& old, const LibraryYarn& by)
+{
+    std::vector<YarnUpdate> replaced;
+    std::vector<Yarn*> places;
     for (Fabric& fabric : design.fabrics) {
-        const std::size_t before = replaced.size();
-        for (Yarn* yarn : yarns_of(fabric))
-            if (same_yarn(design, *yarn, old)) replaced.push_back(yarn);
-        fabrics += replaced.size() > before ? 1 : 0;
+        const std::vector<Yarn*> yarns = yarns_of(fabric);
+        for (std::size_t i = 0; i < yarns.size(); ++i) {
+            if (!same_yarn(design, *yarns[i], old)) continue;
+            places.push_back(yarns[i]);
+            replaced.push_back({fabric.name, key_of(i), by.name, false, changes_of_yarn(design, *yarns[i], by)});
+        }
     }
-    if (replaced.empty()) return 0;
-    const Yarn taken = take_yarn(design, by);
-    for (Yarn* yarn : replaced) {
-        Yarn now = taken;
-        now.color = yarn->color;
-        now.fibres_per_yarn = yarn->fibres_per_yarn;
-        *yarn = now;
-    }
-    return fabrics;
+    for (Yarn* yarn : places) *yarn = yarn_in_place(design, *yarn, by);
+    return replaced;
 }
 
 std::vector<YarnUpdate> update_yarns(Design& design, const std::vector<LibraryYarn>& library)
@@ -141,18 +165,12 @@ std::vector<YarnUpdate> update_yarns(Design& design, const std::vector<LibraryYa
         for (std::size_t i = 0; i < yarns.size(); ++i) {
             Yarn& yarn = *yarns[i];
             if (yarn.library_yarn.empty()) continue;
-            YarnUpdate update{fabric.name,
-                              i == 0   ? "warp"
-                              : i == 1 ? "weft"
-                                       : fmt::format("extra_yarns[{}]", i - 2),
-                              yarn.library_yarn,
-                              false,
-                              {}};
+            YarnUpdate update{fabric.name, key_of(i), yarn.library_yarn, false, {}};
             const auto by = std::find_if(library.begin(), library.end(), [&](const auto& each) { return each.name == yarn.library_yarn; });
             update.is_missing = by == library.end();
             if (!update.is_missing) update.changes = changes_of_yarn(design, yarn, *by);
             if (!update.is_missing && update.changes.empty()) continue;
-            if (!update.is_missing) yarn = updated(design, yarn, *by);
+            if (!update.is_missing) yarn = yarn_in_place(design, yarn, *by);
             updates.push_back(std::move(update));
         }
     }

@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -75,7 +76,7 @@ private Q_SLOTS:
         Yarn finer = old.yarn();
         finer.linear_density_tex = 10;
         QCOMPARE(fabrics_with(design, old), (std::vector<std::string>{"a", "b", "c"}));
-        QCOMPARE(replace_yarn(design, old, library_yarn({}, finer, "finer")), 3);
+        QCOMPARE(replace_yarn(design, old, library_yarn({}, finer, "finer")).size(), std::size_t{5});
         QCOMPARE(design.fabrics[0].warp.linear_density_tex, finer.linear_density_tex);
         QVERIFY(design.fabrics[0].warp.color == (Color{1, 2, 3}));
         QCOMPARE(design.fabrics[1].warp.twist_per_m, 1.0);
@@ -159,6 +160,75 @@ private Q_SLOTS:
         const LibraryYarn said = yarns_of_csv("name,count,material,twist_per_m\nfine,20 tex,cotton,800\n", "t.csv", {read}).at(0);
         QVERIFY(!same_yarn(design, own, said));
         QCOMPARE(yarns_of_csv("name,count,material\nfine,20 tex,cotton\n", "t.csv", {said}).at(0).yarn().twist_per_m, 800.0);
+    }
+    void aYarnInAnothersPlaceKeepsWhatItsTableDoesNotSay()
+    {
+        const LibraryYarn read = yarns_of_csv("name,count,material\nfine,20 tex,cotton\n", "t.csv").at(0);
+        Design design;
+        design.fabrics.emplace_back();
+        Yarn& own = design.fabrics[0].warp;
+        own.linear_density_tex = 21;
+        own.twist_per_m = 1046;
+        own.packing_factor = 0.6;
+        own.irregularity_cv = 0.12;
+        const std::vector<YarnUpdate> replaced = replace_yarn(design, library_yarn({}, own, "old"), read);
+        QVERIFY(replaced.at(0).key == "warp" && replaced[0].changes.at(0).after == "20 tex" && replaced[0].changes.size() == 1);
+        QCOMPARE(own.library_yarn, std::string("fine"));
+        QCOMPARE(*own.linear_density_tex, 20.0);
+        QCOMPARE(own.twist_per_m, 1046.0);
+        QCOMPARE(*own.packing_factor, 0.6);
+        QCOMPARE(*own.irregularity_cv, 0.12);
+    }
+    void aFibreThatBearsAShippedNameStaysApart()
+    {
+        const LibraryYarn cotton = yarns_of_csv("name,count,material\nfine,20 tex,cotton\n", "t.csv").at(0);
+        Design design;
+        design.fabrics.emplace_back();
+        design.materials = {*find_library_material("flax")};
+        design.materials[0].name = "cotton"; // another fibre, of a shipped one's name
+        Yarn &warp = design.fabrics[0].warp, &weft = design.fabrics[0].weft;
+        warp.linear_density_tex = weft.linear_density_tex = 20;
+        warp.material = weft.material = {{"cotton", 1.0}};
+        warp.library_yarn = "fine";
+        QCOMPARE(update_yarns(design, {cotton}).size(), std::size_t{1});
+        QCOMPARE(warp.material[0].name, std::string("cotton 2"));
+        QCOMPARE(find_material(design, "cotton 2")->contact_angle_deg, find_library_material("cotton")->contact_angle_deg);
+        QVERIFY(update_yarns(design, {cotton}).empty());
+        QCOMPARE(take_yarn(design, cotton).material[0].name, std::string("cotton 2"));
+        QCOMPARE(design.materials.size(), std::size_t{2});
+        const LibraryYarn other = library_yarn(design, weft, "other"); // its "cotton" is flax
+        Design empty;
+        empty.fabrics.emplace_back();
+        empty.fabrics[0].weft.material = {{"cotton", 1.0}};
+        empty.fabrics[0].warp = take_yarn(empty, other);
+        QCOMPARE(find_material(empty, "cotton"), find_library_material("cotton")); // the weft's is as it was
+        QVERIFY(update_yarns(empty, {other}).empty());
+    }
+    void anUpdateKeepsTheNamesOfTheSameFibres()
+    {
+        Design design;
+        design.fabrics.emplace_back();
+        design.materials = {*find_library_material("cotton")};
+        design.materials[0].name = "our cotton"; // the same fibre
+        Yarn& own = design.fabrics[0].warp;
+        own.linear_density_tex = 20;
+        own.library_yarn = "mixed";
+        own.material = {{"polyester", 1.0 / 3}, {"our cotton", 2.0 / 3}};
+        const std::string head = "name,material,linear_density_tex\nmixed,cotton 66.66667 + polyester 33.33333,";
+        QVERIFY(update_yarns(design, yarns_of_csv(head + "20\n", "t.csv")).empty()); // another order, and rounded
+        const std::vector<YarnUpdate> updates = update_yarns(design, yarns_of_csv(head + "22\n", "t.csv"));
+        QCOMPARE(updates.at(0).changes.size(), std::size_t{1});
+        QCOMPARE(*own.linear_density_tex, 22.0);
+        QCOMPARE(own.material, (std::vector<MaterialShare>{{"polyester", 1.0 / 3}, {"our cotton", 2.0 / 3}}));
+    }
+    void aShippedFabricIsFoundByItsCount()
+    {
+        const LibraryYarn read = yarns_of_csv("name,count,material\nfine,Ne 80,cotton\n", "t.csv").at(0);
+        const auto voile = std::find_if(shipped_presets().begin(), shipped_presets().end(),
+                                        [](const Preset& preset) { return preset.fabric().name == "Voile"; });
+        QCOMPARE(fabrics_with(voile->design, read), std::vector<std::string>{"Voile"});
+        const LibraryYarn coarser = yarns_of_csv("name,count,material\ncoarser,Ne 79.9,cotton\n", "t.csv").at(0);
+        QVERIFY(fabrics_with(voile->design, coarser).empty());
     }
     void countsAreWrittenAsTheTradeWritesThem()
     {

@@ -11,6 +11,8 @@
 #include <QMessageBox>
 #include <QToolButton>
 
+#include <set>
+
 namespace hygroloom {
 
 void YarnPanel::addLibrary()
@@ -65,12 +67,9 @@ void YarnPanel::fillLibrary(QMenu& menu)
 void YarnPanel::take(const LibraryYarn& from, const std::optional<Color>& color)
 {
     form_.document().edit(tr("%1 from the library").arg(kind_), {}, [&](Design& design) {
-        const Yarn taken = take_yarn(design, from);
-        writing([&](Yarn& own, std::optional<double>) {
-            const std::optional<Color> before = own.color;
-            own = taken;
-            own.color = color ? color : before;
-        })(design, {});
+        Yarn taken = yarn_in_place(design, *yarn(), from);
+        if (color) { taken.color = color; }
+        writing([&](Yarn& own, std::optional<double>) { own = taken; })(design, {});
     });
     form_.document().endStroke();
 }
@@ -95,10 +94,12 @@ void YarnPanel::askToKeep()
 int YarnPanel::replaceEverywhere(const LibraryYarn& by)
 {
     const LibraryYarn old = library_yarn(*form_.document().design(), *yarn(), {});
-    int changed = 0;
-    form_.document().edit(tr("yarn in all fabrics"), {}, [&](Design& design) { changed = replace_yarn(design, old, by); });
+    std::set<std::string> fabrics;
+    form_.document().edit(tr("yarn in all fabrics"), {}, [&](Design& design) {
+        for (const YarnUpdate& each : replace_yarn(design, old, by)) { fabrics.insert(each.fabric); }
+    });
     form_.document().endStroke();
-    return changed;
+    return static_cast<int>(fabrics.size());
 }
 
 std::vector<YarnUpdate> YarnPanel::updateFrom(const QString& path)
