@@ -77,7 +77,18 @@ ProjectJson material_json(const std::string& text, bool by_semicolons)
     return shares;
 }
 
-/// In the fewest digits in which it is read as it is, in the first of its systems where several are as short.
+/// In which the trade counts spun yarns of the fibre that is most of it; tex where there is no custom.
+CountSystem usual_system(const Yarn& yarn)
+{
+    using enum CountSystem;
+    static const std::map<std::string, CountSystem> usual{{"cotton", ne}, {"wool", nm}, {"flax", nm}, {"hemp", nm}, {"silk", dtex}};
+    const auto most = std::max_element(yarn.material.begin(), yarn.material.end(),
+                                       [](const MaterialShare& a, const MaterialShare& b) { return a.share < b.share; });
+    const auto found = most == yarn.material.end() ? usual.end() : usual.find(most->name);
+    return found == usual.end() ? tex : found->second;
+}
+
+/// As the trade counts its fibre where it is read as it is so; else in the fewest digits.
 std::optional<std::string> exact_count(const Yarn& yarn)
 {
     if (!yarn.linear_density_tex) return {};
@@ -86,12 +97,16 @@ std::optional<std::string> exact_count(const Yarn& yarn)
         return std::count_if(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
     };
     std::optional<std::string> best;
-    for (const CountSystem system : yarn.filament_count ? std::array{denier, dtex, tex} : std::array{ne, tex, nm}) {
+    const CountSystem usual = usual_system(yarn);
+    const bool is_drawn = yarn.filament_count || usual == dtex;
+    for (const CountSystem system : is_drawn ? std::array{denier, dtex, tex} : std::array{ne, tex, nm}) {
         const std::string text = count_text(*yarn.linear_density_tex, yarn.plies, yarn.filament_count, system);
         Yarn read = yarn;
         set_count(read, read_yarn_count(text));
         read.diameter_mm = yarn.diameter_mm;
-        if (read == yarn && (!best || digits(text) < digits(*best))) best = text;
+        if (read != yarn) continue;
+        if (!is_drawn && usual != tex && system == usual) return text;
+        if (!best || digits(text) < digits(*best)) best = text;
     }
     return best;
 }
@@ -103,16 +118,6 @@ std::string colours_text(const LibraryYarn& yarn)
     return text;
 }
 
-/// A field of the table as the project file has it: a number or a word.
-ProjectJson value_json(const std::string& text, bool by_semicolons)
-{
-    constexpr double most_whole = 1e9;
-    const auto number = number_of(text, by_semicolons);
-    if (!number) return text;
-    const bool is_whole = std::abs(*number) <= most_whole && *number == std::floor(*number);
-    return is_whole ? ProjectJson(static_cast<int>(*number)) : ProjectJson(*number);
-}
-
 const std::vector<std::string>& columns()
 {
     static const std::vector<std::string> all = [] {
@@ -121,6 +126,48 @@ const std::vector<std::string>& columns()
         return names;
     }();
     return all;
+}
+
+/// Throws Error where the shares are not all of the yarn.
+void require_all_of_it(const ProjectJson& shares, const std::string& where)
+{
+    constexpr double rounding = 1e-6;
+    double sum = 0;
+    for (const ProjectJson& part : shares) sum += part["share"].get<double>();
+    if (std::abs(sum - 1) > rounding)
+        throw Error(fmt::format("{}: material: The shares of the blend must sum to 100 %; they sum to {:g} %.", where, 100 * sum));
+}
+
+/// What a table that lacks columns leaves of the yarn that it describes. Its count stands for linear density, plies and filaments.
+ProjectJson kept_of(const LibraryYarn& before, const std::vector<std::string>& given)
+{
+    const auto is_given = [&](const std::string& column) { return std::find(given.begin(), given.end(), column) != given.end(); };
+    ProjectJson kept = json_from_design(before.design)["fabrics"][0]["warp"];
+    for (const std::string& key : columns())
+        if (is_given(key)) kept.erase(key);
+    for (const char* key : {"linear_density_tex", "plies", "filament_count"})
+        if (is_given("count")) kept.erase(key);
+    return kept;
+}
+
+/// Whether fibres or count are other ones, so that what was spun of them before says nothing.
+bool is_spun_otherwise(const LibraryYarn& before, const Yarn& now)
+{
+    const std::vector<YarnChange> changes = changes_of_yarn(before.design, now, before);
+    return std::any_of(changes.begin(), changes.end(), [](const YarnChange& each) {
+        return each.key == "material" || each.key == "core" || each.key == "linear_density_tex" || each.key == "plies" ||
+               each.key == "filament_count";
+    });
+}
+
+/// A field of the table as the project file has it: a number or a word.
+ProjectJson value_json(const std::string& text, bool by_semicolons)
+{
+    constexpr double most_whole = 1e9;
+    const auto number = number_of(text, by_semicolons);
+    if (!number) return text;
+    const bool is_whole = std::abs(*number) <= most_whole && *number == std::floor(*number);
+    return is_whole ? ProjectJson(static_cast<int>(*number)) : ProjectJson(*number);
 }
 
 /// Throws Error where one is unknown.
@@ -189,6 +236,8 @@ std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string
     require_columns(text, file);
     const CsvTable table = read_csv(text, file, {"name"}, columns());
     if (table.rows.empty()) throw Error(file + ": The table holds no yarn: below the line that names the columns there is none.");
+    const std::vector<std::string> given = csv_header(text, file);
+    const auto is_given = [&](const std::string& column) { return std::find(given.begin(), given.end(), column) != given.end(); };
     const bool by_semicolons = table.by_semicolons;
     std::vector<LibraryYarn> yarns;
     std::map<std::string, std::size_t> lines; // of each name
@@ -204,7 +253,10 @@ std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string
         if (!is_new) refuse(fmt::format("The yarn \"{}\" stands in line {} already.", cut_text(first->first, 40), first->second));
         const auto before = std::find_if(known.begin(), known.end(), [&](const auto& yarn) { return yarn.name == table.rows[i][0]; });
         ProjectJson json = ProjectJson::object();
-        if (const std::string material = field("material"); !material.empty()) json["material"] = material_json(material, by_semicolons);
+        if (const std::string material = field("material"); !material.empty()) {
+            json["material"] = material_json(material, by_semicolons);
+            require_all_of_it(json["material"], fmt::format("{}: {}", file, at));
+        }
         if (const std::string core = field("core"); !core.empty()) {
             const auto [name, percent] = last_word_apart(core);
             const auto share = number_of(percent, by_semicolons);
@@ -212,22 +264,28 @@ std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string
             json["core"] = {{"material", name}, {"share", *share / 100}};
         }
         if (const std::string count = field("count"); !count.empty()) json["count"] = count;
-        for (const std::string& key : number_keys())
-            if (const std::string value = field(key); !value.empty()) json[key] = value_json(value, by_semicolons);
-        Yarn read = yarn_from_json(json, file, at);
-        if (before != known.end()) read.color = before->yarn().color;
+        for (const Field<Yarn>& each : fields_of<Yarn>())
+            if (const std::string value = field(each.key); !value.empty())
+                json[each.key] = each.is_number() ? value_json(value, by_semicolons) : ProjectJson(value);
+        const bool is_known = before != known.end();
+        ProjectJson whole = is_known ? kept_of(*before, given) : ProjectJson::object();
+        whole.update(json);
+        const bool is_other = is_known && is_spun_otherwise(*before, yarn_from_json(whole, file, at));
         std::vector<std::string> unsaid;
         for (const std::string& key : unsaid_keys()) {
             if (json.contains(key)) continue;
-            const Field<Yarn>& left_out = field_named<Yarn>(key);
-            if (before != known.end()) set_field(left_out, read, field_value(left_out, before->yarn()));
-            if (before == known.end() || std::find(before->unsaid.begin(), before->unsaid.end(), key) != before->unsaid.end())
+            if (is_other) whole.erase(key);
+            if (!is_known || is_other || is_given(key) ||
+                std::find(before->unsaid.begin(), before->unsaid.end(), key) != before->unsaid.end())
                 unsaid.push_back(key);
         }
-        LibraryYarn yarn = library_yarn(before == known.end() ? Design() : before->design, read, table.rows[i][0]);
+        Yarn read = yarn_from_json(whole, file, at);
+        if (is_known) read.color = before->yarn().color;
+        LibraryYarn yarn = library_yarn(is_known ? before->design : Design(), read, table.rows[i][0]);
         yarn.unsaid = unsaid;
-        yarn.supplier = field("supplier");
-        yarn.currency = field("currency");
+        yarn.supplier = is_known && !is_given("supplier") ? before->supplier : field("supplier");
+        yarn.currency = is_known && !is_given("currency") ? before->currency : field("currency");
+        if (is_known && !is_given("colours")) yarn.colours = before->colours;
         for (const std::string& part : parts_of(field("colours"))) {
             const auto [name, code] = last_word_apart(part);
             const auto color = color_of(code);

@@ -246,6 +246,40 @@ private Q_SLOTS:
         const std::vector<LibraryYarn> kept = yarns_of_csv(csv_of_yarns(yarns_of_csv(fine, "f.csv")), "again.csv");
         QCOMPARE(*kept.at(0).yarn().linear_density_tex, 14.8123456);
     }
+    void countsAreWrittenAsTheTradeOfTheFibreDoes()
+    {
+        const auto again = [](const std::string& count, const std::string& fibres) {
+            return size_text(yarns_of_csv("name,count,material\na," + count + "," + fibres + "\n", "c.csv").at(0).yarn());
+        };
+        QCOMPARE(again("Nm 40/2", "wool"), std::string("Nm 40/2"));
+        QCOMPARE(again("Nm 50", "wool 55 + polyester 45"), std::string("Nm 50"));
+        QCOMPARE(again("Nm 26", "flax"), std::string("Nm 26"));
+        QCOMPARE(again("100 den", "silk"), std::string("100 den"));
+        QCOMPARE(again("22 dtex", "silk"), std::string("22 dtex"));
+        QCOMPARE(again("Ne 40/2", "cotton 60 + polyester 40"), std::string("Ne 40/2"));
+        QCOMPARE(again("29.5 tex", "cotton"), std::string("29.5 tex")); // no Ne of four digits is it
+    }
+    void aNarrowerTableLeavesWhatItHasNoColumnFor()
+    {
+        LibraryYarn known = yarns_of_csv("name,count,material,twist_per_m,packing_factor,yarn_class,supplier,price,currency,colours\n"
+                                         "fine,20 tex,cotton,800,0.6,rotor,Mill,6.5,EUR,navy #101a40\n",
+                                         "t.csv")
+                                .at(0);
+        const auto reread = [&known](const std::string& table) { return yarns_of_csv(table, "t.csv", {known}).at(0); };
+        const LibraryYarn same = reread("name,count\nfine,20 tex\n");
+        QCOMPARE(same.yarn(), known.yarn());
+        QCOMPARE(same.unsaid, known.unsaid);
+        QVERIFY(same.supplier == "Mill" && same.currency == "EUR" && same.colours.size() == 1);
+        const LibraryYarn cleared = reread("name,supplier,price,currency,colours,twist_per_m\nfine,,,,,\n");
+        QVERIFY(cleared.supplier.empty() && !cleared.yarn().price && cleared.currency.empty() && cleared.colours.empty());
+        QVERIFY(std::find(cleared.unsaid.begin(), cleared.unsaid.end(), "twist_per_m") != cleared.unsaid.end());
+        QVERIFY(*cleared.yarn().linear_density_tex == 20 && *cleared.yarn().packing_factor == 0.6);
+        for (const char* table : {"name,count\nfine,30 tex\n", "name,material\nfine,wool\n"}) { // spun otherwise
+            const LibraryYarn other = reread(table);
+            QCOMPARE(other.unsaid, unsaid_keys());
+            QVERIFY(!other.yarn().packing_factor && !other.yarn().yarn_class && *other.yarn().price == 6.5);
+        }
+    }
     void tablesThatHoldNoYarnSaySo()
     {
         const auto said = [](const std::string& table) {
@@ -259,6 +293,10 @@ private Q_SLOTS:
         QCOMPARE(said("name,count\n"), std::string("t.csv: The table holds no yarn: below the line that names the columns there is none."));
         QCOMPARE(said("name,count\na,Ne 20\nM\xfcller,Ne 30\n"),
                  std::string("t.csv: line 3: The text is not UTF-8; save the table as CSV in UTF-8."));
+        QCOMPARE(said("name,count,material\na,Ne 20,cotton 60 + polyester 60\n"),
+                 std::string("t.csv: line 2: material: The shares of the blend must sum to 100 %; they sum to 120 %."));
+        const std::string of_class = said("name,count,yarn_class\na,Ne 20,3\n");
+        QVERIFY2(of_class.find("rotor") != std::string::npos && of_class.find("quotes") == std::string::npos, of_class.c_str());
     }
     void whoChangesALibraryWaitsForOthers()
     {
