@@ -39,13 +39,15 @@ const LibraryYarn& named(const std::vector<LibraryYarn>& yarns, const std::strin
                                        names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
 }
 
-/// Throws Stop where the project has become one that is not valid, and leaves its file.
-void write_if_valid(const Design& design, const std::string& project, const char* nothing)
+/// Throws Stop where the project was not valid before or is not now, and leaves its file.
+void write_if_valid(const Design& design, const Design& before, const std::string& project, const char* nothing)
 {
-    const std::vector<Issue> issues = validate(design);
-    if (const Issue* error = first_error(issues))
+    const std::vector<Issue> old = validate(before), issues = validate(design);
+    const Issue *was = first_error(old), *error = first_error(issues);
+    if (was || error)
         throw Stop(exit_invalid,
-                   fmt::format("{}: {}, as the project would not be valid: {}: {}", project, nothing, error->where.text(), error->text()));
+                   fmt::format("{}: {}, as the project {}: {}: {}", project, nothing, was ? "is not valid as it is" : "would not be valid",
+                               (was ? was : error)->where.text(), (was ? was : error)->text()));
     write_project(design, project);
 }
 
@@ -76,11 +78,12 @@ int use(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
 {
     const LibraryYarn& yarn = named(yarns, options.where_used);
     const ChangeLock lock(options.project);
-    Design design = read_project(options.project);
+    const Design before = read_project(options.project);
+    Design design = before;
     const std::vector<std::string> fabrics = fabrics_with(design, yarn);
     std::vector<YarnUpdate> replaced;
     if (!options.by.empty()) replaced = replace_yarn(design, yarn, named(yarns, options.by));
-    if (!replaced.empty()) write_if_valid(design, options.project, "Nothing was replaced");
+    if (!replaced.empty()) write_if_valid(design, before, options.project, "Nothing was replaced");
     Json json = Json::array();
     for (const YarnUpdate& each : replaced) json.push_back(json_of(each));
     if (options.json)
@@ -99,10 +102,11 @@ int use(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
 int update(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
 {
     const ChangeLock lock(options.project);
-    Design design = read_project(options.project);
+    const Design before = read_project(options.project);
+    Design design = before;
     const std::vector<YarnUpdate> updates = update_yarns(design, yarns);
     const bool changed = std::any_of(updates.begin(), updates.end(), [](const YarnUpdate& each) { return !each.is_missing; });
-    if (changed) write_if_valid(design, options.project, "Nothing was updated");
+    if (changed) write_if_valid(design, before, options.project, "Nothing was updated");
     Json json = Json::array();
     for (const YarnUpdate& each : updates) {
         json.push_back(json_of(each));
@@ -112,6 +116,11 @@ int update(const YarnOptions& options, const std::vector<LibraryYarn>& yarns)
         print_json(Json{{"format", "hygroloom-yarns"}, {"version", 1}, {"updates", json}, {"updated", changed}});
     else if (updates.empty())
         print_result("No yarn changed: all that refer to the library are as they are there.\n");
+    const auto missing = std::find_if(updates.begin(), updates.end(), [](const YarnUpdate& each) { return each.is_missing; });
+    if (missing != updates.end() && options.json) return exit_invalid; // its "in_library" says so
+    if (missing != updates.end())
+        throw Stop(exit_invalid, fmt::format("{}: {}: {}: The library has no yarn \"{}\".", options.project, missing->fabric, missing->key,
+                                             missing->library_yarn));
     return exit_ok;
 }
 
@@ -149,8 +158,20 @@ std::vector<LibraryYarn> library_of(const YarnOptions& options)
     return known;
 }
 
+/// Throws Stop where the table would be written over something else.
+void require_table(const YarnOptions& options)
+{
+    const auto whole = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)); };
+    if (std::filesystem::path(options.write).extension() != ".csv")
+        throw Stop(exit_usage, fmt::format("--write: A table's name must end in .csv; given is {}.", options.write));
+    for (const std::string& other : {options.library, options.read, options.project})
+        if (!other.empty() && whole(other) == whole(options.write))
+            throw Stop(exit_usage, fmt::format("--write: The table would overwrite {}, which is read; name another file.", other));
+}
+
 int yarns(const YarnOptions& options)
 {
+    if (!options.write.empty()) require_table(options);
     const bool uses = !options.where_used.empty();
     if (uses && options.update) throw Stop(exit_usage, "--where-used and --update are two commands; give one of them.");
     if (options.project.empty() && uses)

@@ -88,8 +88,8 @@ std::vector<YarnUpdate> update_yarns(Design& design, const std::vector<LibraryYa
 
 /// "cotton 60 + polyester 40", in percent.
 std::string fibres_text(const Yarn& yarn);
-/// The count in the fewest digits, so that it is read as it is: "Ne 60/2"; one that no four digits tell in tex, with four; without a linear
-/// density the diameter: "0.2 mm".
+/// The count as the trade of its fibre writes it, or in the fewest digits, so that it is read as it is: "Ne 60/2"; one that no four digits
+/// tell in tex, with four; without a linear density the diameter: "0.2 mm".
 std::string size_text(const Yarn& yarn);
 
 /// A row a yarn, UTF-8. Columns: name, supplier, material ("cotton 60 + polyester 40", in percent), core ("elastane 5"), count ("Ne 60/2";
@@ -98,7 +98,8 @@ std::string size_text(const Yarn& yarn);
 /// for_programs: a yarn with a count has its linear density and plies beside it, too, which yarns_of_csv() refuses.
 std::string csv_of_yarns(const std::vector<LibraryYarn>& yarns, bool for_programs = false);
 /// Reads the same; a column count ("Ne 60/2") may stand for linear density, plies and filaments, and columns may be left out that a valid
-/// yarn does without. A yarn of a known one's name keeps its colour, its materials and those of unsaid_keys() that the table leaves out.
+/// yarn does without. A yarn of a known one's name keeps its colour and what the table has no column for; an empty field clears. Where its
+/// fibres or count change, what the table leaves out of unsaid_keys() is unsaid.
 /// Throws Error naming file, line and field, also where a column is unknown, a name stands twice, the yarn is not valid or there is none.
 std::vector<LibraryYarn> yarns_of_csv(const std::string& text, const std::string& file, const std::vector<LibraryYarn>& known = {});
 

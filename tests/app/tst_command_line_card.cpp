@@ -127,6 +127,12 @@ private Q_SLOTS:
         const QStringList use{"yarns", file("own.hygrolib"), "--project", poplin(), "--json", "--where-used"};
         QVERIFY(run_cli(use + QStringList{"new"}).json()["fabrics"].toArray().isEmpty()); // the poplin has another
         QCOMPARE(run_cli(use + QStringList{"no such"}).code, 2);
+        for (const QString& over : {file("own.hygrolib"), file("yarns.csv"), poplin(), file("./yarns.csv"), file("table.txt")}) {
+            const QByteArray before = content(over);
+            const QStringList again{"yarns", file("own.hygrolib"), "--read", file("yarns.csv"), "--write", over};
+            QCOMPARE(run_cli(again).code, 2);
+            QCOMPARE(content(over), before);
+        }
     }
     void yarnsOfAProjectAreBroughtUpToDate()
     {
@@ -151,6 +157,19 @@ private Q_SLOTS:
         QCOMPARE(change["before"].toString() + " " + change["after"].toString(), "14.7625 tex 14.5 tex");
         QVERIFY(content(cloth).contains("\"library_yarn\": \"warp\"") && content(cloth).contains("14.5"));
         QCOMPARE(run_cli({"yarns", file("kept.hygrolib"), "--update"}).code, 2); // no project is named
+        const QByteArray linked = content(cloth);
+        const auto write_cloth = [&cloth](const QByteArray& text) {
+            QFile project(cloth);
+            return project.open(QIODevice::WriteOnly) && project.write(text) == text.size();
+        };
+        QVERIFY(write_cloth(QByteArray(linked).replace("\"library_yarn\": \"warp\"", "\"library_yarn\": \"gone\"")));
+        QCOMPARE(run_cli(of + QStringList{"--update"}).code, 3);
+        const Answer missing = run_cli(of.first(of.size() - 1) + QStringList{"--update"}); // in words
+        QVERIFY2(missing.code == 3 && missing.err.contains("The library has no yarn \"gone\"."), missing.err.constData());
+        QVERIFY(write_cloth(QByteArray(linked).replace("\"packing_factor\": 0.6,", "\"packing_factor\": 6,")));
+        QCOMPARE(kept("name,material,linear_density_tex\nwarp,cotton,14\n"), 0);
+        const Answer invalid = run_cli(of + QStringList{"--update"});
+        QVERIFY2(invalid.code == 3 && invalid.err.contains("the project is not valid as it is"), invalid.err.constData());
     }
     void aYarnThatDoesNotFitReplacesNone()
     {
