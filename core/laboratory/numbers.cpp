@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 namespace hygroloom {
@@ -75,20 +76,39 @@ LaboratoryNumber number(std::string_view key, const std::string& conditions, con
     return {row->key, row->title, row->unit, row->standard, conditions, estimate, row->model};
 }
 
-LaboratoryNumber exact(const char* key, double value, const char* conditions = "")
+LaboratoryNumber exact(const char* key, double value, const std::string& conditions = {})
 {
     return number(key, conditions, {value, value, value});
 }
 
-void add_air(std::vector<LaboratoryNumber>& numbers, const Textile& textile, bool thickness_given)
+/// Whether a given thickness may be meant without the loops: instruments press them flat, the field counts them as they stand.
+bool may_lack_loops(const Fabric& fabric) { return fabric.thickness_mm && fabric.flyaway.loop_height_mm > 0; }
+
+/// Of a cloth whose given thickness is that of its yarns, the loops pressed flat. Precondition: may_lack_loops().
+AirPermeability with_flat_loops(const Design& design, Fabric fabric, const Textile& textile)
 {
-    const AirPermeability air(textile, thickness_given);
+    fabric.flyaway.loop_height_mm = 0;
+    Textile flat = build_textile(fabric, fit_fabric(design, fabric), {0, 0, 1, 1});
+    flat.flyaway = textile.flyaway;
+    return {flat, true};
+}
+
+void add_air(std::vector<LaboratoryNumber>& numbers, const Design& design, const Fabric& fabric, const Textile& textile)
+{
+    const AirPermeability air(textile, fabric.thickness_mm.has_value());
+    const auto flat = may_lack_loops(fabric) ? std::optional(with_flat_loops(design, fabric, textile)) : std::nullopt;
+    const auto speed = [&](double pressure) {
+        Estimate own = air.speed(pressure);
+        if (!flat) return own;
+        const Estimate other = flat->speed(pressure);
+        return Estimate{own.value, std::min(own.low, other.low), std::max(own.high, other.high)};
+    };
     for (const int pressure : {100, 125, 200}) {
         const std::string key = pressure == 100 ? "air_permeability_mm_s" : fmt::format("air_permeability_{}_pa_mm_s", pressure);
-        numbers.push_back(number(key, "1 mm/s is 1 l/(m² s)", scaled(air.speed(pressure), 1e3)));
+        numbers.push_back(number(key, "1 mm/s is 1 l/(m² s)", scaled(speed(pressure), 1e3)));
     }
     constexpr double mm_s_of_cfm = 5.08; // one cubic foot a minute through one square foot
-    numbers.push_back(number("air_permeability_cfm", "", scaled(air.speed(125), 1e3 / mm_s_of_cfm)));
+    numbers.push_back(number("air_permeability_cfm", "", scaled(speed(125), 1e3 / mm_s_of_cfm)));
 }
 
 void add_resistances(std::vector<LaboratoryNumber>& numbers, const Textile& textile, bool thickness_given, bool holds_water)
@@ -136,18 +156,29 @@ void add_water(std::vector<LaboratoryNumber>& numbers, const Textile& textile, c
             scaled(wicking_speed(textile, tables, along), 1e3));
 }
 
-/// Says which input decides where a range tells a mill little.
-void note_wide_air(LaboratoryNumbers& numbers, bool thickness_given)
+/// Says why a range tells a mill little.
+void note_wide_air(LaboratoryNumbers& numbers, const Fabric& fabric)
 {
     constexpr double wide = 10; // high over low
     for (const LaboratoryNumber& number : numbers.found) {
         if (number.key != "air_permeability_mm_s" || !(number.estimate.high > wide * number.estimate.low)) continue;
-        numbers.notes.push_back(fmt::format(
-            "Air permeability is known to a factor of {:.0f} only: how far the yarns spread into the holes is not known. {}",
-            number.estimate.high / number.estimate.low,
-            thickness_given ? "The thickness, which decides most, is given; only a measurement tells more."
-                            : "Give the thickness as measured: of all inputs it decides most, as it says how flat the yarns lie."));
+        std::string note = fmt::format("Air permeability is known to a factor of {:.0f} only: how far the yarns spread into the holes is "
+                                       "not known. Only a measurement of it tells more.",
+                                       number.estimate.high / number.estimate.low);
+        if (may_lack_loops(fabric))
+            note += fmt::format(" The given thickness of {:.3g} mm is taken with the loops on both faces, {:.3g} mm each; the range also "
+                                "holds the cloth whose yarns alone are so thick.",
+                                *fabric.thickness_mm, fabric.flyaway.loop_height_mm);
+        numbers.notes.push_back(std::move(note));
     }
+}
+
+/// How the thickness differs from what the fabric's field takes.
+std::string under_pressure(const FabricQuantities& q)
+{
+    if (q.thickness_1kpa_mm == q.thickness_mm) return {};
+    return fmt::format("loops and hairs pressed down; the fabric's field Thickness means them as they stand, here {:.3g} mm",
+                       q.thickness_mm);
 }
 
 } // namespace
@@ -163,7 +194,7 @@ std::vector<LaboratoryNumber> quick_numbers(const FittedFabric& fitted)
 {
     const FabricQuantities& q = fitted.measured;
     return {exact("mass_g_m2", q.areal_density_g_m2),
-            exact("thickness_mm", q.thickness_1kpa_mm),
+            exact("thickness_mm", q.thickness_1kpa_mm, under_pressure(q)),
             exact("cover_percent", 100 * q.cover_factor, "seen from above"),
             exact("open_area_percent", 100 * (1 - q.cover_factor), "seen from above"),
             exact("thickness_drawn_mm", q.thickness_mm, "yarns with their loops, unpressed"),
@@ -191,12 +222,12 @@ LaboratoryNumbers laboratory_numbers(const Design& design, const Fabric& fabric,
     const auto tables = room_tables(textile, room_voxels);
     const Estimate head = scaled(hydrostatic_pressure(textile, *tables, cv(fabric.warp), cv(fabric.weft)), mm_of_water);
     LaboratoryNumbers numbers{quick_numbers(fitted), {}};
-    add_computed(numbers, "Air permeability", [&](auto& found) { add_air(found, textile, thickness_given); });
+    add_computed(numbers, "Air permeability", [&](auto& found) { add_air(found, design, fabric, textile); });
     add_computed(numbers, "What the cloth resists to heat and to vapour",
                  [&](auto& found) { add_resistances(found, textile, thickness_given, head.value > 0); });
     numbers.found.push_back(number("hydrostatic_head_mm", "third drop on 100 cm²; 0: yarns wet and no face holds water off", head));
     add_water(numbers.found, textile, *tables, fitted.measured.areal_density_g_m2);
-    note_wide_air(numbers, thickness_given);
+    note_wide_air(numbers, fabric);
     return numbers;
 }
 

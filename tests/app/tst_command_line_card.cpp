@@ -67,7 +67,7 @@ private Q_SLOTS:
         QCOMPARE(
             run_cli({"card", poplin(), "-o", file("order.html"), "-q", "--length-m", "500", "--set", "fabrics[0].warp.price=6.5"}).code, 0);
         const QByteArray order = content(file("order.html"));
-        for (const char* text : {"kg for 500 m", "cost of 1 m", "no price", "currency", "Give the thickness as measured"})
+        for (const char* text : {"kg for 500 m", "cost of 1 m", "no price", "currency", "Only a measurement of it tells more"})
             QVERIFY2(order.contains(text), text);
         QCOMPARE(run_cli({"card", poplin(), "-o", file("card.csv"), "-q"}).code, 0);
         const QByteArray table = content(file("card.csv"));
