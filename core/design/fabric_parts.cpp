@@ -2,6 +2,7 @@
 #include "core/design/fabric_parts.h"
 
 #include "core/design/fields.h"
+#include "core/design/labels.h"
 
 #include <fmt/format.h>
 
@@ -99,9 +100,7 @@ bool alike(const std::vector<Yarn>& a, const std::vector<Yarn>& b)
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Yarn& one, Yarn other) {
         for (const Field<Yarn>& row : fields_of<Yarn>())
             if (is_look(row)) set_field(row, other, field_value(row, one));
-        other.color = one.color;
-        other.library_yarn = one.library_yarn;
-        return one == other;
+        return without_labels(one) == without_labels(other);
     });
 }
 

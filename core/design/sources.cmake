@@ -18,6 +18,7 @@ target_sources(hygroloom_core PRIVATE
   design/holes.cpp
   design/interlacing.cpp
   design/jam.cpp
+  design/labels.cpp
   design/liquid.cpp
   design/material.cpp
   design/spreading.cpp

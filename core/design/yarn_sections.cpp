@@ -2,6 +2,7 @@
 #include "core/design/yarn_sections.h"
 
 #include "core/base/units.h"
+#include "core/design/labels.h"
 #include "core/design/yarn_class.h"
 
 #include <algorithm>
@@ -333,21 +334,15 @@ YarnOrder yarn_order(const Fabric& fabric, bool warp)
     const std::vector<YarnRun>& given = warp ? fabric.warp_order : fabric.weft_order;
     YarnOrder order;
     std::vector<int> type_of(fabric.extra_yarns.size() + 1, -1);
-    const auto colourless = [&](int yarn) {
-        Yarn copy = yarn_in(fabric, warp, yarn);
-        copy.color.reset();
-        copy.price.reset();
-        copy.library_yarn.clear();
-        return copy;
-    };
+    const auto plain = [&](int yarn) { return without_labels(yarn_in(fabric, warp, yarn)); };
     std::vector<Yarn> seen;
     for (const YarnRun& run : given.empty() ? alike : given) {
         int& type = type_of[run.yarn];
         if (type < 0) {
-            const auto same = std::find(seen.begin(), seen.end(), colourless(run.yarn));
+            const auto same = std::find(seen.begin(), seen.end(), plain(run.yarn));
             type = static_cast<int>(same - seen.begin());
             if (same == seen.end()) {
-                seen.push_back(colourless(run.yarn));
+                seen.push_back(plain(run.yarn));
                 order.yarns.push_back(run.yarn);
             }
         }
