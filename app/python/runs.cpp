@@ -59,7 +59,7 @@ Json outcome_list(const std::vector<Outcome>& outcomes)
 Results results_of(const RunRecord& run, const Metrics& metrics)
 {
     Results results{dumped(metrics_value(run, metrics)), dumped(outcome_list(outcomes_of(run, metrics))), notes_of(run.plan)};
-    results.notes.insert(results.notes.end(), metrics.notes.begin(), metrics.notes.end());
+    for (std::string& note : notes_of(metrics)) results.notes.push_back(std::move(note));
     results.end = metrics.ledger.time;
     return results;
 }

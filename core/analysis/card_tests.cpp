@@ -206,9 +206,11 @@ void add_test_numbers(LaboratoryNumbers& numbers, const CardTest& test, const Ca
         }
         numbers.found.push_back(std::move(number));
     }
-    if (candidate.metrics)
-        for (const std::string& note : candidate.metrics->notes) // those of the computation stand in the run's report
-            if (!note.starts_with("Numerical:")) numbers.notes.push_back(fmt::format("{}: {}", test.title, note));
+    if (!candidate.metrics) return;
+    for (const std::string& note : candidate.metrics->notes) numbers.notes.push_back(fmt::format("{}: {}", test.title, note));
+    if (const double times = candidate.metrics->unsettled; times > 0)
+        numbers.notes.push_back(
+            fmt::format("{}: {:.0f} {} the computation did not settle along a yarn.", test.title, times, times > 1 ? "times" : "time"));
 }
 
 } // namespace hygroloom

@@ -177,7 +177,7 @@ Candidate candidate_of(std::shared_ptr<const RunRecord> run, std::shared_ptr<con
 {
     Candidate candidate;
     candidate.fabric = run->fabric;
-    candidate.notes = metrics->notes;
+    candidate.notes = notes_of(*metrics);
     candidate.wall = run->wall;
     candidate.timed = run->wall > 0 ? 1 : 0;
     ReplicateRun first;

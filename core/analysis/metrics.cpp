@@ -379,16 +379,21 @@ Metrics MetricsCollector::metrics() const
                 : fmt::format("Water reached the edge of the sample after {:.3g} s; the radius afterwards is limited by the "
                               "sample's size.",
                               *edge_time_));
-    if (unsolved_lines_ > 0)
-        m.notes.push_back(
-            fmt::format("Numerical: {:.0f} {} the suctions along a yarn were not found; its liquid stayed where it was for that "
-                        "step.",
-                        unsolved_lines_, unsolved_lines_ > 1 ? "times" : "time"));
+    m.unsettled = unsolved_lines_;
     compute_results(m, experiment_, textile_.crossings() * textile_.warp.pitch * textile_.weft.pitch);
     if (assumes_depth_)
         m.assumed.push_back(fmt::format("The finish of a face reaches {:g} % of the thickness deep, since the fabric has no finish_depth.",
                                         100 * default_finish_depth));
     return m;
+}
+
+std::vector<std::string> notes_of(const Metrics& metrics)
+{
+    std::vector<std::string> notes = metrics.notes;
+    if (metrics.unsettled > 0)
+        notes.push_back(fmt::format("{:.0f} {} the suctions along a yarn were not found; its liquid stayed where it was for that step.",
+                                    metrics.unsettled, metrics.unsettled > 1 ? "times" : "time"));
+    return notes;
 }
 
 } // namespace hygroloom

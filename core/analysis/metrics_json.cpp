@@ -25,7 +25,7 @@ Json series_value(const Series& series)
 /// The numbers, then grades and classes, then the notes.
 Json outcomes_value(const RunRecord& run, const Metrics& m)
 {
-    Json json = Json::object(), notes = m.notes;
+    Json json = Json::object(), notes = notes_of(m);
     const std::vector<Outcome> outcomes = outcomes_of(run, m);
     for (const Outcome& outcome : outcomes) {
         if (!outcome.text.empty()) continue;

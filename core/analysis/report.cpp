@@ -38,7 +38,7 @@ PageBlocks results(const RunRecord& run, const Metrics& metrics, const ReaderUni
     const std::vector<Outcome> outcomes = outcomes_of(run, metrics);
     const std::map<std::string, Interval> intervals = numerical_intervals(run, metrics);
     const OutcomeRows found = outcome_rows(outcomes, intervals, units);
-    std::vector<std::string> notes = metrics.notes;
+    std::vector<std::string> notes = notes_of(metrics);
     notes.insert(notes.end(), found.notes.begin(), found.notes.end());
     const bool ellipse = std::any_of(outcomes.begin(), outcomes.end(),
                                      [](const Outcome& outcome) { return outcome.key.starts_with("wetted_area_ellipse"); });

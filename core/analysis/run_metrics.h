@@ -45,8 +45,12 @@ struct Metrics {
     Series series;
     Ledger ledger;                    ///< at the end
     std::optional<double> edge_time;  ///< s, when water was first seen where the sample ends
-    std::vector<std::string> notes;   ///< what limits a metric, in sentences
+    double unsettled = 0;             ///< how often the suctions along a yarn were not found
+    std::vector<std::string> notes;   ///< what else limits a metric, in sentences
     std::vector<std::string> assumed; ///< of the cloth, and of the instrument that a metric imitates, in sentences
 };
+
+/// Its notes, then in a sentence what was not found.
+std::vector<std::string> notes_of(const Metrics& metrics);
 
 } // namespace hygroloom

@@ -163,15 +163,19 @@ private Q_SLOTS:
                      qPrintable(QString("%1: %2, %3 to %4").arg(system).arg(risen).arg(level.low).arg(level.high)));
         }
     }
-    void notesOfTheComputationStayOffTheCard()
+    void aCardSaysShortlyThatAStepDidNotSettle()
     {
         LaboratoryNumbers numbers;
         Candidate candidate;
         Metrics metrics;
-        metrics.notes = {"Numerical: 4 times something was not found.", "The strip was wet to its end."};
+        metrics.unsettled = 4;
+        metrics.notes = {"The strip was wet to its end."};
         candidate.metrics = std::make_shared<const Metrics>(metrics);
         add_test_numbers(numbers, card_test("wicking_warp", poplin().fabric(), poplin().known.found), candidate, "live, cpu");
-        QCOMPARE(numbers.notes, std::vector<std::string>{"Wicking along the warp: The strip was wet to its end."});
+        QCOMPARE(numbers.notes, (std::vector<std::string>{"Wicking along the warp: The strip was wet to its end.",
+                                                          "Wicking along the warp: 4 times the computation did not settle along a yarn."}));
+        QCOMPARE(notes_of(metrics).size(), std::size_t{2}); // the run's own report has it, too
+        QVERIFY(notes_of(metrics).back().find("4 times the suctions along a yarn") != std::string::npos);
     }
     void aBatchIsPausedAndSharesMemory()
     {

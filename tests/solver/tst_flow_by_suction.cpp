@@ -337,13 +337,13 @@ private Q_SLOTS:
             MetricsCollector collector;
             collector.start(run);
             collector.add(frame);
-            const std::vector<std::string> notes = collector.metrics().notes;
+            const std::vector<std::string> notes = notes_of(collector.metrics());
             const bool noted = std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
                 return note.find(fmt::format("{:.0f} time", frame.unsolved_lines)) != std::string::npos;
             });
             QCOMPARE(noted, rounds == 1);
             collector.start(run); // as of a recording
-            QVERIFY(collector.metrics().notes.empty());
+            QVERIFY(notes_of(collector.metrics()).empty());
         }
     }
     void aPoolPassesThroughHolesThatDoNotHoldItsPressure()
