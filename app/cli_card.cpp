@@ -48,10 +48,17 @@ void print_card(const Card& card)
 {
     print_result("{}\n", card.fabric);
     for (const PageRow& row : construction_rows(card)) print_result("  {:<44} {:>7} {}\n", row[0].text, row[1].text, row[2].text);
-    for (const YarnConsumption& use : card.technical.yarns)
-        print_result("  {:<44} {:>7.4g} g/m     {:.3g} tex, crimp {:.3g} %, take-up {:.3g} %\n", name_of(use), use.grams_per_metre, use.tex,
-                     use.crimp_percent, use.take_up_percent());
-    print_result("  {:<44} {:>7.4g} g/m     of {:.4g} cm\n", "yarn, together", card.technical.grams_per_metre, card.technical.width_cm);
+    const auto kilograms = [&card](double grams_per_metre) {
+        return fmt::format("{:.4g} kg for {:g} m", 1e-3 * grams_per_metre * told_length_m(card), told_length_m(card));
+    };
+    for (const YarnConsumption& use : card.technical.yarns) {
+        const std::string cost = use.cost_per_metre ? fmt::format("cost {:.3g} per m", *use.cost_per_metre) : "no price";
+        print_result("  {:<44} {:>7.4g} g/m     {:.3g} tex, crimp {:.3g} %, take-up {:.3g} %, {}{}\n", name_of(use), use.grams_per_metre,
+                     use.tex, use.crimp_percent, use.take_up_percent(), kilograms(use.grams_per_metre),
+                     has_prices(card) ? ", " + cost : std::string());
+    }
+    print_result("  {:<44} {:>7.4g} g/m     of {:.4g} cm, {}\n", "yarn, together", card.technical.grams_per_metre, card.technical.width_cm,
+                 kilograms(card.technical.grams_per_metre));
     if (card.technical.yarn_cost_per_metre)
         print_result("  {:<44} {:>7.4g} per m   in the currency of the prices\n", "yarn cost", *card.technical.yarn_cost_per_metre);
     for (const LaboratoryNumber& number : card.numbers.found) {
@@ -59,8 +66,7 @@ void print_card(const Card& card)
         print_result("  {:<44} {:>7} {:<12} {:<18} {}{}\n", number.title, value_text(number), number.unit, range_text(number.estimate),
                      number.standard, run);
     }
-    for (const auto* notes : {&card.technical.notes, &card.numbers.missing, &card.numbers.notes})
-        for (const std::string& note : *notes) print_result("  {}\n", note);
+    for (const std::string& sentence : sentences_below(card)) print_result("  {}\n", sentence);
 }
 
 /// Adds the numbers of the tests that were asked for. Whether none was stopped.

@@ -88,15 +88,12 @@ std::vector<ConstructionNumber> construction_numbers(const Card& card)
     return all;
 }
 
-constexpr double usual_length_m = 100; // where none is ordered
-
 PageBlocks consumption_table(const Card& card, const ReaderUnits& units)
 {
     const ReaderUnit count = reader_unit(units, "tex");
-    const double length_m = card.length_m > 0 ? card.length_m : usual_length_m;
+    const double length_m = told_length_m(card);
     const auto number = [](double value, int digits) { return PageCell{rounded_text(value, digits), PageCell::Kind::number}; };
-    const auto priced = [](const YarnConsumption& use) { return use.cost_per_metre.has_value(); };
-    const bool costs = std::any_of(card.technical.yarns.begin(), card.technical.yarns.end(), priced);
+    const bool costs = has_prices(card);
     std::vector<std::string> headings{
         "yarn", "count, " + count.unit, "share, %", "take-up, %", "g/m", fmt::format("kg for {:g} m", length_m)};
     if (costs) headings.emplace_back("cost of 1 m");
@@ -118,7 +115,7 @@ PageBlocks consumption_table(const Card& card, const ReaderUnits& units)
     rows.push_back(std::move(sum));
     const char* about = "The share is that of the threads of warp or weft; the take-up is of the yarn's length.";
     const char* currency = " Costs are in the currency in which the yarns' prices for a kilogram are given.";
-    return joined({table(rows), sentence(std::string(about) + (costs ? currency : "")), list(card.technical.notes)});
+    return joined({table(rows), sentence(std::string(about) + (costs ? currency : ""))});
 }
 
 /// Each sentence once, in their order.
@@ -144,7 +141,7 @@ PageBlocks laboratory_table(const Card& card, const ReaderUnits& units)
         rows.back().resize(4);
         rows.back().push_back({remark});
     }
-    return joined({table(rows), list(comparisons(card.numbers.found)), list(card.numbers.missing), list(card.numbers.notes)});
+    return joined({table(rows), list(sentences_below(card))});
 }
 
 /// Of the table, see card_csv().
@@ -214,6 +211,26 @@ std::string name_of(const YarnConsumption& use)
 {
     const std::string system = use.warp ? "warp" : "weft";
     return use.yarn == 0 ? system : fmt::format("{}, extra yarn {}", system, use.yarn);
+}
+
+double told_length_m(const Card& card)
+{
+    constexpr double usual = 100;
+    return card.length_m > 0 ? card.length_m : usual;
+}
+
+bool has_prices(const Card& card)
+{
+    const auto& yarns = card.technical.yarns;
+    return std::any_of(yarns.begin(), yarns.end(), [](const YarnConsumption& use) { return use.cost_per_metre.has_value(); });
+}
+
+std::vector<std::string> sentences_below(const Card& card)
+{
+    std::vector<std::string> all = card.technical.notes;
+    for (const auto& some : {comparisons(card.numbers.found), card.numbers.missing, card.numbers.notes})
+        all.insert(all.end(), some.begin(), some.end());
+    return all;
 }
 
 LaboratoryNumber in_units(LaboratoryNumber number, const ReaderUnits& units)
@@ -366,6 +383,11 @@ std::string card_csv(const Card& card)
                            csv_field(standard), csv_field(conditions));
     };
     const auto exact = [](double value) { return Estimate{value, value, value}; };
+    const char* currency = "in the currency of the yarns' prices";
+    const auto kilograms = [&](const std::string& title, double grams_per_metre) {
+        const double length_m = told_length_m(card);
+        line("yarn_kg", title, exact(1e-3 * grams_per_metre * length_m), "kg", "", fmt::format("for {:g} m", length_m));
+    };
     for (const ConstructionNumber& number : construction_numbers(card))
         line(number.key, number.title, exact(number.value), number.unit, "", number.remark);
     for (const YarnConsumption& use : card.technical.yarns) {
@@ -373,17 +395,21 @@ std::string card_csv(const Card& card)
         line("yarn_linear_density_tex", name_of(use), exact(use.tex), "tex", "", "");
         line("yarn_take_up_percent", name_of(use), exact(use.take_up_percent()), "%", "", "");
         line("yarn_g_per_m", name_of(use), exact(use.grams_per_metre), "g/m", "", "");
-        if (card.length_m > 0)
-            line("yarn_kg", name_of(use), exact(1e-3 * use.grams_per_metre * card.length_m), "kg", "",
-                 fmt::format("for {:g} m", card.length_m));
+        kilograms(name_of(use), use.grams_per_metre);
+        if (use.cost_per_metre)
+            line("yarn_cost_per_m", name_of(use), exact(*use.cost_per_metre), "per m", "", currency);
+        else if (has_prices(card))
+            csv += fmt::format("yarn_cost_per_m,{},,,,per m,,no price,\n", csv_field(name_of(use)));
     }
     line("yarn_g_per_m", "together", exact(card.technical.grams_per_metre), "g/m", "", "");
-    if (card.technical.yarn_cost_per_metre)
-        line("yarn_cost_per_m", "Yarn cost", exact(*card.technical.yarn_cost_per_metre), "per m", "",
-             "in the currency of the yarns' prices");
+    kilograms("together", card.technical.grams_per_metre);
+    if (const auto& cost = card.technical.yarn_cost_per_metre) line("yarn_cost_per_m", "together", exact(*cost), "per m", "", currency);
     for (const LaboratoryNumber& number : card.numbers.found) csv += line_of(number);
-    for (const std::string& sentence : card.numbers.missing) csv += fmt::format("missing,{},,,,,,,\n", csv_field(sentence));
-    for (const std::string& sentence : card.numbers.notes) csv += fmt::format("note,{},,,,,,,\n", csv_field(sentence));
+    const std::vector<std::string>& missing = card.numbers.missing;
+    for (const std::string& sentence : sentences_below(card)) {
+        const bool is_missing = std::find(missing.begin(), missing.end(), sentence) != missing.end();
+        csv += fmt::format("{},{},,,,,,,\n", is_missing ? "missing" : "note", csv_field(sentence));
+    }
     return csv;
 }
 

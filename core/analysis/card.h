@@ -35,6 +35,13 @@ const std::vector<OutcomeInfo>& card_metrics();
 
 /// "warp", "weft, extra yarn 1".
 std::string name_of(const YarnConsumption& use);
+/// Metres that the kilograms are told for: those that are ordered, else 100.
+double told_length_m(const Card& card);
+/// Whether a yarn has a price.
+bool has_prices(const Card& card);
+/// What stands below the numbers, in sentences: on yarn and loom, how far off numbers were where they were compared, what is missing and
+/// why, and what limits others.
+std::vector<std::string> sentences_below(const Card& card);
 /// Setts, loom, width, counts and crimps, each a name, a number and its unit.
 std::vector<PageRow> construction_rows(const Card& card, const ReaderUnits& units = {});
 /// In the reader's unit.
@@ -48,7 +55,7 @@ nlohmann::ordered_json card_json(const Card& card);
 /// {"air_permeability_mm_s": {"value", "low", "high", "unit", …}, …}
 nlohmann::ordered_json laboratory_json(const std::vector<LaboratoryNumber>& numbers);
 /// key, title, value, low, high, unit, standard, conditions, run. Of what could not be computed a row "missing" with a sentence as its
-/// title, of what limits a number a row "note".
+/// title, of all else that stands below the numbers a row "note".
 std::string card_csv(const Card& card);
 /// Both faces at true scale, as many repeats as make them 20 mm wide and high at least; and the top face from near, unless a repeat is more
 /// than 12 mm. None where a repeat is more than 100 mm. Precondition: validate() found no error.

@@ -69,6 +69,15 @@ private Q_SLOTS:
         const QByteArray order = content(file("order.html"));
         for (const char* text : {"kg for 500 m", "cost of 1 m", "no price", "currency", "Only a measurement of it tells more"})
             QVERIFY2(order.contains(text), text);
+        const QStringList ordered{"card", poplin(), "-q", "--length-m", "500", "--set", "fabrics[0].warp.price=6.5"};
+        const Answer printed = run_cli(ordered);
+        QVERIFY(printed.out.count("kg for 500 m") == 3 && printed.out.count("no price") == 1 && printed.out.count("cost ") == 1);
+        QVERIFY(printed.out.contains("was compared with 16 sold cloths"));
+        QCOMPARE(run_cli(ordered + QStringList{"-o", file("order.csv")}).code, 0);
+        const QByteArray priced = content(file("order.csv"));
+        for (const char* text : {"\nyarn_cost_per_m,warp,", "\nyarn_cost_per_m,weft,,,,per m,,no price,", "\nyarn_kg,together,",
+                                 "for 500 m", "was compared with 16 sold cloths"})
+            QVERIFY2(priced.contains(text), text);
         QCOMPARE(run_cli({"card", poplin(), "-o", file("card.csv"), "-q"}).code, 0);
         const QByteArray table = content(file("card.csv"));
         QVERIFY(table.startsWith("key,title,value,low,high,unit,standard,conditions,run\n") && table.contains("\nret_m2pa_w,"));

@@ -118,9 +118,7 @@ QString CardDialog::notes() const
 {
     if (!numbers_.card()) { return {}; }
     QStringList lines;
-    for (const auto* some : {&numbers_.card()->technical.notes, &numbers_.card()->numbers.missing, &numbers_.card()->numbers.notes}) {
-        for (const std::string& note : *some) { lines << words(note); }
-    }
+    for (const std::string& sentence : sentences_below(*numbers_.card())) { lines << words(sentence); }
     return lines.join('\n');
 }
 
