@@ -2,7 +2,7 @@
 #include "core/design/fabric_parts.h"
 
 #include "core/design/fields.h"
-#include "core/design/labels.h"
+#include "core/design/looks.h"
 
 #include <fmt/format.h>
 
@@ -63,8 +63,6 @@ template <typename Owner> std::string text_of(const Field<Owner>& row, const Own
     return words(*value, unit.empty() || unit == "°" ? unit : " " + unit, number);
 }
 
-bool is_look(const Field<Yarn>& row) { return row.part == std::string_view("look"); }
-
 std::string words(const std::vector<Yarn>& yarns, const char*, const NumberText& number)
 {
     std::string text;
@@ -97,11 +95,8 @@ bool alike(const Weave& a, const Weave& b) { return a.same_matrix(b); }
 /// But for how they look.
 bool alike(const std::vector<Yarn>& a, const std::vector<Yarn>& b)
 {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Yarn& one, Yarn other) {
-        for (const Field<Yarn>& row : fields_of<Yarn>())
-            if (is_look(row)) set_field(row, other, field_value(row, one));
-        return without_labels(one) == without_labels(other);
-    });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Yarn& one, const Yarn& other) { return without_look(one) == without_look(other); });
 }
 
 /// get(fabric): the value of the key.

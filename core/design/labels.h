@@ -2,15 +2,11 @@
 // What a yarn has beside its substance and its shape: how it is dyed, what it costs, under which name a library has it.
 #pragma once
 
-#include "core/design/design.h"
+#include "core/design/yarn.h"
 
 namespace hygroloom {
 
 /// Without colour, price and the library's name.
 Yarn without_labels(Yarn yarn);
-/// All of its yarns. Two that are alike then are the same cloth to every run.
-Fabric without_labels(Fabric fabric);
-/// All of its fabrics.
-Design without_labels(Design design);
 
 } // namespace hygroloom

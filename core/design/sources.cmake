@@ -20,6 +20,7 @@ target_sources(hygroloom_core PRIVATE
   design/jam.cpp
   design/labels.cpp
   design/liquid.cpp
+  design/looks.cpp
   design/material.cpp
   design/spreading.cpp
   design/unknowns.cpp

@@ -3,7 +3,7 @@
 
 #include "core/analysis/replicate_file.h"
 #include "core/base/error.h"
-#include "core/design/labels.h"
+#include "core/design/looks.h"
 #include "core/design/validate.h"
 #include "core/run/recording.h"
 
@@ -34,7 +34,7 @@ std::optional<Candidate> kept_in(const std::filesystem::path& file, const Design
 {
     Recording recording(file);
     const RunRecord& run = recording.run();
-    if (!recording.finished() || run.plan.fidelity < how.fidelity || without_labels(run.design) != without_labels(design)) return {};
+    if (!recording.finished() || run.plan.fidelity < how.fidelity || without_look(run.design) != without_look(design)) return {};
     if (run.answers != answers_code || run.seed != how.seed || !is_plain(run)) return {};
     MetricsCollector collector;
     collector.start(recording.run());

@@ -134,7 +134,8 @@ private Q_SLOTS:
         labelled.fabrics.front().warp.library_yarn = "Ne 40 of the mill";
         labelled.fabrics.front().weft.price = 6.5;
         labelled.fabrics.front().weft.color = Color{1, 2, 3};
-        QVERIFY(card_jobs(labelled, labelled.fabrics.front(), cloth.known, what).jobs.empty()); // a label makes no other cloth
+        labelled.fabrics.front().weft.twist_direction = TwistDirection::s;
+        QVERIFY(card_jobs(labelled, labelled.fabrics.front(), cloth.known, what).jobs.empty()); // a look makes no other cloth
         Design other = cloth.design;
         other.fabrics.front().ends_per_cm *= 0.9;
         QCOMPARE(card_jobs(other, other.fabrics.front(), cloth.known, what).jobs.size(), std::size_t{1});
