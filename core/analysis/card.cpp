@@ -269,7 +269,7 @@ std::vector<PageRow> construction_rows(const Card& card, const ReaderUnits& unit
     return rows;
 }
 
-Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request)
+Card card_without_numbers(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request)
 {
     Card card;
     card.fabric = fabric.name;
@@ -282,6 +282,12 @@ Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fit
     card.technical = technical_card(fabric, fitted, request);
     card.length_m = request.length_m;
     card.made_at = date_now();
+    return card;
+}
+
+Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request)
+{
+    Card card = card_without_numbers(design, fabric, fitted, request);
     const auto start = std::chrono::steady_clock::now();
     card.numbers = laboratory_numbers(design, fabric, fitted);
     card.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -27,6 +27,9 @@ struct Card {
 /// Precondition: validate() found no error.
 Card card_of(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request = {});
 
+/// The same at once, without what a laboratory measures.
+Card card_without_numbers(const Design& design, const Fabric& fabric, const FittedFabric& fitted, const CardRequest& request = {});
+
 /// What stands beside the runs of a comparison: the laboratory's numbers that need no run, and what the yarn of a metre costs where all
 /// yarns have a price. Precondition as above.
 LaboratoryNumbers compared_numbers(const Design& design, const Fabric& fabric, const FittedFabric& fitted);

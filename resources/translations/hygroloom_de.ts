@@ -3401,6 +3401,10 @@ Fügen Sie eines hinzu, um zu beginnen.</translation>
         <source>Not enough memory for the tests of the card.</source>
         <translation>Für die Prüfungen der Karte reicht der Speicher nicht.</translation>
     </message>
+    <message>
+        <source>The tests of the technical card of %1 were stopped: the fabric is another now.</source>
+        <translation>Die Prüfungen der technischen Karte von %1 wurden gestoppt: Das Gewebe ist jetzt ein anderes.</translation>
+    </message>
 </context>
 <context>
     <name>hygroloom::Chart</name>

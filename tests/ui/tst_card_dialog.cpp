@@ -84,6 +84,48 @@ private Q_SLOTS:
         shown.document.edit("experiment", {}, [](Design& design) { design.experiments.front().name = "another"; });
         QCOMPARE(shown.dialog->numbers().card(), card); // nothing of the cloth has changed
     }
+    void aLabelStopsNoTestsAndIsOnTheCard()
+    {
+        Shown shown;
+        QVERIFY(shown.ready());
+        QSignalSpy failed(&shown.dialog->numbers(), &CardNumbers::failed);
+        shown.dialog->startOrCancel();
+        QTRY_COMPARE(shown.queue.list().size(), std::size_t{1});
+        shown.document.edit("price", {}, [&](Design& design) {
+            for (Yarn* yarn : yarns_of(design.fabrics[static_cast<std::size_t>(shown.document.fabricIndex())])) {
+                yarn->price = 6.5;
+                yarn->library_yarn = "Ne 40 of the mill";
+            }
+        });
+        QVERIFY(shown.dialog->numbers().running() && shown.dialog->numbers().card());
+        QVERIFY(shown.dialog->numbers().card()->technical.yarn_cost_per_metre);
+        QTRY_VERIFY_WITH_TIMEOUT(textOf(*shown.dialog, "Area of the stain after 1 min", 1) != "…", 120000); // of the same cloth
+        QVERIFY(shown.dialog->numbers().card()->technical.yarn_cost_per_metre && failed.isEmpty());
+        shown.dialog->startOrCancel();
+        QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog->numbers().running(), 20000);
+    }
+    void testsOfAClothThatChangesWhileTheDialogIsHiddenStopAndSaySo()
+    {
+        Shown shown;
+        QVERIFY(shown.ready());
+        QSignalSpy failed(&shown.dialog->numbers(), &CardNumbers::failed);
+        shown.dialog->startOrCancel();
+        QTRY_COMPARE(shown.queue.list().size(), std::size_t{1});
+        shown.dialog->hide();
+        shown.document.edit("experiment", {}, [](Design& design) { design.experiments.front().name = "another"; });
+        QVERIFY(failed.isEmpty());
+        shown.document.edit("sett", {}, [&](Design& design) {
+            design.fabrics[static_cast<std::size_t>(shown.document.fabricIndex())].picks_per_cm *= 0.8;
+        });
+        QCOMPARE(failed.count(), 1);
+        QVERIFY(failed.first().first().toString().contains(QString::fromStdString(shown.document.fabric()->name)));
+        QTRY_VERIFY_WITH_TIMEOUT(!shown.dialog->numbers().running(), 20000);
+        QTRY_VERIFY(shown.queue.list().empty());
+        shown.dialog->show();
+        QVERIFY(shown.ready());
+        QVERIFY(shown.dialog->numbers().canRun());
+        QCOMPARE(failed.count(), 1);
+    }
     void runsCanBeCancelled()
     {
         Shown shown;
@@ -129,7 +171,8 @@ private Q_SLOTS:
         QVERIFY(shown.ready());
         const auto labels = shown.dialog->findChildren<QLabel*>();
         QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-            return label->isVisible() && label->text().contains("The finished width is not given");
+            return label->isVisible() && label->text().contains("The finished width is not given") &&
+                   label->text().contains("was compared with 16 sold cloths");
         }));
     }
     void whatHasEndedStaysWhenTheRestIsCancelled()

@@ -2,6 +2,7 @@
 #include "ui/export/card_numbers.h"
 
 #include "core/base/error.h"
+#include "core/design/looks.h"
 #include "core/queue/card_runs.h"
 #include "gpu/backends.h"
 #include "ui/results/device_choice.h"
@@ -12,11 +13,12 @@
 namespace hygroloom {
 namespace {
 
-/// Whether a card of both is the same.
-bool sameCloth(const Design& a, int fabric_a, const Design& b, int fabric_b)
+const Fabric& fabricOf(const Design& design, int fabric) { return design.fabrics[static_cast<std::size_t>(fabric)]; }
+
+/// Whether the numbers of a card of both are the same.
+bool sameCloth(const Design& a, const Fabric& fabric_a, const Design& b, const Fabric& fabric_b)
 {
-    return a.materials == b.materials && a.liquids == b.liquids &&
-           a.fabrics[static_cast<std::size_t>(fabric_a)] == b.fabrics[static_cast<std::size_t>(fabric_b)];
+    return a.materials == b.materials && a.liquids == b.liquids && without_look(fabric_a) == without_look(fabric_b);
 }
 
 std::vector<CardNumbers::Row> known(const std::vector<LaboratoryNumber>& numbers)
@@ -43,17 +45,55 @@ void CardNumbers::follow(bool on)
     if (on) { take(); }
 }
 
+/// Whether a fabric of the design is the cloth that the card is of.
+bool CardNumbers::isIn(const Design& design) const
+{
+    return std::any_of(design.fabrics.begin(), design.fabrics.end(),
+                       [&](const Fabric& fabric) { return sameCloth(*design_, fabricOf(*design_, fabric_), design, fabric); });
+}
+
+void CardNumbers::stopTests()
+{
+    if (running_ && !cancel_) {
+        Q_EMIT failed(tr("The tests of the technical card of %1 were stopped: the fabric is another now.")
+                          .arg(QString::fromStdString(fabricOf(*design_, fabric_).name)));
+    }
+    cancel();
+}
+
+/// The numbers stay; prices and colours are those of the design.
+void CardNumbers::relabel(const std::shared_ptr<const Design>& design, int fabric)
+{
+    const bool changed_labels = fabricOf(*design_, fabric_) != fabricOf(*design, fabric);
+    const auto fitted = document_.fitted();
+    design_ = design;
+    fabric_ = fabric;
+    if (!changed_labels || !fitted) { return; }
+    Card labelled = card_without_numbers(*design, fabricOf(*design, fabric), *fitted);
+    labelled.numbers = card_->numbers;
+    labelled.seconds = card_->seconds;
+    card_ = std::make_shared<const Card>(std::move(labelled));
+    Q_EMIT changed();
+}
+
 void CardNumbers::take()
 {
-    if (!follows_) { return; }
     const auto design = document_.design();
+    if (!follows_) {
+        if (running_ && !cancel_ && !isIn(*design)) { stopTests(); }
+        return;
+    }
     const int fabric = document_.fabric() ? document_.fabricIndex() : -1;
-    if (design_ && fabric >= 0 && fabric_ >= 0 && sameCloth(*design_, fabric_, *design, fabric) && (card_ || computing())) { return; }
-    cancel();
+    if (design_ && fabric >= 0 && fabric_ >= 0 && sameCloth(*design_, fabricOf(*design_, fabric_), *design, fabricOf(*design, fabric))) {
+        if (card_) { return relabel(design, fabric); }
+        if (computing() && fabricOf(*design_, fabric_) == fabricOf(*design, fabric)) { return; }
+    }
+    stopTests();
     job_.drop();
     if (card_) { before_ = rows(); }
     card_.reset();
     tested_.clear();
+    ++cloth_;
     design_ = design;
     fabric_ = fabric;
     if (const auto fitted = document_.fitted(); fabric >= 0 && fitted) {
@@ -83,7 +123,7 @@ std::vector<CardNumbers::Row> CardNumbers::rows() const
     for (const std::string& key : card_test_keys()) {
         if (tested_.contains(key)) { continue; }
         try {
-            const Fabric& fabric = design_->fabrics[static_cast<std::size_t>(fabric_)];
+            const Fabric& fabric = fabricOf(*design_, fabric_);
             for (const LaboratoryNumber& number : unknown_numbers(card_test(key, fabric, card_->numbers.found))) {
                 rows.push_back({number, false});
             }
@@ -98,7 +138,7 @@ bool CardNumbers::canRun() const { return card_ && !running_ && tested_.size() <
 void CardNumbers::run()
 {
     if (thread_.joinable()) { thread_.join(); }
-    Task tests{design_, fabric_, card_, {}};
+    Task tests{cloth_, design_, fabric_, card_, {}};
     for (const std::string& key : card_test_keys()) {
         if (!tested_.contains(key)) { tests.tests.push_back(key); }
     }
@@ -127,7 +167,7 @@ void CardNumbers::run()
 
 void CardNumbers::runTests(const Task& task)
 {
-    const Fabric& fabric = task.design->fabrics[static_cast<std::size_t>(task.fabric)];
+    const Fabric& fabric = fabricOf(*task.design, task.fabric);
     CardRuns what{task.tests, {}};
     what.how.fidelity = Fidelity::live;
     what.how.may_go_on_on_cpu = true;
@@ -164,11 +204,11 @@ void CardNumbers::runTests(const Task& task)
 
 void CardNumbers::give(const Task& task, const LaboratoryNumbers& numbers, const std::set<std::string>& tested)
 {
-    Card more = *task.card;
-    more.numbers = numbers;
-    post([this, design = task.design, fabric = task.fabric, tested, more = std::make_shared<const Card>(std::move(more))] {
-        if (design != design_ || fabric != fabric_ || !card_) { return; } // another cloth by now
-        card_ = more;
+    post([this, cloth = task.cloth, numbers, tested] {
+        if (cloth != cloth_ || !card_) { return; } // another cloth by now
+        Card more = *card_;
+        more.numbers = numbers;
+        card_ = std::make_shared<const Card>(std::move(more));
         tested_.insert(tested.begin(), tested.end());
         Q_EMIT changed();
     });

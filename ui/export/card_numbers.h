@@ -21,7 +21,8 @@ public:
     /// Cancels and waits, 0.2 s or so.
     ~CardNumbers() override;
 
-    /// Whether the card keeps up with the chosen fabric; otherwise nothing is computed. Tests that are on go on.
+    /// Whether the card keeps up with the chosen fabric; otherwise nothing is computed. Tests that are on go on while
+    /// their cloth is in the project.
     void follow(bool on);
     struct Row {
         LaboratoryNumber number;
@@ -49,8 +50,13 @@ Q_SIGNALS:
 
 private:
     void take();
+    bool isIn(const Design& design) const;
+    void relabel(const std::shared_ptr<const Design>& design, int fabric);
+    /// Those that are on, of a cloth that is another now; says so.
+    void stopTests();
     /// What is run beside the window.
     struct Task {
+        int cloth = 0;
         std::shared_ptr<const Design> design;
         int fabric = 0;
         std::shared_ptr<const Card> card; ///< as far as it is known
@@ -66,6 +72,7 @@ private:
     bool follows_ = false;
     std::shared_ptr<const Design> design_; ///< whose fabric the card is of
     int fabric_ = -1;
+    int cloth_ = 0; ///< counts the cloths that it was of
     std::shared_ptr<const Card> card_;
     std::vector<Row> before_;      ///< of the card before, while this one is computed
     std::set<std::string> tested_; ///< tests that came to an end
