@@ -17,6 +17,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QToolButton>
 
@@ -65,6 +66,28 @@ private Q_SLOTS:
         QCOMPARE(copySources(playback.kept()->record->design, folder_.filePath("kept"), folder_.filePath("elsewhere")),
                  QStringList("run/rates.csv"));
         QCOMPARE(copy.size(), qint64{13});
+
+        QVERIFY(QFile::remove(folder_.filePath("kept/run/rates.csv")) && QDir().mkpath(folder_.filePath("third")));
+        QSignalSpy problems(&window_->run(), &RunWorkspace::problemFound);
+        chooseFile(folder_.filePath("third/a.hygrorec"));
+        trigger("Save A As…"); // its files are gone
+        QTRY_COMPARE_WITH_TIMEOUT(problems.count(), 1, 20000);
+        QVERIFY2(problems[0][0].toString().contains("could not be copied beside it: run/rates.csv"), qPrintable(problems[0][0].toString()));
+        QVERIFY(QFile::exists(folder_.filePath("third/a.hygrorec")));
+    }
+    void aFileIsOutsideOfAFolderOnlyByItsPath()
+    {
+        QVERIFY(QDir().mkpath(folder_.filePath("names/project")) && QDir().mkpath(folder_.filePath("names/to")));
+        Design design;
+        design.wears.resize(2);
+        design.wears[0].activity_file = "..rates.csv";
+        design.wears[1].activity_file = "../above.csv";
+        write(folder_.filePath("names/project/..rates.csv"), "time_s\n");
+        write(folder_.filePath("names/above.csv"), "time_s\n");
+        QVERIFY(QDir().mkpath(folder_.filePath("other/to")));
+        QCOMPARE(copySources(design, folder_.filePath("names/project"), folder_.filePath("other/to")), QStringList("../above.csv"));
+        QVERIFY(QFile::exists(folder_.filePath("other/to/..rates.csv")) && !QFile::exists(folder_.filePath("other/above.csv")));
+        QCOMPARE(copySources(design, {}, folder_.filePath("other/to")), (QStringList{"..rates.csv", "../above.csv"}));
     }
     void ratesOverTimeAreChosenReadAndLetGo()
     {

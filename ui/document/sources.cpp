@@ -91,11 +91,12 @@ QString folderOfSources(const Design& recorded, const QString& recording)
 
 QStringList copySources(const Design& design, const QString& from, const QString& to)
 {
+    if (from.isEmpty()) { return relativeSources(design); }
     QStringList left;
     for (const QString& file : relativeSources(design)) {
         const QString source = QDir(from).filePath(file), target = QDir(to).filePath(file);
-        if (realFile(source) == realFile(target)) { continue; }
-        const bool outside = QDir::cleanPath(file).startsWith("..");
+        if (QFileInfo::exists(source) && realFile(source) == realFile(target)) { continue; }
+        const bool outside = QDir::cleanPath(file).startsWith("../");
         const bool there = QFileInfo::exists(target);
         const bool copied = there ? holdTheSame(source, target)
                                   : !outside && QDir().mkpath(QFileInfo(target).absolutePath()) && QFile::copy(source, target);

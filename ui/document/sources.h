@@ -20,8 +20,8 @@ Design movedSources(Design design, const QString& from, const QString& to);
 /// files are in neither.
 QString folderOfSources(const Design& recorded, const QString& recording);
 
-/// Copies the files that a design names from a folder to the same places from another one. Returns those that it could not: outside of
-/// the folder, or in the place of another file, which stays.
+/// Copies the files that a design names from a folder to the same places from another one. Returns those that it could not: gone, outside
+/// of the folder, or in the place of another file, which stays; all, without the first folder.
 QStringList copySources(const Design& design, const QString& from, const QString& to);
 
 } // namespace hygroloom

@@ -136,8 +136,7 @@ void RunWorkspace::saveRecording(const QString& from, const QString& to)
                 turn.deliver([this, to, percent] { Q_EMIT messageShown(tr("Saving %1: %2 %").arg(to).arg(percent), 4000); });
                 return !turn.outdated();
             });
-            const QString sources = run ? folderOfSources(run->design, from) : QString();
-            if (!sources.isEmpty()) { left = copySources(run->design, sources, QFileInfo(to).absolutePath()); }
+            if (run) { left = copySources(run->design, folderOfSources(run->design, from), QFileInfo(to).absolutePath()); }
         } catch (const std::exception& error) {
             why = QString::fromStdString(error.what());
         }
