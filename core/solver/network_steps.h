@@ -31,10 +31,12 @@ inline double sweat_rate(const Scene& scene)
 /// Whether fibres or air exchange anything with the pores.
 inline bool exchanges(const Scene& scene) { return scene.rules.sorption || scene.rules.vapour; }
 
-/// Water (kg) and heat (J) that an error of a step is compared with.
+/// What an error of a step is compared with.
 struct AtStake {
-    double water = 0;
-    double heat = 0;
+    double water = 0;   ///< kg, that the fibres of all the cloth may bind
+    double heat = 0;    ///< J, of all the cloth
+    double to_come = 0; ///< kg of water
+    double fills = 0;   ///< kg of water that fills the yarns of cloth at rest, in which nothing happens but where water falls; else 0
 };
 
 /// What the length of the network's next step follows from.
@@ -114,7 +116,7 @@ public:
         if (!any) exchange_dt_ = exchange_limit(drops_about); // nothing is exchanged that steps would have to follow
         if (dt <= 0 || !any || scene_->rules.step_error <= 0) return;
         const double water = static_cast<double>(found.bound_error) * water_quantum / water_at_stake(delivered);
-        const double heat = static_cast<double>(found.heat_error) * EstimateExchange::heat_quantum / std::max(1e-30, at_stake_.heat);
+        const double heat = static_cast<double>(found.heat_error) * EstimateExchange::heat_quantum / heat_at_stake(delivered);
         exchange_ = {dt, true};
         // The steady temperature depends a little on the step. Where steps grow faster, that shift counts as an error and they shorten
         // again, without end.
@@ -159,7 +161,18 @@ private:
     {
         return std::clamp(0.9 / std::sqrt(std::max(1e-12, error / scene_->rules.step_error)), 0.3, most);
     }
-    double water_at_stake(double delivered) const { return std::max(1e-30, at_stake_.water + delivered); }
+    /// Of the cloth, where anything happens: as much of cloth at rest as the water fills that came or is to come, so that steps do not
+    /// depend on how much cloth lies about a drop.
+    double share_at_stake(double delivered) const
+    {
+        constexpr double a_little = 1e-6; // kg
+        return at_stake_.fills > 0 ? std::min(1.0, std::max(a_little, at_stake_.to_come + delivered) / at_stake_.fills) : 1.0;
+    }
+    double water_at_stake(double delivered) const
+    {
+        return std::max(1e-30, share_at_stake(delivered) * at_stake_.water + at_stake_.to_come + delivered);
+    }
+    double heat_at_stake(double delivered) const { return std::max(1e-30, share_at_stake(delivered) * at_stake_.heat); }
 
     const Scene* scene_ = nullptr;
     double sweat_rate_ = 0; ///< kg/s

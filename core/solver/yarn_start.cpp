@@ -30,25 +30,14 @@ void add_water_to_come(double& water, const Scene& scene, double pores)
     water += sweat_rate(scene) * ahead;
 }
 
+/// Whether nothing happens in the cloth but where water falls on it.
 bool is_at_rest(const Scene& scene)
 {
     const ClothStart& start = scene.cloth.start;
-    return start.warmth == 0 && start.humidity < 0 && start.liquid.empty() && scene.climate.course.empty() &&
+    return scene.supply.fed.empty() && scene.supply.skin.rate.empty() && !(sweat_rate(scene) > 0) && start.warmth == 0 &&
+           start.humidity < 0 && start.liquid.empty() && scene.climate.course.empty() &&
            std::all_of(scene.cloth.yarns.begin(), scene.cloth.yarns.end(),
                        [&](const YarnParameters& yarn) { return largest_change(scene, yarn) < least_change; });
-}
-
-/// Share of the cloth in which anything happens: all of it, or where cloth at rest gets drops or pools and nothing else, as much as their
-/// water fills. So errors are not measured by cloth that stays as it is. pores: m3, of all segments.
-double share_at_stake(const Scene& scene, double pores)
-{
-    const Supply& supply = scene.supply;
-    if (!is_at_rest(scene) || !supply.fed.empty() || !supply.skin.rate.empty() || (supply.droplets.empty() && supply.pools.empty()))
-        return 1.0;
-    double water = 0; // m3
-    for (const SceneDroplet& drop : supply.droplets) water += drop.volume;
-    for (const ScenePool& pool : supply.pools) water += pool.rate * (pool.end - pool.start);
-    return std::min(1.0, water / pores);
 }
 
 /// kg/m3 in the pores.
@@ -176,10 +165,9 @@ YarnStart yarn_start(const Scene& scene)
         if (scene.rules.sorption) start.at_stake.water += fibres * std::max(least_change, largest_change(scene, yarn));
         start.at_stake.heat += temperature_change * heat_capacity(yarn, scene.cloth.fibre_length(i, yarn), liquid);
     }
-    const double pores = std::accumulate(start.pores.begin(), start.pores.end(), 0.0), share = share_at_stake(scene, pores);
-    start.at_stake.water *= share;
-    start.at_stake.heat *= share;
-    add_water_to_come(start.at_stake.water, scene, pores);
+    const double pores = std::accumulate(start.pores.begin(), start.pores.end(), 0.0);
+    if (is_at_rest(scene)) start.at_stake.fills = density * pores;
+    add_water_to_come(start.at_stake.to_come, scene, pores);
     if (scene.cloth.by_suction) add_suctions(start, scene, s);
     return start;
 }

@@ -196,6 +196,7 @@ const std::map<std::string, const char*> without_effect{
     {"fabric.loom.reed_width_cm", "of the card"},
     {"fabric.loom.ends_per_dent", "of the card"},
     {"yarn.price", "of the card"},
+    {"yarn.library_yarn", "a name: the numbers of the library's yarn stand in the yarn"},
     {"fabric.calibrated", "holds others"},
     {"fabric.calibrated.file", "where values come from"},
     {"fabric.calibrated.experiment", "where values come from"},
