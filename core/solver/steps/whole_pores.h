@@ -320,8 +320,8 @@ struct WholeMove {
     }
 };
 
-/// Notes how steep classes are on the way of a change that leads past bends which the tangent where it begins knows nothing of: a room that
-/// hardly anything joins has none while it is dry, would go anywhere, and would keep all others from going their ways.
+/// Notes how steep classes are on the way of a change that leads past bends. The tangent where it begins knows nothing of them. A dry room
+/// that hardly anything joins has none at all: it would go anywhere and keep all others from going their ways.
 struct WholeStiffen {
     WholePores w;
     static constexpr bool wide_along_lines = true;
