@@ -102,7 +102,7 @@ struct Wicking {
 };
 Wicking wicking_of_yarns(const Textile& textile, YarnKind along)
 {
-    const YarnKind across = along == YarnKind::warp ? YarnKind::weft : YarnKind::warp;
+    const YarnKind across = other_kind(along);
     const auto pores_in = [&](YarnKind kind) { // m of a square metre; those across the front drink, too
         const YarnType& of = textile.system(kind).types[0];
         return wets(textile, kind) ? of.area * (1 - of.packing) * of.length_per_pitch[0] / textile.system(kind).pitch : 0.0;
